@@ -1,0 +1,40 @@
+"""Every error a user can cause: one line that says where, what was found, what was expected, what to do.
+
+The command line prints `str(error)` and exits with `error.exit_status`; it never shows a traceback for these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+
+class MahovikError(Exception):
+    """Base of all errors a user can cause. `exit_status` is the process's: 1 a check failed, 2 bad input or usage."""
+
+    exit_status = 2
+
+
+class StandError(MahovikError):
+    """A stand file was refused. `problems` holds one line each, all that were found, in the file's order."""
+
+    def __init__(self, problems: Sequence[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
+class StateError(MahovikError):
+    """A state of `eval` cannot be evaluated: its result line holds the message in `error`."""
+
+
+class UsageError(MahovikError):
+    """A combination of options, files or names that means nothing."""
+
+
+class ToolchainError(MahovikError):
+    """A compiler or emulator is missing, or refused what it was given."""
+
+
+class CheckFailed(MahovikError):
+    """What was asked to be checked is not so."""
+
+    exit_status = 1
