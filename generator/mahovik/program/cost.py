@@ -1,0 +1,113 @@
+"""Operation counts of a program: what a function costs by its own tree, loops and calls included.
+
+These are counts of arithmetic on reals, the same for every compiler; instructions, cycles and stack depend on it
+and are measured elsewhere. Of two branches the dearer is counted, so a count is an upper bound.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+from mahovik.program.expression import (
+    Binary,
+    BitCast,
+    Call,
+    Compare,
+    Const,
+    Convert,
+    Expr,
+    Logic,
+    Negate,
+    Not,
+    Place,
+    Select,
+)
+from mahovik.program.function import Function
+from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.program.types import Kind
+
+
+@dataclass(frozen=True)
+class Cost:
+    """Real operations: additions and subtractions, multiplications, divisions, comparisons and selections."""
+
+    additions: int = 0
+    multiplications: int = 0
+    divisions: int = 0
+    comparisons: int = 0
+
+    @property
+    def total(self) -> int:
+        return sum(getattr(self, f.name) for f in fields(self))
+
+    def __add__(self, other: Cost) -> Cost:
+        return Cost(*(getattr(self, f.name) + getattr(other, f.name) for f in fields(self)))
+
+    def times(self, count: int) -> Cost:
+        return Cost(*(getattr(self, f.name) * count for f in fields(self)))
+
+
+ZERO = Cost()
+
+
+def cost(function: Function) -> Cost:
+    """Operations of one call."""
+    return _block(function.body, {})
+
+
+def _block(body: tuple[Statement, ...], bound: dict[str, int]) -> Cost:
+    return sum((_statement(s, bound) for s in body), ZERO)
+
+
+def _statement(s: Statement, bound: dict[str, int]) -> Cost:
+    match s:
+        case Note() | Declare() | Copy():
+            return ZERO
+        case Let(_, value) | Return(value):
+            return _expr(value, bound)
+        case Set(_, value, _, add):
+            extra = Cost(additions=1) if add and value.kind is Kind.REAL else ZERO
+            return _expr(value, bound) + extra
+        case Do(call):
+            return _expr(call, bound)
+        case Loop(_, start, stop, body):
+            return _block(body, bound).times(max(0, _bound(stop, bound) - _bound(start, bound)))
+        case When(condition, body, otherwise):
+            one, two = _block(body, bound), _block(otherwise, bound)
+            return _expr(condition, bound) + (one if one.total >= two.total else two)
+    raise TypeError(f"unknown statement {type(s).__name__}")
+
+
+def _bound(e: Expr, bound: dict[str, int]) -> int:
+    """A loop bound: a literal, or an argument of the function with a literal given at the call; else 1 is counted."""
+    if isinstance(e, Const):
+        return int(e.value)
+    if isinstance(e, Place) and e.root.name in bound:
+        return bound[e.root.name]
+    return 1
+
+
+def _expr(e: Expr, bound: dict[str, int]) -> Cost:
+    match e:
+        case Negate() | Not() | Convert() | BitCast():
+            return _expr(e.operand, bound)
+        case Binary():
+            inner = _expr(e.left, bound) + _expr(e.right, bound)
+            if e.kind is not Kind.REAL:
+                return inner
+            own = {"+": Cost(1), "-": Cost(1), "*": Cost(0, 1), "/": Cost(0, 0, 1)}[e.operator]
+            return inner + own
+        case Compare():
+            own = Cost(comparisons=1) if e.left.kind is Kind.REAL else ZERO
+            return own + _expr(e.left, bound) + _expr(e.right, bound)
+        case Logic():
+            return _expr(e.left, bound) + _expr(e.right, bound)
+        case Select():
+            own = Cost(comparisons=1) if e.kind is Kind.REAL else ZERO
+            return own + _expr(e.condition, bound) + _expr(e.yes, bound) + _expr(e.no, bound)
+        case Call():
+            passed = zip(e.function.arguments, e.arguments, strict=True)
+            inside = {p.name: int(a.value) for p, a in passed if isinstance(a, Const) and a.kind is Kind.INT}
+            inner = sum((_expr(a, bound) for a in e.arguments if not isinstance(a, Place)), ZERO)
+            return inner + _block(e.function.body, inside)
+    return ZERO
