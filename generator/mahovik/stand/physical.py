@@ -1,0 +1,81 @@
+"""What a body and a whole stand must obey to be physical; its own code, shared with no derivation."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.stand.model import Body, Carrier, Flywheel, Instrument, Stand
+from mahovik.stand.problems import Problems
+
+Array = NDArray[np.float64]
+
+RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
+
+
+def inertia_about_center(body: Body) -> Array:
+    """Tensor about the centre of mass, kg m2, in the body's axes (parallel axis theorem)."""
+    given = np.array(body.inertia)
+    return given if body.inertia_about == "center_of_mass" else given - _steiner(body)
+
+
+def inertia_about_origin(body: Body) -> Array:
+    """Tensor about the origin of the body's frame, kg m2."""
+    given = np.array(body.inertia)
+    return given if body.inertia_about == "origin" else given + _steiner(body)
+
+
+def _steiner(body: Body) -> Array:
+    c = np.array(body.center_of_mass)
+    shift: Array = body.mass * (c @ c * np.eye(3) - np.outer(c, c))
+    return shift
+
+
+def check_body(body: Body, where: str, problems: Problems) -> None:
+    """Note what is unphysical in one body."""
+    with np.errstate(all="ignore"):  # overflow is caught by isfinite
+        central, at_origin = inertia_about_center(body), inertia_about_origin(body)
+    if not (np.isfinite(central).all() and np.isfinite(at_origin).all()):
+        problems.add(where, "inertia", "overflows double precision when moved between origin and centre of mass")
+        return
+    scale = max(float(np.abs(np.array(body.inertia)).max()), float(np.abs(central).max()))
+    if scale > 0.0:
+        a, b, c = np.linalg.eigvalsh(central / scale) * scale
+        if a < -RELATIVE * scale:
+            problems.add(
+                where,
+                "inertia",
+                f"Theta is not positive semidefinite, a principal moment about the centre of mass is {a:.6g}",
+            )
+        elif a + b < c - RELATIVE * scale:
+            problems.add(
+                where,
+                "inertia",
+                "principal moments about the centre of mass break the triangle inequality, "
+                f"{a:.6g} + {b:.6g} < {c:.6g}",
+            )
+    if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
+        problems.add(
+            where, "inertia", f"a flywheel needs inertia about its own axis, J11 at the origin is {at_origin[0, 0]:.6g}"
+        )
+    if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
+        _check_added_mass(np.array(body.added_mass), where, problems)
+
+
+def _check_added_mass(added: Array, where: str, problems: Problems) -> None:
+    diagonal = np.diag(added)
+    if (diagonal < 0).any():
+        i = int(np.argmin(diagonal))
+        problems.add(where, "added_mass", f"not positive semidefinite, [{i}][{i}] = {diagonal[i]:.6g}")
+        return
+    # unit diagonal first: kg and kg m2 have no common size
+    root = np.where(diagonal > 0, np.sqrt(diagonal), 1.0)
+    least = np.linalg.eigvalsh(added / root[:, None] / root[None, :])[0]
+    if least < -RELATIVE:
+        problems.add(where, "added_mass", f"not positive semidefinite, least eigenvalue at unit diagonal {least:.6g}")
+
+
+def check_stand(stand: Stand, problems: Problems) -> None:
+    """Note what is unphysical in the stand as a whole; every body has passed `check_body`."""
+    if not sum(body.mass for body in stand.bodies) > 0.0:
+        problems.add("total mass is zero: there is no centre of mass")

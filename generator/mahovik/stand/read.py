@@ -1,0 +1,191 @@
+"""Stand file -> Stand. Every problem of the file is found before any is reported."""
+
+from __future__ import annotations
+
+import tomllib
+from decimal import Decimal, InvalidOperation
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+
+from mahovik.errors import StandError
+from mahovik.stand import build, physical
+from mahovik.stand.model import Flywheel, Instrument, Leg, Point, Stand
+from mahovik.stand.names import nearest
+from mahovik.stand.problems import Problems
+from mahovik.stand.schema import (
+    CarrierTable,
+    FlywheelTable,
+    Header,
+    InstrumentTable,
+    LegTable,
+    PointTable,
+    SuspensionTable,
+    Table,
+)
+from mahovik.stand.units import show
+
+AnyTable = TypeVar("AnyTable", bound=Table)
+
+_TABLES = ("carrier", "suspension")
+_ARRAYS: dict[str, type[Table]] = {
+    "leg": LegTable,
+    "instrument": InstrumentTable,
+    "flywheel": FlywheelTable,
+    "point": PointTable,
+}
+
+
+def load(path: str | Path) -> Stand:
+    """Read and check the stand file at `path`. Raises StandError with every problem found."""
+    path = Path(path)
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise StandError([f"{path}: no such file"]) from None
+    except IsADirectoryError:
+        raise StandError([f"{path}: is a directory, expected a stand file (TOML)"]) from None
+    except OSError as error:
+        raise StandError([f"{path}: cannot be read: {error.strerror or error}"]) from None
+    except ValueError as error:  # a NUL in the name
+        raise StandError([f"{show(str(path))}: {error}"]) from None
+    try:
+        text = content.decode("utf-8-sig")  # Windows editors write a byte order mark
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise StandError([f"{path.name}: not UTF-8, byte 0x{content[error.start]:02x} in line {line}"]) from None
+    return loads(text, path.name)
+
+
+def loads(text: str, source: str = "stand") -> Stand:
+    """Read and check a stand given as text; `source` names it in messages. Raises StandError."""
+    try:
+        document = tomllib.loads(text, parse_float=_decimal)
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:  # ValueError: an integer of 5000 digits
+        raise StandError([f"{source}: not TOML: {error}"]) from None
+    return read(document, source)
+
+
+def read(document: dict[str, Any], source: str) -> Stand:
+    """Check a parsed stand file (floats as Decimal) and make a Stand of it. Raises StandError."""
+    problems = Problems(source)
+    header = _header(document, problems)
+    if any(line.endswith("this version reads schema 1") for line in problems.lines):
+        raise StandError([line for line in problems.lines if "schema" in line])  # all else would be noise
+
+    carrier_table = _table(problems, document, "carrier", CarrierTable)
+    if "carrier" not in document:
+        problems.add("carrier", "required, but missing")
+    suspension_table = _table(problems, document, "suspension", SuspensionTable)
+    leg_tables = _array(problems, document, "leg", LegTable)
+    instrument_tables = _array(problems, document, "instrument", InstrumentTable)
+    flywheel_tables = _array(problems, document, "flywheel", FlywheelTable)
+    point_tables = _array(problems, document, "point", PointTable)
+    _check_names(problems, document)
+
+    carrier = build.carrier(carrier_table, problems) if carrier_table else None
+    legs: list[Leg] = [build.leg(table) for _, table in leg_tables]
+    instruments: list[Instrument] = [build.instrument(table, where, problems) for where, table in instrument_tables]
+    wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
+    flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
+    points: list[Point] = [build.point(table) for _, table in point_tables]
+    if carrier is not None:
+        physical.check_body(carrier, "carrier", problems)
+    for instrument in instruments:
+        physical.check_body(instrument, f'instrument "{instrument.name}"', problems)
+    for flywheel in flywheels:
+        physical.check_body(flywheel, f'flywheel "{flywheel.name}"', problems)
+
+    if problems.lines or header is None or carrier is None:
+        raise StandError(problems.lines)
+    stand = Stand(
+        name=header.name,
+        angles=header.angles,
+        gravity=header.gravity,
+        stream=header.stream,
+        carrier=carrier,
+        suspension=build.suspension(suspension_table) if suspension_table else None,
+        legs=tuple(legs),
+        instruments=tuple(instruments),
+        flywheels=tuple(flywheels),
+        points=tuple(points),
+    )
+    physical.check_stand(stand, problems)
+    if problems.lines:
+        raise StandError(problems.lines)
+    return stand
+
+
+def _decimal(text: str) -> Decimal:
+    """A float literal with every digit it has, so that a unit can be applied before it is rounded."""
+    try:
+        return Decimal(text)
+    except InvalidOperation:  # an exponent too long even for Decimal
+        return Decimal("Infinity") if "e-" not in text.lower() else Decimal(0)
+
+
+def _header(document: dict[str, Any], problems: Problems) -> Header | None:
+    known = [*(info.alias or name for name, info in Header.model_fields.items()), *_TABLES, *_ARRAYS]
+    own = {key: value for key, value in document.items() if key in known and key not in (*_TABLES, *_ARRAYS)}
+    for key in document:
+        if key not in known:
+            problems.add(f'unknown key "{key}", did you mean "{nearest(key, known)}"?')
+    return _validate(problems, "", Header, own)
+
+
+def _validate(problems: Problems, where: str, table: type[AnyTable], raw: Any) -> AnyTable | None:
+    try:
+        return table.model_validate(raw)
+    except ValidationError as error:
+        problems.add_schema_errors(where, table, error)
+        return None
+
+
+def _table(problems: Problems, document: dict[str, Any], key: str, table: type[AnyTable]) -> AnyTable | None:
+    return _validate(problems, key, table, document[key]) if key in document else None
+
+
+def _array(problems: Problems, document: dict[str, Any], key: str, table: type[AnyTable]) -> list[tuple[str, AnyTable]]:
+    """The valid tables of an array, each with the words that name it."""
+    raw = document.get(key, [])
+    if not isinstance(raw, list):
+        problems.add(key, f"expected an array of tables, [[{key}]], found {show(raw)}")
+        return []
+    found = []
+    for i, item in enumerate(raw):
+        name = item.get("name") if isinstance(item, dict) else None
+        where = f'{key} "{name}"' if isinstance(name, str) else f"{key}[{i}]"
+        valid = _validate(problems, where, table, item)
+        if valid is not None:
+            found.append((where, valid))
+    return found
+
+
+def _named(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:
+    raw = document.get(key, [])
+    tables = [item for item in raw if isinstance(item, dict)] if isinstance(raw, list) else []
+    return [(item["name"], item) for item in tables if isinstance(item.get("name"), str)]
+
+
+def _check_names(problems: Problems, document: dict[str, Any]) -> None:
+    """No two bodies or points of one name; every mount is the carrier or an instrument."""
+    taken = {"carrier": "the carrier"}
+    for key in ("instrument", "flywheel", "point"):
+        for name, _ in _named(document, key):
+            if name in taken:
+                problems.add(f'{key} "{name}"', "name", f"taken by {taken[name]}")
+            else:
+                taken[name] = f"{'an' if key == 'instrument' else 'a'} {key}"
+    mounts = ["carrier", *(name for name, _ in _named(document, "instrument"))]
+    flywheels = {name for name, _ in _named(document, "flywheel")}
+    for key in ("flywheel", "point"):
+        for name, item in _named(document, key):
+            mount = item.get("mount", "carrier")
+            if not isinstance(mount, str) or mount in mounts:
+                continue
+            if mount in flywheels:
+                reason = f'"{mount}" is a flywheel, expected "carrier" or an instrument'
+            else:
+                reason = f'unknown "{mount}", did you mean "{nearest(mount, mounts)}"?'
+            problems.add(f'{key} "{name}"', "mount", reason)

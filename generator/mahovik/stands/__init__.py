@@ -1,0 +1,27 @@
+"""Example stands shipped with the package: `mahovik new --from NAME`, tests, generated/."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from mahovik.errors import UsageError
+
+_FOLDER = Path(__file__).parent
+
+
+def names() -> tuple[str, ...]:
+    """Names of the example stands, sorted."""
+    return tuple(sorted(file.stem for file in _FOLDER.glob("*.toml")))
+
+
+def path(name: str) -> Path:
+    """The stand file of an example. Raises UsageError for an unknown name."""
+    if name not in names():
+        raise UsageError(f'no example stand "{name}", expected one of {", ".join(names())}')
+    return _FOLDER / f"{name}.toml"
+
+
+def motions(name: str) -> tuple[Path, ...]:
+    """The motion files that belong to an example (NAME.motion.json, NAME_*.motion.json), sorted."""
+    path(name)
+    return tuple(sorted([*_FOLDER.glob(f"{name}.motion.json"), *_FOLDER.glob(f"{name}_*.motion.json")]))
