@@ -1,0 +1,11 @@
+"""What mechanics does not know, as program data: functions that firmware would otherwise take from libm.
+
+Every operation is an IEEE operation rounded to nearest, none is assumed to be fused with another, and the order
+is the order of the tree: so the results are the same bits on every machine.
+"""
+
+from mahovik.routines.arc_tangent import atan2
+from mahovik.routines.sincos import sincos
+from mahovik.routines.square_root import square_root
+
+__all__ = ["atan2", "sincos", "square_root"]
