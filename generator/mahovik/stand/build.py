@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, cast
+from typing import Any
 
 from mahovik.stand import datasheet
 from mahovik.stand.model import (
@@ -36,7 +36,7 @@ from mahovik.stand.schema import (
     SuspensionTable,
 )
 
-_ZERO6 = cast(Mat6, ((0.0,) * 6,) * 6)
+_ZERO6: Mat6 = ((0.0,) * 6,) * 6
 _PARALLEL = 1e-9  # sine of the smallest angle between axis and zero that still says where the second axis is
 
 

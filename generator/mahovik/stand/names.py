@@ -7,22 +7,23 @@ from difflib import SequenceMatcher
 
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
-C_KEYWORDS = frozenset(
-    # C99
-    "auto break case char const continue default do double else enum extern float for goto if inline int long "
-    "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
-    "_Bool _Complex _Imaginary "
-    # C11, C23
-    "_Alignas _Alignof _Atomic _BitInt _Decimal128 _Decimal32 _Decimal64 _Generic _Noreturn _Static_assert "
-    "_Thread_local alignas alignof bool constexpr false nullptr static_assert thread_local true typeof typeof_unqual".split()
-)
-CPP_KEYWORDS = frozenset(
-    "alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t char8_t class co_await co_return co_yield "
-    "compl concept const_cast consteval constexpr constinit decltype delete dynamic_cast explicit export false friend "
-    "mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public reinterpret_cast "
-    "requires static_assert static_cast template this thread_local throw true try typeid typename using virtual wchar_t "
-    "xor xor_eq".split()
-)
+# C99, then C11 and C23
+_C = """
+auto break case char const continue default do double else enum extern float for goto if inline int long
+register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+_Bool _Complex _Imaginary
+_Alignas _Alignof _Atomic _BitInt _Decimal128 _Decimal32 _Decimal64 _Generic _Noreturn _Static_assert
+_Thread_local alignas alignof bool constexpr false nullptr static_assert thread_local true typeof typeof_unqual
+"""
+_CPP = """
+alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t char8_t class co_await co_return
+co_yield compl concept const_cast consteval constexpr constinit decltype delete dynamic_cast explicit export
+false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public
+reinterpret_cast requires static_assert static_cast template this thread_local throw true try typeid typename
+using virtual wchar_t xor xor_eq
+"""
+C_KEYWORDS = frozenset(_C.split())
+CPP_KEYWORDS = frozenset(_CPP.split())
 
 
 def name_problem(name: str) -> str | None:

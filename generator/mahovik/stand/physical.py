@@ -10,6 +10,7 @@ from mahovik.stand.problems import Problems
 
 Array = NDArray[np.float64]
 
+LEAST_EIGENVALUE = 1e-12  # stand.md
 RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
 
 
@@ -79,3 +80,15 @@ def check_stand(stand: Stand, problems: Problems) -> None:
     """Note what is unphysical in the stand as a whole; every body has passed `check_body`."""
     if not sum(body.mass for body in stand.bodies) > 0.0:
         problems.add("total mass is zero: there is no centre of mass")
+        return
+    from mahovik.stand.definite import least_eigenvalue
+
+    with np.errstate(all="ignore"):  # numbers near the ends of double precision: not finite below, or -inf
+        least, phases = least_eigenvalue(stand)
+    if not least >= LEAST_EIGENVALUE:
+        at = ", ".join(f"{f.name} = {phi:.4g}" for f, phi in zip(stand.flywheels, phases, strict=True))
+        problems.add(
+            "mass matrix of the whole stand, scaled to unit diagonal, has the eigenvalue "
+            f"{least:.3g}{' at phases ' + at if at else ''}, expected at least {LEAST_EIGENVALUE:g}: "
+            "some motion has no inertia"
+        )

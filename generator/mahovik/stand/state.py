@@ -1,4 +1,4 @@
-"""One state of a stand with its inputs, as plain numbers in SI: what every backend evaluates (stand.md, *Evaluation*)."""
+"""One state of a stand with its inputs, as plain numbers in SI: what every backend evaluates."""
 
 from __future__ import annotations
 
@@ -39,5 +39,5 @@ class State:
 def rest_state(stand: Stand) -> State:
     """The state in which every input of `stand` is zero and the carrier is aligned with E0."""
     zeros = (0.0,) * len(stand.flywheels)
-    zero6: Vec6 = (0.0,) * 6  # type: ignore[assignment]  # a tuple product has no known length
+    zero6: Vec6 = (0.0,) * 6
     return State((0.0, 0.0, 0.0), None, None, zero6, zeros, zeros, zeros, zero6, zeros)

@@ -167,7 +167,7 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
         raise
     except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
         raise QuantityError(f"{show(unit)} is not a known unit") from error
-    powers = {name: power for name, power in root._units.items()}
+    powers = dict(root._units.items())
     if not all(float(power).is_integer() for power in powers.values()):
         raise QuantityError(f"unit {show(unit)} has a power that is not whole")
     return Fraction(scale), {name: int(power) for name, power in powers.items()}
@@ -177,7 +177,7 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
 def _registry() -> Any:
     import pint
 
-    registry = pint.UnitRegistry(non_int_type=Fraction)
+    registry: Any = pint.UnitRegistry(non_int_type=Fraction)
     # as data sheets of motors and wheels write them
     for definition in (
         "@alias turn = rev",
