@@ -148,9 +148,9 @@ class _Rotor:
     """One flywheel: constant transfer from its frame at phi_s = 0 to E1, spatial inertia, harmonics."""
 
     def __init__(self, stand: Stand, flywheel: Flywheel) -> None:
-        mounts = {instrument.name: _transfer_of(instrument) for instrument in stand.instruments}
-        own = _transfer(np.array(flywheel.position), _axes(flywheel))
-        self.mount = mounts.get(flywheel.mount, np.eye(6)) @ own
+        mount = mount_of(stand, flywheel)
+        outer = np.eye(6) if mount is None else _transfer(*placement(mount))
+        self.mount = outer @ _transfer(*placement(flywheel))
         self.Theta = _spatial(flywheel)
         row = self.Theta[:, 3]
         free = self.Theta - np.outer(row, row) / self.Theta[3, 3]
@@ -172,7 +172,7 @@ class _Rotor:
 def _fixed(stand: Stand) -> Array:
     total = _spatial(stand.carrier)
     for instrument in stand.instruments:
-        L = _transfer_of(instrument)
+        L = _transfer(*placement(instrument))
         total = total + L @ _spatial(instrument) @ L.T
     for added in (stand.carrier.added_mass, *(instrument.added_mass for instrument in stand.instruments)):
         if added is not None:
@@ -185,9 +185,20 @@ def _spatial(body: Carrier | Instrument | Flywheel) -> Array:
     return np.block([[body.mass * np.eye(3), -first], [first, inertia_about_origin(body)]])
 
 
-def _transfer_of(instrument: Instrument) -> Array:
-    psi, theta, phi = instrument.angles
-    return _transfer(np.array(instrument.position), _turn(2, psi) @ _turn(1, theta) @ _turn(0, phi))
+def mount_of(stand: Stand, body: Instrument | Flywheel) -> Instrument | None:
+    """The instrument that a flywheel stands on; None for what stands on the carrier."""
+    if isinstance(body, Instrument):
+        return None
+    return next((instrument for instrument in stand.instruments if instrument.name == body.mount), None)
+
+
+def placement(body: Instrument | Flywheel) -> tuple[Array, Array]:
+    """Origin of a body in the frame of its mount, m, and its axes there as columns (a flywheel's at phi_s = 0)."""
+    position = np.array(body.position)
+    if isinstance(body, Flywheel):
+        return position, _axes(body)
+    psi, theta, phi = body.angles
+    return position, _turn(2, psi) @ _turn(1, theta) @ _turn(0, phi)
 
 
 def _transfer(position: Array, C: Array) -> Array:
