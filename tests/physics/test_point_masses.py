@@ -1,0 +1,189 @@
+"""A judge that knows no matrix of the model: bodies are clouds of point masses, and Newton's law holds for each.
+
+A cloud is moved through E0 by SciPy's rotations along a motion with V* of (8); accelerations of its points are
+second differences of their positions. Sums of m r'' must be sums of the forces on the points.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from mahovik.reference import evaluate
+from mahovik.stand.model import MountingAxes, Suspension
+from physics.general import draw, rows, without_added_mass
+from physics.motions import motion, rotation, second_rate, vec
+
+SEEDS = range(6)
+POINTS = 7  # enough for a general tensor of inertia
+STEP = 5e-3  # times 20 rad/s is 0.1: 0.1^8 / 3150 and 1e-16 / STEP^2 are both below 1e-11
+DIFFERENCES = 1e-9  # of the largest force: some ten points, largest m r'' 1e2
+
+
+def clouds(stand, seed):
+    """The stand with each body's mass data made of a cloud of points; the clouds by body name: masses, places."""
+    rng = np.random.default_rng(seed)
+    made, stand = {}, without_added_mass(stand)
+
+    def body(b, size):
+        m, x = rng.uniform(0.05, 0.2, POINTS), rng.normal(size=(POINTS, 3)) * size
+        made[b.name] = (m, x)
+        J = sum(mi * (xi @ xi * np.eye(3) - np.outer(xi, xi)) for mi, xi in zip(m, x, strict=True))
+        return replace(
+            b,
+            mass=float(m.sum()),
+            center_of_mass=vec(m @ x / m.sum()),
+            inertia=rows(J),
+            inertia_about="origin",
+            buoyancy=None,
+            damping=None,
+        )
+
+    stand = replace(
+        stand,
+        carrier=body(stand.carrier, 0.5),
+        instruments=tuple(body(p, 0.2) for p in stand.instruments),
+        flywheels=tuple(body(s, 0.1) for s in stand.flywheels),
+    )
+    return stand, made
+
+
+def frame_in(stand, name, position, matrix):
+    """A frame given in its mount (name), carried to E1: origin, axes."""
+    if name == "carrier":
+        return np.array(position), matrix
+    p = next(p for p in stand.instruments if p.name == name)
+    C = Rotation.from_euler("ZYX", p.angles).as_matrix()
+    return np.array(p.position) + C @ np.array(position), C @ matrix
+
+
+def flywheel_frame(stand, s, phi):
+    """Origin and axes of a flywheel in E1, by SciPy."""
+    m = s.mounting
+    if isinstance(m, MountingAxes):
+        basis, _ = np.linalg.qr(np.column_stack([m.axis, m.zero]))
+        basis = basis * np.sign(np.sum(basis * np.column_stack([m.axis, m.zero]), axis=0))
+        C = np.column_stack([basis, np.cross(basis[:, 0], basis[:, 1])])
+        C = C @ Rotation.from_euler("X", phi).as_matrix()
+    else:
+        C = Rotation.from_euler("ZYX", [m.psi, m.theta, m.zero + phi]).as_matrix()
+    return frame_in(stand, s.mount, s.position, C)
+
+
+def frames_in_E0(stand, state):
+    """Origin and axes in E0 of every body by name."""
+    C, O1 = rotation(stand, state), np.array(state.position)
+    frames = {"carrier": (np.zeros(3), np.eye(3))}
+    for p in stand.instruments:
+        frames[p.name] = frame_in(stand, p.name, np.zeros(3), np.eye(3))
+    for s, phi in zip(stand.flywheels, state.phi, strict=True):
+        frames[s.name] = flywheel_frame(stand, s, phi)
+    return {name: (O1 + C @ O, C @ R) for name, (O, R) in frames.items()}
+
+
+def places(stand, made, state):
+    """All points in E0 by body name, Nx3."""
+    return {name: O + made[name][1] @ R.T for name, (O, R) in frames_in_E0(stand, state).items()}
+
+
+def newton(stand, made, state):
+    """m r'' - m g of every point in E0, by body name: what the rest of the world must exert on it."""
+    at = motion(stand, state)
+    accelerations = {name: second_rate(lambda t, name=name: places(stand, made, at(t))[name], STEP) for name in made}
+    return {name: made[name][0][:, None] * (a - np.array(stand.gravity)) for name, a in accelerations.items()}
+
+
+def drawn(seed):
+    stand, state = draw(seed, 3, instruments=1)
+    stand, made = clouds(replace(stand, suspension=None, legs=()), seed)
+    state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
+    return stand, made, state
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_forward_gives_every_point_its_newtonian_acceleration(seed):
+    """Force and moment about the origin of E0, all points, against the run-time wrenches carried there by hand."""
+    stand, made, state = drawn(seed)
+    r, needed = places(stand, made, state), newton(stand, made, state)
+    force, moment = np.zeros(3), np.zeros(3)
+    for name, (O, R) in frames_in_E0(stand, state).items():
+        given = np.array(state.wrench[name])
+        force += R @ given[:3]
+        moment += R @ given[3:] + np.cross(O, R @ given[:3])
+    needed_force = sum(f.sum(axis=0) for f in needed.values())
+    needed_moment = sum(np.cross(r[name], f).sum(axis=0) for name, f in needed.items())
+    scale = max(np.abs(f).sum() for f in needed.values())
+    np.testing.assert_allclose(needed_force, force, rtol=0, atol=DIFFERENCES * scale)
+    np.testing.assert_allclose(needed_moment, moment, rtol=0, atol=DIFFERENCES * scale)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed):
+    """About Os, in the flywheel's axes at phi_s = 0; the run-time wrench turns with phi_s."""
+    stand, made, state = drawn(seed)
+    r, needed, frames = places(stand, made, state), newton(stand, made, state), frames_in_E0(stand, state)
+    at_zero = frames_in_E0(stand, replace(state, phi=(0.0,) * len(state.phi)))
+    values = evaluate(stand, state, ["mounts", "torque"])
+    scale = max(np.abs(f).sum() for f in needed.values())
+    for row, s in enumerate(stand.flywheels):
+        (O, R), (_, R0) = frames[s.name], at_zero[s.name]
+        given = np.array(state.wrench[s.name])
+        force = needed[s.name].sum(axis=0) - R @ given[:3]
+        moment = np.cross(r[s.name] - O, needed[s.name]).sum(axis=0) - R @ given[3:]
+        expected = np.concatenate([R0.T @ force, R0.T @ moment])
+        np.testing.assert_allclose(values["mount_wrench"][row], expected, rtol=0, atol=DIFFERENCES * scale)
+        assert values["tau"][row] == pytest.approx(expected[3], abs=DIFFERENCES * scale)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_momentum_and_energy_are_sums_over_points(seed):
+    stand, made, state = drawn(seed)
+    at = motion(stand, state)
+    r = places(stand, made, state)
+    weights, h = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}, 2e-3
+    moved = {k: (places(stand, made, at(k * h)), places(stand, made, at(-k * h))) for k in weights}
+    p, moment, energy, first = np.zeros(3), np.zeros(3), 0.0, np.zeros(3)
+    for name, (m, _) in made.items():
+        velocity = sum(w * (moved[k][0][name] - moved[k][1][name]) for k, w in weights.items()) / h
+        p += m @ velocity
+        moment += (m[:, None] * np.cross(r[name], velocity)).sum(axis=0)
+        energy += (m @ velocity**2).sum() / 2
+        first += m @ r[name]
+    values = evaluate(stand, state, ["momentum"])
+    # first differences: 1e-16 / 2e-3 and 0.04^8 / 630, both below 1e-12
+    np.testing.assert_allclose(values["Z0"], [*p, *moment], rtol=0, atol=1e-10 * np.abs(values["Z0"]).max())
+    assert values["energy"] == pytest.approx(energy, rel=1e-10)
+    total = sum(m.sum() for m, _ in made.values())
+    center = np.array(state.position) + rotation(stand, state) @ values["center_of_mass"]
+    np.testing.assert_allclose(center, first / total, rtol=0, atol=1e-13)  # sums of numbers near 1
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_suspension_and_legs_hold_the_points_up(seed):
+    """At rest: the motion that (8) gives is that of the points under springs written out by hand."""
+    stand, made, state = drawn(seed)
+    full, _ = draw(seed, 3, instruments=1)
+    k = 40.0
+    spring = Suspension(
+        stiffness=rows(np.diag([k, k, k, 0, 0, 0])),
+        damping=rows(np.zeros((6, 6))),
+        position=(0.1, 0.2, 0.3),
+        angles=(0.4, 0.5, 0.6),
+    )
+    stand = replace(stand, suspension=spring, legs=full.legs)
+    state = replace(state, V=(0.0,) * 6, phi_dot=(0.0,) * 3, wrench={})
+    state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
+    r, needed = places(stand, made, state), newton(stand, made, state)
+    O1, C = np.array(state.position), rotation(stand, state)
+    force = -k * (O1 - np.array(spring.position))
+    moment = np.cross(O1, force)
+    for leg in stand.legs:
+        end = O1 + C @ np.array(leg.carrier)
+        d = end - np.array(leg.ground)
+        pull = -leg.stiffness * (np.linalg.norm(d) - leg.length) * d / np.linalg.norm(d)
+        force, moment = force + pull, moment + np.cross(end, pull)
+    scale = max(np.abs(f).sum() for f in needed.values())
+    np.testing.assert_allclose(sum(f.sum(axis=0) for f in needed.values()), force, rtol=0, atol=DIFFERENCES * scale)
+    needed_moment = sum(np.cross(r[name], f).sum(axis=0) for name, f in needed.items())
+    np.testing.assert_allclose(needed_moment, moment, rtol=0, atol=DIFFERENCES * scale)

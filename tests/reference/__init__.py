@@ -1,0 +1,1 @@
+"""Each piece of the reference against facts found another way."""
