@@ -81,7 +81,8 @@ def flywheel_rotation(flywheel: Flywheel, phi: float) -> Array:
     """
     mounting = flywheel.mounting
     if isinstance(mounting, MountingAngles):
-        return C3(mounting.psi) @ C2(mounting.theta) @ C1(mounting.zero + phi)
+        # C1(zero) C1(phi) is C1(zero + phi) without the rounding of that sum, 1e-9 where phi is 1e7
+        return C3(mounting.psi) @ C2(mounting.theta) @ C1(mounting.zero) @ C1(phi)
     axis, zero = np.array(mounting.axis), np.array(mounting.zero)
     first = axis / math.hypot(*axis)
     across = zero - first * (first @ zero)

@@ -1,0 +1,127 @@
+"""The contract of `evaluate`: names, shapes, refusals."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from mahovik.errors import StateError
+from mahovik.reference import WANTS, evaluate
+from physics.general import draw
+from physics.motions import motion, rate, rotation, second_rate
+
+SHAPES = {
+    "matrices": {"K": (6, 6), "K_dot": (6, 6), "M": (6, 6), "I": (6, "N"), "J": (6, "N"), "F": (6,)},
+    "momentum": {"Z": (6,), "Z0": (6,), "energy": (), "center_of_mass": (3,)},
+    "forward": {"V_dot": (6,)},
+    "torque": {"tau": ("N",)},
+    "mounts": {"mount_wrench": ("N", 6)},
+    "coupled": {"V_dot": (6,), "phi_ddot": ("N",)},
+    "inverse": {"phi_ddot": ("N",), "residual": (6,), "sigma": ("n",), "status": (), "rank": ()},
+    "generalized": {"A": (6, 6), "D": (6, 6), "I0": (6, 6), "J0": (6, 6), "q_dot": (6,), "q_ddot": (6,)},
+}
+
+
+@pytest.mark.parametrize("flywheels", [0, 1, 7])
+@pytest.mark.parametrize("want", SHAPES)
+def test_each_want_gives_what_the_contract_names(want, flywheels):
+    stand, state = draw(1, flywheels)
+    values = evaluate(stand, state, [want])
+    sizes = {"N": flywheels, "n": min(6, flywheels)}
+    expected = {name: tuple(sizes.get(size, size) for size in shape) for name, shape in SHAPES[want].items()}
+    assert {name: np.shape(value) for name, value in values.items()} == expected
+
+
+def test_every_want_is_spoken_for():
+    assert set(WANTS) == set(SHAPES) | {"points"}
+
+
+@pytest.mark.parametrize(
+    ("want", "message"),
+    [
+        ([], "empty"),
+        (["forwards"], "'forwards' is unknown"),
+        (["forward", "coupled"], "both give 'V_dot'"),
+        (["inverse", "momentum", "coupled"], "both give 'phi_ddot'"),
+    ],
+)
+def test_refused_wants(want, message):
+    stand, state = draw(1, 2)
+    with pytest.raises(StateError, match=message):
+        evaluate(stand, state, want)
+
+
+def test_wants_together_give_what_each_gives_alone():
+    stand, state = draw(1, 3)
+    together = evaluate(stand, state, ["matrices", "inverse", "forward", "torque"])
+    for want in ("matrices", "inverse", "forward", "torque"):
+        for name, value in evaluate(stand, state, [want]).items():
+            np.testing.assert_array_equal(together[name], value)
+
+
+def test_generalized_matrices_with_a_stream_are_at_V():
+    stand, state = draw(1, 3, stream=True)
+    still = replace(stand, stream=None)
+    want = ["generalized"]
+    moving, resting = evaluate(stand, state, want), evaluate(still, state, want)
+    for name in ("A", "D", "I0", "J0", "q_dot"):
+        np.testing.assert_array_equal(moving[name], resting[name])
+    assert np.abs(moving["q_ddot"] - resting["q_ddot"]).max() > 1e-3
+
+
+def test_zero_stream_is_no_stream():
+    stand, state = draw(1, 3)
+    zero = replace(stand, stream=(0.0, 0.0, 0.0))
+    for want in SHAPES:
+        for name, value in evaluate(stand, state, [want]).items():
+            np.testing.assert_array_equal(evaluate(zero, state, [want])[name], value)
+
+
+def test_overflow_is_reported_not_returned():
+    stand, state = draw(1, 2)
+    with pytest.raises(StateError, match="not finite"):
+        evaluate(stand, replace(state, V=(1e200, 0, 0, 1e200, 0, 0)), ["forward"])
+
+
+def test_stand_without_mass_has_no_center_of_mass():
+    stand, state = draw(1, 0, instruments=0)
+    weightless = replace(stand, carrier=replace(stand.carrier, mass=0.0, inertia_about="origin"))
+    with pytest.raises(StateError, match="center_of_mass"):
+        evaluate(weightless, state, ["momentum"])
+    assert np.all(np.isfinite(evaluate(weightless, state, ["forward"])["V_dot"]))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_points_are_where_and_as_fast_as_differences_say(seed):
+    stand, state = draw(seed, 1, stream=True)
+    along, step = motion(stand, state), 1e-2  # rates near 3 rad/s: 0.03^8, and 1e-16 / step^2, below 1e-11
+    values = evaluate(stand, state, ["points"])["points"]
+    assert list(values) == [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
+    bodies = {p.name: p for p in (*stand.instruments, *stand.points)}
+    for name, found in values.items():
+        p, mount = bodies[name], bodies.get(getattr(bodies[name], "mount", "carrier"))
+        r, R = np.array(p.position), Rotation.from_euler("ZYX", p.angles).as_matrix()
+        if mount is not None:
+            C = Rotation.from_euler("ZYX", mount.angles).as_matrix()
+            r, R = np.array(mount.position) + C @ r, C @ R
+
+        def place(t, r=r):
+            now = along(t)
+            return np.array(now.position) + rotation(stand, now) @ r
+
+        def axes(t, R=R):
+            return rotation(stand, along(t)) @ R
+
+        def omega(t, R=R):
+            return R.T @ np.array(along(t).V[3:])
+
+        C = axes(0.0)
+        np.testing.assert_allclose(found["position"], place(0.0), rtol=0, atol=1e-14)
+        np.testing.assert_allclose(found["C"], C, rtol=0, atol=1e-14)
+        omega_cross = C.T @ rate(axes, step)
+        spin = [omega_cross[2, 1], omega_cross[0, 2], omega_cross[1, 0]]
+        np.testing.assert_allclose(found["twist"], [*(C.T @ rate(place, step)), *spin], rtol=0, atol=1e-11)
+        specific_force = C.T @ (second_rate(place, step) - np.array(stand.gravity))
+        np.testing.assert_allclose(found["specific_force"], specific_force, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(found["angular_acceleration"], rate(omega, step), rtol=0, atol=1e-11)

@@ -1,0 +1,124 @@
+"""The inverse problem (12): optimality of its answer, its status, and (13)."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.linalg import null_space
+
+from mahovik.reference import evaluate, pieces
+from mahovik.reference.inverse import demand, inverse
+from mahovik.reference.partition import dependent_acceleration, determinant
+from mahovik.stand.model import MountingAngles
+from mahovik.stand.state import rest_state
+from physics.general import draw, isolated, rows
+
+SEEDS = range(6)
+ROUNDING = 1e-10  # some hundred operations over singular values above 1e-2
+
+
+@pytest.mark.parametrize("flywheels", [1, 3, 5])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_residual_of_few_flywheels_is_least_in_the_inverse_of_K(seed, flywheels):
+    """Least: I^T K^-1 residual = 0."""
+    stand, state = draw(seed, flywheels)
+    values = evaluate(stand, state, ["inverse", "matrices"])
+    assert values["status"] == "UNREACHABLE"
+    assert values["rank"] == flywheels
+    wanted = demand(pieces(stand, state), np.array(state.V_dot))
+    np.testing.assert_allclose(values["residual"], wanted - values["I"] @ values["phi_ddot"], rtol=0, atol=ROUNDING)
+    gradient = values["I"].T @ np.linalg.solve(values["K"], values["residual"])
+    scale = np.abs(values["I"]).max() * np.abs(np.linalg.solve(values["K"], wanted)).max()
+    np.testing.assert_allclose(gradient, 0, rtol=0, atol=ROUNDING * scale)
+
+
+@pytest.mark.parametrize("flywheels", [7, 9])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_many_flywheels_reach_the_demand_with_the_least_acceleration_energy(seed, flywheels):
+    """Least: Theta_ff phi'' has no part in the null space of I."""
+    stand, state = draw(seed, flywheels)
+    at, values = pieces(stand, state), evaluate(stand, state, ["inverse"])
+    assert values["status"] == "OK"
+    wanted = demand(at, np.array(state.V_dot))
+    scale = np.abs(wanted).max()
+    np.testing.assert_allclose(at.I @ values["phi_ddot"], wanted, rtol=0, atol=ROUNDING * scale)
+    null, weighted = null_space(at.I), at.Theta_ff @ values["phi_ddot"]
+    np.testing.assert_allclose(null.T @ weighted, 0, rtol=0, atol=ROUNDING * np.abs(weighted).max())
+
+
+@pytest.mark.parametrize("flywheels", [0, 1, 6, 8])
+def test_sigma_are_cosines_between_carrier_and_flywheel_motion(flywheels):
+    """sigma^2 are eigenvalues of K^-1 I Theta_ff^-1 I^T; below 1, as the full matrix is positive definite."""
+    stand, state = draw(4, flywheels)
+    at, values = pieces(stand, state), evaluate(stand, state, ["inverse"])
+    sigma = values["sigma"]
+    assert sigma.shape == (min(6, flywheels),)
+    squares = np.sort(np.linalg.eigvals(np.linalg.solve(at.K, at.I @ np.linalg.inv(at.Theta_ff) @ at.I.T)).real)[::-1]
+    np.testing.assert_allclose(sigma**2, squares[: len(sigma)], rtol=0, atol=1e-13)
+    assert np.all(np.diff(sigma) <= 0)
+    assert np.all(sigma < 1)
+
+
+def test_stand_without_flywheels_reaches_only_its_own_acceleration():
+    stand, state = draw(1, 0)
+    values = evaluate(stand, state, ["inverse"])
+    assert values["status"] == "UNREACHABLE"
+    assert values["rank"] == 0
+    assert values["phi_ddot"].shape == (0,)
+    free = isolated(stand)
+    still = evaluate(free, rest_state(free), ["inverse"])
+    assert still["status"] == "OK"
+    np.testing.assert_array_equal(still["residual"], np.zeros(6))
+
+
+def copies(angle):
+    """A stand of two equal balanced flywheels at one place, the second turned by `angle` (rad) about z."""
+    stand, _ = draw(1, 2, instruments=0)
+    stand = isolated(stand)
+    flywheels = tuple(
+        replace(
+            s,
+            mount="carrier",
+            position=(0.0, 0.0, 0.0),
+            center_of_mass=(0.0, 0.0, 0.0),
+            inertia=rows(np.diag([0.002, 0.002, 0.002])),
+            inertia_about="origin",
+            mounting=MountingAngles(psi, 0.0, 0.0),
+        )
+        for s, psi in zip(stand.flywheels, (0.0, angle), strict=True)
+    )
+    return replace(stand, flywheels=flywheels)
+
+
+@pytest.mark.parametrize(
+    ("angle", "rank", "name"),
+    [(0.0, 1, "RANK_DEFICIENT"), (1e-7, 2, "NEAR_SINGULAR"), (1e-3, 2, None), (1e-11, 1, "RANK_DEFICIENT")],
+)
+def test_status_tells_parallel_flywheels(angle, rank, name):
+    stand = copies(angle)
+    values = evaluate(stand, replace(rest_state(stand), V_dot=(0, 0, 0, 1.0, 0, 0)), ["inverse"])
+    assert values["rank"] == rank
+    assert set(values["status"].split("|")) == {"UNREACHABLE"} | ({name} if name else set())
+    assert np.all(np.isfinite(values["phi_ddot"]))
+
+
+def test_parallel_flywheels_share_the_demand():
+    stand = copies(0.0)
+    state = replace(rest_state(stand), phi_ddot=(3.0, 5.0))
+    V_dot = evaluate(stand, state, ["forward"])["V_dot"]
+    values = evaluate(stand, replace(state, V_dot=tuple(V_dot)), ["inverse"])
+    assert values["status"] == "RANK_DEFICIENT"  # and not unreachable
+    np.testing.assert_allclose(values["phi_ddot"], [4.0, 4.0], rtol=ROUNDING)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_equation_13_completes_independent_flywheels_to_the_demand(seed):
+    stand, state = draw(seed, 8)
+    at, V_dot, plus, u = pieces(stand, state), np.array(state.V_dot), [7, 0, 2, 3, 5, 6], np.array([12.0, -30.0])
+    assert determinant(at, plus) != 0.0
+    phi_ddot = np.zeros(8)
+    phi_ddot[plus], phi_ddot[[1, 4]] = dependent_acceleration(at, V_dot, plus, u), u
+    wanted = demand(at, V_dot)
+    scale = np.abs(at.I).max() * np.abs(phi_ddot).max()
+    np.testing.assert_allclose(at.I @ phi_ddot, wanted, rtol=0, atol=1e-13 * scale)
+    assert np.linalg.norm(phi_ddot) > np.linalg.norm(inverse(at, V_dot).phi_ddot) * 0.1

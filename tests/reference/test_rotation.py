@@ -1,0 +1,130 @@
+"""Rotations against SciPy and against derivatives along a motion."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from mahovik.errors import StateError
+from mahovik.reference import evaluate
+from mahovik.reference.rotation import (
+    C1,
+    C2,
+    C3,
+    attitude,
+    carrier_rotation,
+    check_attitude,
+    flywheel_rotation,
+    kinematic_matrix,
+    kinematic_matrix_rate,
+    rotation_vector,
+)
+from mahovik.stand.model import MountingAngles, MountingAxes
+from physics.general import draw
+from physics.motions import SEQUENCES, cross, rate
+
+ROUNDING = 1e-14  # products of three rotations
+STEP = 1e-2  # rates near 1 rad/s
+FROM_DIFFERENCES = 1e-12  # 1e-16 over the step; 0.01^8 is less
+
+
+@pytest.mark.parametrize(("C", "axis"), [(C1, "x"), (C2, "y"), (C3, "z")])
+def test_elementary_rotation_is_active_and_right_handed(C, axis):
+    np.testing.assert_allclose(C(0.7), Rotation.from_euler(axis, 0.7).as_matrix(), rtol=0, atol=ROUNDING)
+
+
+@pytest.mark.parametrize("sequence", SEQUENCES)
+def test_attitude_is_scipys_rotation_about_moving_axes(sequence):
+    for angles in np.random.default_rng(1).uniform(-3, 3, (20, 3)):
+        expected = Rotation.from_euler(SEQUENCES[sequence], angles).as_matrix()
+        np.testing.assert_allclose(attitude(sequence, *angles), expected, rtol=0, atol=ROUNDING)
+
+
+def test_quaternion_and_its_negative_are_one_attitude_w_first():
+    stand, state = draw(1, 1)
+    q = np.array([0.5, -0.1, 0.7, 0.3])
+    q /= np.linalg.norm(q)
+    for sign in (1, -1):
+        turned = replace(state, angles=None, quaternion=tuple(sign * q))
+        expected = Rotation.from_quat([*q[1:], q[0]]).as_matrix()
+        np.testing.assert_allclose(carrier_rotation(stand, turned), expected, rtol=0, atol=ROUNDING)
+
+
+def test_state_without_attitude_is_aligned_with_E0():
+    stand, state = draw(1, 1)
+    np.testing.assert_array_equal(carrier_rotation(stand, replace(state, angles=None)), np.eye(3))
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-200, 1e-12, 1e-5, 1.0, 3.0, math.pi - 1e-9])
+def test_rotation_vector_is_the_one_it_was_made_of(length):
+    for axis in np.random.default_rng(2).normal(size=(10, 3)):
+        vector = length * axis / np.linalg.norm(axis)
+        found = rotation_vector(Rotation.from_rotvec(vector).as_matrix())
+        np.testing.assert_allclose(found, vector, rtol=0, atol=1e-15 + 4 * ROUNDING * length)
+
+
+def test_rotation_vector_is_no_longer_than_pi():
+    axis = np.array([0.6, 0.0, 0.8])
+    half = rotation_vector(Rotation.from_rotvec(math.pi * axis).as_matrix())
+    assert np.linalg.norm(half) == pytest.approx(math.pi, abs=ROUNDING)
+    np.testing.assert_allclose(abs(half @ axis), math.pi, rtol=0, atol=ROUNDING)
+    beyond = rotation_vector(Rotation.from_rotvec(4.0 * axis).as_matrix())
+    np.testing.assert_allclose(beyond, (4.0 - 2 * math.pi) * axis, rtol=0, atol=ROUNDING)
+
+
+@pytest.mark.parametrize("sequence", SEQUENCES)
+def test_A_carries_rates_to_the_twist_and_D_is_its_derivative(sequence):
+    rng = np.random.default_rng(3)
+    for _ in range(10):
+        angles, rates = rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3)
+
+        def along(t, angles=angles, rates=rates):
+            return angles + rates * t
+
+        C = attitude(sequence, *angles)
+        omega_cross = C.T @ rate(lambda t: attitude(sequence, *along(t)), STEP)
+        A = kinematic_matrix(sequence, angles)
+        np.testing.assert_allclose(A[:3, :3], C.T, rtol=0, atol=0)
+        np.testing.assert_allclose(cross(A[3:, 3:] @ rates), omega_cross, rtol=0, atol=FROM_DIFFERENCES)
+        D = rate(lambda t: kinematic_matrix(sequence, along(t)), STEP)
+        found = kinematic_matrix_rate(sequence, angles, rates)
+        np.testing.assert_allclose(found, D, rtol=0, atol=FROM_DIFFERENCES)
+
+
+@pytest.mark.parametrize(
+    ("sequence", "singular"), [("ship", math.pi / 2), ("aircraft", -math.pi / 2), ("euler", math.pi), ("euler", 0.0)]
+)
+def test_singular_attitude_is_reported_and_its_neighbourhood_is_not(sequence, singular):
+    with pytest.raises(StateError, match="singular attitude"):
+        check_attitude(sequence, np.array([0.1, singular + 0.9e-6, 0.2]))
+    assert abs(np.linalg.det(kinematic_matrix(sequence, np.array([0.1, singular + 1.1e-6, 0.2])))) > 1e-6
+    check_attitude(sequence, np.array([0.1, singular + 1.1e-6, 0.2]))
+
+
+def test_generalized_refuses_singular_angles_left_out_and_quaternions():
+    stand, state = draw(1, 2)
+    euler, ship = replace(stand, angles="euler"), replace(stand, angles="ship")
+    none = replace(state, angles=None)
+    with pytest.raises(StateError, match="singular attitude"):
+        evaluate(euler, none, ["generalized"])
+    with pytest.raises(StateError, match="quaternion"):
+        evaluate(ship, replace(none, quaternion=(1.0, 0.0, 0.0, 0.0)), ["generalized"])
+    zero = evaluate(ship, replace(state, angles=(0.0, 0.0, 0.0)), ["generalized"])
+    np.testing.assert_array_equal(evaluate(ship, none, ["generalized"])["q_ddot"], zero["q_ddot"])
+    # other wants take any attitude
+    assert np.all(np.isfinite(evaluate(euler, none, ["forward"])["V_dot"]))
+
+
+def test_mounting_by_axes_equals_mounting_by_the_angles_of_those_axes():
+    stand, _ = draw(1, 1)
+    by_angles = replace(stand.flywheels[0], mounting=MountingAngles(0.3, -0.8, 1.1))
+    C = Rotation.from_euler("ZYX", [0.3, -0.8, 1.1]).as_matrix()
+    axis, zero = 3.0 * C[:, 0], 0.2 * C[:, 1] - 5.0 * C[:, 0]  # any length; only the part across counts
+    by_axes = replace(stand.flywheels[0], mounting=MountingAxes(tuple(axis), tuple(zero)))
+    for phi in (0.0, 0.9, -2.0):
+        expected = Rotation.from_euler("ZYX", [0.3, -0.8, 1.1 + phi]).as_matrix()
+        np.testing.assert_allclose(flywheel_rotation(by_angles, phi), expected, rtol=0, atol=ROUNDING)
+        # zero is 25 times longer along the axis than across: 25 roundings
+        np.testing.assert_allclose(flywheel_rotation(by_axes, phi), expected, rtol=0, atol=25 * ROUNDING)

@@ -1,0 +1,209 @@
+"""Wrenches of (7): by hand, and by the potentials that some of them have."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from mahovik.errors import StateError
+from mahovik.reference import evaluate, pieces
+from mahovik.reference.screw import wrench_to_parent
+from mahovik.reference.wrenches import body_wrench, damping_terms, linear_damping, quadratic_damping
+from mahovik.stand.model import Damping, DampingTerm, Factor, Leg, MountingAngles, Suspension
+from mahovik.stand.state import rest_state
+from physics.general import draw, isolated, rows, without_wrench
+from physics.motions import motion, rate, rotation, vec
+
+SEEDS = range(6)
+STEP = 1e-3  # speeds of 20 rad/s
+FROM_DIFFERENCES = 1e-10  # of the largest value: 1e-16 over the step
+ROUNDING = 1e-12
+
+
+def kind_power(at, kind):
+    """Power of one kind of wrench over all bodies."""
+    return sum(at.terms[k.body.name][kind] @ k.twist(at.V) for k in (*at.fixed, *at.flywheels))
+
+
+def centers(stand, state, center):
+    """Places in E0 of a point `center(body)` of each body, by (name -> place)."""
+    at = pieces(stand, state)
+    O1 = np.array(state.position)
+    found = {}
+    for k in (*at.fixed, *at.flywheels):
+        C, O_cross = k.L[:3, :3], k.L[3:, :3] @ k.L[:3, :3].T
+        O = np.array([O_cross[2, 1], O_cross[0, 2], O_cross[1, 0]])
+        found[k.body.name] = O1 + rotation(stand, state) @ (O + C @ np.array(center(k.body)))
+    return found
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", ["weight", "buoyancy"])
+def test_weight_and_buoyancy_have_potentials(seed, kind):
+    """Flywheels too: the line of action moves with phi_s, and the drive torque feels it."""
+    stand, state = draw(seed, 4)
+
+    def potential(t):
+        now = motion(stand, state)(t)
+        g, total = np.array(stand.gravity), 0.0
+        if kind == "weight":
+            places = centers(stand, now, lambda body: body.center_of_mass)
+            return -sum(body.mass * g @ places[body.name] for body in stand.bodies)
+        places = centers(stand, now, lambda body: body.buoyancy.center)
+        for body in stand.bodies:
+            total += body.buoyancy.displaced_mass * g @ places[body.name]
+        return total
+
+    scale = abs(potential(0.0)) * 10
+    assert kind_power(pieces(stand, state), kind) == pytest.approx(-rate(potential, STEP), abs=FROM_DIFFERENCES * scale)
+
+
+def test_weight_of_a_flywheel_by_hand():
+    """Axis along x of E0, centre of mass 2 mm off it, at the phase 90 degrees: it points along z, no torque."""
+    stand, _ = draw(0, 1, instruments=0)
+    stand = replace(isolated(stand), gravity=(0.0, 0.0, -10.0))
+    s = replace(
+        stand.flywheels[0],
+        mount="carrier",
+        mounting=MountingAngles(0.0, 0.0, 0.0),
+        mass=0.5,
+        center_of_mass=(0.0, 0.002, 0.0),
+    )
+    stand = replace(stand, flywheels=(s,))
+    for phi, moment in ((0.0, -0.01), (math.pi / 2, 0.0), (math.pi, 0.01)):
+        state = replace(rest_state(stand), phi=(phi,))
+        P = pieces(stand, state).P[s.name]
+        force = Rotation.from_euler("X", -phi).apply([0.0, 0.0, -5.0])
+        np.testing.assert_allclose(P, [*force, moment, 0, 0], rtol=0, atol=1e-15)
+        tau = evaluate(stand, state, ["torque"])["tau"]  # holds the flywheel up
+        np.testing.assert_allclose(tau, [-moment], rtol=0, atol=1e-15)
+
+
+def test_damping_by_hand():
+    V_r = np.array([1.0, -2.0, 3.0, -0.5, 0.0, 2.0])
+    matrix = np.arange(36.0).reshape(6, 6)
+    terms = (
+        DampingTerm(1, (Factor(0, False), Factor(5, False)), -3.1),  # Y += -3.1 u r
+        DampingTerm(5, (Factor(5, False), Factor(1, True)), -4.2),  # N += -4.2 r |v|
+        DampingTerm(5, (Factor(1, True), Factor(1, True)), 0.5),  # N += 0.5 |v| |v|
+    )
+    damping = Damping(rows(matrix), rows(matrix.T), terms)
+    np.testing.assert_allclose(linear_damping(damping, V_r), -matrix @ V_r, rtol=ROUNDING)
+    squares = np.array([1.0, -4.0, 9.0, -0.25, 0.0, 4.0])
+    np.testing.assert_allclose(quadratic_damping(damping, V_r), -matrix.T @ squares, rtol=ROUNDING)
+    expected = [0, -3.1 * 1.0 * 2.0, 0, 0, 0, -4.2 * 2.0 * 2.0 + 0.5 * 4.0]
+    np.testing.assert_allclose(damping_terms(damping, V_r), expected, rtol=ROUNDING)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_damping_of_each_body_takes_its_own_twist_relative_to_the_fluid(seed):
+    stand, state = draw(seed, 3, stream=True)
+    at = pieces(stand, state)
+    u = rotation(stand, state).T @ np.array(stand.stream)
+    V_r = np.array(state.V) - [*u, 0, 0, 0]
+    for k in at.fixed:
+        expected = linear_damping(k.body.damping, k.L.T @ V_r)
+        np.testing.assert_allclose(at.terms[k.body.name]["linear damping"], expected, rtol=1e-11)
+    for k in at.flywheels:  # V_s includes f phi_s'
+        V_s = k.L.T @ V_r + np.array([0, 0, 0, k.phi_dot, 0, 0])
+        expected = quadratic_damping(k.body.damping, V_s)
+        np.testing.assert_allclose(at.terms[k.body.name]["quadratic damping"], expected, rtol=1e-10, atol=1e-10)
+
+
+def test_fluid_at_rest_relative_to_the_carrier_exerts_no_damping():
+    stand, state = draw(2, 2, stream=True)
+    C = rotation(stand, state)
+    drifting = replace(state, V=vec([*(C.T @ np.array(stand.stream)), 0, 0, 0]), phi_dot=(0.0, 0.0))
+    at = pieces(stand, drifting)
+    for kinds in at.terms.values():
+        for kind in ("linear damping", "quadratic damping", "damping terms"):
+            np.testing.assert_allclose(kinds[kind], 0, rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_suspension_by_hand(seed):
+    stand, state = draw(seed, 1, stream=True)
+    suspension = stand.suspension
+    C = rotation(stand, state)
+    C_eq = rotation(stand, replace(state, angles=suspension.angles, quaternion=None))
+    shift = C.T @ (np.array(state.position) - np.array(suspension.position))
+    x = [*shift, *Rotation.from_matrix(C_eq.T @ C).as_rotvec()]
+    expected = -np.array(suspension.stiffness) @ x - np.array(suspension.damping) @ np.array(state.V)  # not V_r
+    np.testing.assert_allclose(pieces(stand, state).terms["carrier"]["suspension"], expected, rtol=0, atol=1e-11)
+
+
+def test_suspension_at_its_equilibrium_exerts_nothing():
+    stand, state = draw(1, 1)
+    s = stand.suspension
+    still = replace(state, position=s.position, angles=s.angles, V=(0.0,) * 6)
+    found = pieces(stand, still).terms["carrier"]["suspension"]
+    np.testing.assert_allclose(found, 0, rtol=0, atol=1e-13)  # rounding of C_eq^T C times the stiffness
+
+
+def test_isotropic_suspension_acts_about_the_axis_of_rotation():
+    stand, state = draw(1, 1)
+    stiff = rows(np.diag([0, 0, 0, 7.0, 7.0, 7.0]))
+    s = Suspension(stiff, rows(np.zeros((6, 6))), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    stand = replace(stand, suspension=s, angles="ship")
+    turned = replace(state, angles=(0.0, 0.0, 2.5), V=(0.0,) * 6)
+    expected = [0, 0, 0, -7.0 * 2.5, 0, 0]
+    found = pieces(stand, turned).terms["carrier"]["suspension"]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=ROUNDING)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed):
+    stand, state = draw(seed, 1)
+
+    def lengths(t):
+        now = motion(stand, state)(t)
+        ends = [np.array(now.position) + rotation(stand, now) @ np.array(leg.carrier) for leg in stand.legs]
+        return np.array([np.linalg.norm(e - leg.ground) for e, leg in zip(ends, stand.legs, strict=True)])
+
+    at, length_rates = pieces(stand, state), rate(lengths, STEP)
+    for number, leg in enumerate(stand.legs):
+        P = at.terms["carrier"][f"leg {number}"]
+        tension = leg.stiffness * (lengths(0.0)[number] - leg.length) + leg.damping * length_rates[number]
+        assert np.linalg.norm(P[:3]) == pytest.approx(abs(tension), rel=1e-9)  # rate by differences
+        assert pytest.approx(-tension * length_rates[number], rel=1e-9) == P @ at.V
+        assert P[3:] @ P[:3] == pytest.approx(0.0, abs=1e-10)  # a pure force
+
+
+def test_leg_of_no_length_is_reported():
+    stand, _ = draw(1, 1)
+    stand = replace(stand, legs=(Leg((0.1, 0.2, 0.3), (0.1, 0.2, 0.3 + 0.9e-9), 0.5, 1.0, 0.0),))
+    with pytest.raises(StateError, match="leg"):
+        evaluate(stand, rest_state(stand), ["forward"])
+    longer = replace(stand.legs[0], carrier=(0.1, 0.2, 0.3 + 1.1e-9))
+    assert "V_dot" in evaluate(replace(stand, legs=(longer,)), rest_state(stand), ["forward"])
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_run_time_wrench_of_a_flywheel_turns_with_it(seed):
+    stand, state = draw(seed, 2)
+    stand, state = isolated(stand), without_wrench(state)
+    given = (1.0, 2.0, 3.0, 0.4, 0.5, 0.6)
+    state = replace(state, wrench={"w1": given})
+    at = pieces(stand, state)
+    np.testing.assert_allclose(at.F, at.flywheels[1].L @ np.array(given), rtol=0, atol=ROUNDING)
+    C = at.flywheels[1].L[:3, :3]
+    np.testing.assert_allclose(at.F[:3], C @ np.array(given[:3]), rtol=0, atol=ROUNDING)
+    turned = pieces(stand, replace(state, phi=(state.phi[0], state.phi[1] + math.pi)))
+    half_turn = C @ np.diag([1.0, -1.0, -1.0]) @ np.array(given[:3])
+    np.testing.assert_allclose(turned.F[:3], half_turn, rtol=0, atol=ROUNDING)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_F_is_the_sum_of_all_kinds_carried_to_O1(seed):
+    stand, state = draw(seed, 3)
+    at, total = pieces(stand, state), np.zeros(6)
+    for k in (*at.fixed, *at.flywheels):
+        C, O_cross = k.L[:3, :3], k.L[3:, :3] @ k.L[:3, :3].T
+        L = wrench_to_parent(np.array([O_cross[2, 1], O_cross[0, 2], O_cross[1, 0]]), C)
+        for P in at.terms[k.body.name].values():
+            total += L @ P
+        np.testing.assert_array_equal(at.P[k.body.name], body_wrench(at.terms[k.body.name]))
+    np.testing.assert_allclose(at.F, total, rtol=0, atol=ROUNDING * np.abs(total).max() * 10)
+    assert set(at.P) == {body.name for body in stand.bodies}
