@@ -83,9 +83,7 @@ class Body:
         self._add(Return(value))
 
     @contextmanager
-    def loop(
-        self, name: str, stop: Operand | NamedCount, start: Operand = 0, comment: str = ""
-    ) -> Iterator[Place]:
+    def loop(self, name: str, stop: Operand | NamedCount, start: Operand = 0, comment: str = "") -> Iterator[Place]:
         """for name in start..stop-1"""
         index = Variable(name, Kind.INT)
         self._blocks.append([])
@@ -122,20 +120,14 @@ def call(function: Function, *arguments: Operand) -> Expr:
 def _call(function: Function, arguments: Sequence[Operand]) -> Call:
     if len(arguments) != len(function.arguments):
         raise TypeError(f"{function.name} takes {len(function.arguments)} arguments, not {len(arguments)}")
-    return Call(
-        function, tuple(_passed(a, p, function) for a, p in zip(arguments, function.arguments, strict=True))
-    )
+    return Call(function, tuple(_passed(a, p, function) for a, p in zip(arguments, function.arguments, strict=True)))
 
 
 def _passed(value: Operand, parameter: Argument, function: Function) -> Expr:
     """`value` as what `parameter` takes: kinds, structs and lengths are checked here, once, for every call."""
     where = f"{function.name}, argument {parameter.name}"
     if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":
-        if (
-            not isinstance(value, Place)
-            or value.type != parameter.type
-            or len(value.shape) != len(parameter.shape)
-        ):
+        if not isinstance(value, Place) or value.type != parameter.type or len(value.shape) != len(parameter.shape):
             raise TypeError(f"{where}: {value!r} does not fit")
         for have, want in zip(value.shape, parameter.shape, strict=True):
             # A length of 0 stands for "any": the callee gets the length as an argument of its own.

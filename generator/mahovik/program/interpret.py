@@ -59,6 +59,10 @@ class Interpreter:
         """Zeroed storage of that type; a scalar is a list of one."""
         return new_value(type_, shape, self._precision)
 
+    def filled(self, type_: Kind | Struct, value: Any, shape: tuple[Any, ...] = ()) -> Any:
+        """Storage of that type, filled from plain numbers, dicts and lists."""
+        return filled_value(type_, shape, value, self._precision)
+
     def argument(self, argument: Argument, value: Any = None) -> Any:
         """Storage for an argument, filled from plain numbers, dicts and lists where `value` is given."""
         if value is None:

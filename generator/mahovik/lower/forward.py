@@ -1,0 +1,137 @@
+"""forward (8) and the wrench (7), as public functions; what they share: attitude, stream, sums."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.derive import wrench as derived
+from mahovik.lower.library import Library
+from mahovik.lower.symbolic import assign
+from mahovik.program.build import Body
+from mahovik.program.expression import Expr, Place, Status, real
+from mahovik.program.function import Argument, Function
+from mahovik.program.types import Kind
+
+STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What the equations are evaluated with: C (where needed), V relative to the stream, stream in E1, sums."""
+
+    C: Place | None
+    V: Place
+    stream: Place | None
+    sums: Place
+
+
+def check_inputs(
+    lib: Library, body: Body, x: Argument, phi_ddot: tuple[Argument, ...] = (), wrench: tuple[Argument, ...] = ()
+) -> None:
+    """Checks of state, accelerations, run-time wrenches: before anything is computed or written."""
+    lib.begin(body)
+    lib.check(body, "check_state", x.place)
+    for argument in phi_ddot:
+        lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_ACCELERATION"].expression)
+    for argument in wrench:
+        lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_WRENCH"].expression)
+
+
+def scene(lib: Library, body: Body, stand: Place, x: Place, phi_ddot: Place | None, attitude: bool = False) -> Scene:
+    """Attitude, twist relative to the stream, and the sums over all bodies. `attitude`: C even where (8) needs none."""
+    layout = lib.layout
+    C = stream = None
+    V = x.V
+    if layout.attitude_needed or attitude:
+        C = body.local("C", (9,), comment="attitude")
+        body.call(lib["rotation"], x.attitude, C)
+    if layout.stream:
+        assert C is not None
+        stream = body.local("u", (3,), comment="stream in E1")
+        body.call(lib["rotate_back"], C, stand.stream, stream)
+        V = body.local("V", (6,), comment="V relative to the stream: the fluid's frame is inertial as well")
+        for i in range(6):
+            body.set(V[i], x.V[i] - stream[i] if i < 3 else x.V[i])
+    sums = body.local("sum", (), layout.sums)
+    body.call(lib["start_sums"], stand, sums)
+    if layout.flywheels:
+        with body.loop("s", layout.count) as s:
+            acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
+            body.call(lib["add_flywheel"], stand.flywheel[s], x.phi[s], x.phi_dot[s], acceleration, sums)
+    return Scene(C, V, stream, sums)
+
+
+def external_wrench(
+    lib: Library, body: Body, stand: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...], F: Place
+) -> None:
+    """F of (7), or zero where the stand has none."""
+    if not lib.layout.wrenches:
+        for element in F:
+            body.set(element, real(0))
+        return
+    named = {"stand": stand, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "F": F}
+    passed = lib.passed("external", **named, **{w.name: w.place for w in wrench})
+    if lib["external"].returns is None:
+        body.call(lib["external"], *passed)
+    else:
+        lib.check(body, "external", *passed)
+
+
+def forward(lib: Library) -> Function:
+    """V* for given phi'' by (8)."""
+    stand, x = lib.table_argument(), lib.state_argument()
+    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
+    body = Body()
+    check_inputs(lib, body, x, phi_ddot, wrench)
+    seen = scene(lib, body, stand.place, x.place, phi_ddot[0].place if phi_ddot else None)
+    F = body.local("F", (6,), comment="wrench (7); then what K V* must equal")
+    Z = body.local("Z", (6,), comment="momentum screw (2)")
+    result = body.local("result", (6,))
+    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    lib.check(body, "solve_carrier", stand.place, seen.sums, F, result)
+    if seen.stream is not None:
+        body.note("V* = V_r* - (omega x C^T u, 0)")
+        omega = list(x.place.V)[3:]
+        drift = body.local("drift", (3,), comment="omega x C^T u")
+        assign(body, list(drift), derived.turning_velocity(), {"omega": omega, "O": seen.stream})
+        for i in range(3):
+            body.set(result[i], result[i] - drift[i])
+    body.copy_array(V_dot.place, result)
+    body.ret(Status("OK"))
+    return Function(
+        "forward",
+        "Acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I phi'' + J phi').",
+        (stand, x, *phi_ddot, *wrench, V_dot),
+        body.statements,
+        equation="(8)",
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+        public=True,
+    )
+
+
+def wrench_function(lib: Library) -> Function:
+    """Total external wrench (7) as a public function."""
+    stand, x = lib.table_argument(), lib.state_argument()
+    wrench = lib.wrench_arguments()
+    F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "total external wrench on the carrier, in E1 about O1")
+    body = Body()
+    check_inputs(lib, body, x, (), wrench)
+    seen = scene(lib, body, stand.place, x.place, None)
+    result = body.local("result", (6,))
+    external_wrench(lib, body, stand.place, x.place, seen, wrench, result)
+    body.copy_array(F.place, result)
+    body.ret(Status("OK"))
+    return Function(
+        "wrench",
+        "Total external wrench of all bodies at a state.",
+        (stand, x, *wrench, F),
+        body.statements,
+        equation="(7)",
+        returns=Kind.STATUS,
+        statuses=STATE_STATUSES,
+        public=True,
+    )

@@ -1,0 +1,380 @@
+"""The structs of a stand's program: which members its kinds of wrench need. What a stand has not is not there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from mahovik.program.types import Field, Kind, NamedCount, Precision, Struct
+from mahovik.stand.model import Body, Flywheel, Instrument, Stand
+
+REAL, INT = Kind.REAL, Kind.INT
+
+
+@dataclass(frozen=True)
+class OwnBody:
+    """An instrument or flywheel with a wrench in its own frame; indices -1 where it has no such part."""
+
+    body: Instrument | Flywheel
+    instrument: int
+    flywheel: int
+    input: int
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Kinds and structs of one stand at one precision."""
+
+    stand: Stand
+    precision: Precision
+
+    # -- what there is ---------------------------------------------------------------------------------------------
+
+    @cached_property
+    def count(self) -> NamedCount:
+        return NamedCount("N", len(self.stand.flywheels), "flywheels, in the order of the stand file")
+
+    @property
+    def flywheels(self) -> bool:
+        return bool(self.stand.flywheels)
+
+    @property
+    def added_mass(self) -> bool:
+        instruments = any(p.added_mass is not None for p in self.stand.instruments)
+        return instruments or self.stand.carrier.added_mass is not None
+
+    @property
+    def weight(self) -> bool:
+        return any(self.stand.gravity)
+
+    @property
+    def stream(self) -> bool:
+        return self.stand.stream is not None
+
+    @property
+    def buoyancy(self) -> bool:
+        """Any displaced mass under gravity."""
+        return self.weight and any(b.buoyancy is not None for b in self.stand.bodies)
+
+    @property
+    def flywheel_buoyancy(self) -> bool:
+        return self.weight and any(b.buoyancy is not None for b in self.stand.flywheels)
+
+    @cached_property
+    def inputs(self) -> tuple[Body, ...]:
+        """Bodies with a run-time wrench, in the order of the stand."""
+        return tuple(b for b in self.stand.bodies if b.wrench_input)
+
+    @property
+    def input_count(self) -> NamedCount:
+        return NamedCount("WRENCHES", len(self.inputs), "bodies with a run-time wrench")
+
+    @cached_property
+    def own(self) -> tuple[OwnBody, ...]:
+        """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
+        names = [b.name for b in self.inputs]
+        found = []
+        for k, p in enumerate(self.stand.instruments):
+            if p.damping is not None or p.wrench_input:
+                found.append(OwnBody(p, k, -1, names.index(p.name) if p.wrench_input else -1))
+        for k, s in enumerate(self.stand.flywheels):
+            if s.damping is not None or s.wrench_input:
+                found.append(OwnBody(s, -1, k, names.index(s.name) if s.wrench_input else -1))
+        return tuple(found)
+
+    @property
+    def damped(self) -> bool:
+        return any(b.damping is not None for b in self.stand.bodies)
+
+    @property
+    def own_damped(self) -> bool:
+        return any(o.body.damping is not None for o in self.own)
+
+    @property
+    def own_inputs(self) -> bool:
+        return any(o.input >= 0 for o in self.own)
+
+    @property
+    def own_turning(self) -> bool:
+        return any(o.flywheel >= 0 for o in self.own)
+
+    @property
+    def own_fixed(self) -> bool:
+        return any(o.instrument >= 0 for o in self.own)
+
+    @property
+    def linear_damping(self) -> bool:
+        return any(b.damping is not None and b.damping.linear is not None for b in self.stand.bodies)
+
+    @property
+    def quadratic_damping(self) -> bool:
+        return any(b.damping is not None and b.damping.quadratic is not None for b in self.stand.bodies)
+
+    @property
+    def terms(self) -> int:
+        """Hydrodynamic derivatives of all bodies."""
+        return sum(len(b.damping.terms) for b in self.stand.bodies if b.damping is not None)
+
+    @property
+    def attitude_needed(self) -> bool:
+        """The equations depend on the attitude."""
+        return self.weight or self.stream or self.stand.suspension is not None or bool(self.stand.legs)
+
+    @property
+    def wrenches(self) -> bool:
+        """Any external wrench at all."""
+        return (
+            self.weight
+            or self.damped
+            or bool(self.inputs)
+            or self.stand.suspension is not None
+            or bool(self.stand.legs)
+        )
+
+    # -- structs ---------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def state(self) -> Struct:
+        fields = [
+            Field("position", REAL, (3,), "m", "of O1, in E0"),
+            Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
+            Field("V", REAL, (6,), "m/s, rad/s", "twist of the carrier relative to E0, in E1"),
+        ]
+        if self.flywheels:
+            fields += [
+                Field("phi", REAL, (self.count,), "rad", "phases"),
+                Field("phi_dot", REAL, (self.count,), "rad/s", "speeds relative to the mount"),
+            ]
+        return Struct("state", "State of the whole system.", tuple(fields))
+
+    @cached_property
+    def body(self) -> Struct:
+        fields = [
+            Field("mass", REAL, (), "kg", ""),
+            Field("center_of_mass", REAL, (3,), "m", "rc, from the body's origin, in its own axes"),
+            Field("inertia", REAL, (6,), "kg m2", "J11, J22, J33, J12, J13, J23 about the body's origin"),
+        ]
+        if self.buoyancy:
+            fields += [
+                Field("displaced_mass", REAL, (), "kg", "of fluid"),
+                Field("displaced_center", REAL, (3,), "m", "centre of buoyancy, in the body's frame"),
+            ]
+        return Struct("body", "Mass properties of one body, in its own frame.", tuple(fields))
+
+    @cached_property
+    def instrument_parameters(self) -> Struct:
+        fields = (
+            Field("body", self.body),
+            Field("position", REAL, (3,), "m", "Op, in E1"),
+            Field("axis", REAL, (3,), "", "first axis of Ep in E1, any length"),
+            Field("zero", REAL, (3,), "", "its part across the first axis is the second axis of Ep"),
+        )
+        return Struct("instrument", "An instrument fixed on the carrier.", fields)
+
+    @cached_property
+    def flywheel_parameters(self) -> Struct:
+        fields = [
+            Field("body", self.body),
+            Field("position", REAL, (3,), "m", "Os, in the frame of the mount"),
+            Field("axis", REAL, (3,), "", "spin axis in the frame of the mount, any length"),
+            Field("zero", REAL, (3,), "", "its part across the axis is the second axis of Es at phi = 0"),
+        ]
+        if self.stand.instruments:
+            fields.append(Field("mount", INT, (), "", "number of the instrument that bears it; -1: the carrier"))
+        return Struct("flywheel", "A flywheel and how it is mounted.", tuple(fields))
+
+    @cached_property
+    def parameters(self) -> Struct:
+        fields = [Field("carrier", self.body)]
+        if self.added_mass:
+            fields.append(Field("added_mass", REAL, (6, 6), "kg, kg m, kg m2", "Lambda of all bodies, about O1 in E1"))
+        if self.stand.instruments:
+            fields.append(Field("instrument", self.instrument_parameters, (len(self.stand.instruments),)))
+        if self.flywheels:
+            fields.append(Field("flywheel", self.flywheel_parameters, (self.count,)))
+        return Struct("parameters", "What prepare makes the table of: masses, inertias and mountings.", tuple(fields))
+
+    @cached_property
+    def row(self) -> Struct:
+        fields = [
+            Field("mu_c", REAL, (3,), "kg m", "first moment about O1: cos phi"),
+            Field("mu_s", REAL, (3,), "kg m", "sin phi"),
+            Field("J_c", REAL, (6,), "kg m2", "inertia about O1, 11 22 33 12 13 23: cos phi"),
+            Field("J_s", REAL, (6,), "kg m2", "sin phi"),
+            Field("J_2c", REAL, (6,), "kg m2", "cos 2 phi"),
+            Field("J_2s", REAL, (6,), "kg m2", "sin 2 phi"),
+            Field("t_0", REAL, (3,), "kg m2", "moment part of I: constant"),
+            Field("t_c", REAL, (3,), "kg m2", "cos phi"),
+            Field("t_s", REAL, (3,), "kg m2", "sin phi"),
+            Field("spin", REAL, (), "kg m2", "Theta_ff: inertia about the spin axis"),
+        ]
+        if self.flywheel_buoyancy:
+            fields += [
+                Field("displaced_c", REAL, (3,), "kg m", "first moment of displaced fluid: cos phi"),
+                Field("displaced_s", REAL, (3,), "kg m", "sin phi"),
+            ]
+        return Struct("row", "Table of one flywheel: harmonics of what it adds to (8), in E1 about O1.", tuple(fields))
+
+    @cached_property
+    def term(self) -> Struct:
+        fields = (
+            Field("wrench", INT, (), "", "component of the wrench, 0..5 = X Y Z K M N"),
+            Field("first", INT, (), "", "0..5 = u v w p q r, 6..11 their magnitudes"),
+            Field("second", INT, (), "", "likewise"),
+            Field("value", REAL, (), "SI", "wrench += value * first * second"),
+        )
+        return Struct("term", "A hydrodynamic derivative.", fields)
+
+    @cached_property
+    def damper(self) -> Struct:
+        fields = []
+        if self.linear_damping:
+            fields.append(Field("linear", REAL, (6, 6), "SI", "wrench -= linear V"))
+        if self.quadratic_damping:
+            fields.append(Field("quadratic", REAL, (6, 6), "SI", "wrench -= quadratic (V |V|)"))
+        if self.terms:
+            fields.append(Field("first_term", INT, (), "", "terms first_term .. last_term - 1 of the table"))
+            fields.append(Field("last_term", INT))
+        return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
+
+    @cached_property
+    def frame(self) -> Struct:
+        fields = [
+            Field("origin", REAL, (3,), "m", "of the body, in E1"),
+            Field("axes", REAL, (9,), "", "C, row by row; of a flywheel at phi = 0"),
+        ]
+        if self.own_turning:
+            fields.append(Field("flywheel", INT, (), "", "its number, whose phase turns the axes; -1: no flywheel"))
+        if self.own_fixed:
+            fields.append(Field("instrument", INT, (), "", "its number; -1: no instrument"))
+        if self.own_damped:
+            fields.append(Field("damper", self.damper))
+        if self.own_inputs:
+            fields.append(Field("wrench", INT, (), "", "its row of the run-time wrenches; -1: none"))
+        return Struct("frame", "A body with wrenches in its own frame.", tuple(fields))
+
+    @cached_property
+    def suspension(self) -> Struct:
+        fields = (
+            Field("stiffness", REAL, (6, 6), "SI", "wrench -= stiffness x"),
+            Field("damping", REAL, (6, 6), "SI", "wrench -= damping V"),
+            Field("position", REAL, (3,), "m", "equilibrium of O1, in E0"),
+            Field("attitude", REAL, (4,), "", "quaternion of the equilibrium attitude"),
+        )
+        return Struct("suspension", "Suspension of the carrier to E0.", fields)
+
+    @cached_property
+    def leg(self) -> Struct:
+        fields = (
+            Field("ground", REAL, (3,), "m", "end in E0"),
+            Field("carrier", REAL, (3,), "m", "end in E1"),
+            Field("length", REAL, (), "m", "unstretched"),
+            Field("stiffness", REAL, (), "N/m", ""),
+            Field("damping", REAL, (), "N s/m", "along the leg"),
+        )
+        return Struct("leg", "A spring-damper between a point of E0 and one of E1.", fields)
+
+    @cached_property
+    def table(self) -> Struct:
+        """The prepared stand: constants of the equations, then the laws of the wrenches."""
+        fields = [
+            Field("mass", REAL, (), "kg", "of all bodies"),
+            Field("mass_inverse", REAL, (), "1/kg", ""),
+            Field("first_moment", REAL, (3,), "kg m", "mu about O1, constant part"),
+            Field("inertia", REAL, (6,), "kg m2", "J about O1, 11 22 33 12 13 23, constant part, with added mass"),
+        ]
+        if self.added_mass:
+            fields += [
+                Field("A", REAL, (6,), "kg", "m E + Lambda_11: 11 22 33 12 13 23"),
+                Field("A_inverse", REAL, (6,), "1/kg", ""),
+                Field("G", REAL, (9,), "kg m", "Lambda_21, row by row"),
+            ]
+        if self.buoyancy:
+            fields += [
+                Field("weight_mass", REAL, (), "kg", "mass less displaced mass"),
+                Field("displaced_moment", REAL, (3,), "kg m", "first moment of displaced fluid, constant part"),
+            ]
+        if self.flywheels:
+            fields.append(Field("flywheel", self.row, (self.count,)))
+        if self.own:
+            fields.append(Field("frame", self.frame, (len(self.own),)))
+        fields += self._laws
+        return Struct(
+            "table", "The stand as the equations need it. Made by prepare, but for the laws at the end.", tuple(fields)
+        )
+
+    @property
+    def _laws(self) -> list[Field]:
+        """Laws of wrenches, as the stand file gives them: prepare does not touch them."""
+        laws = []
+        if self.weight:
+            laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
+        if self.stream:
+            laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
+        if self.stand.carrier.damping is not None:
+            laws.append(Field("damper", self.damper, (), "", "of the carrier"))
+        if self.terms:
+            laws.append(Field("term", self.term, (self.terms,)))
+        if self.stand.suspension is not None:
+            laws.append(Field("suspension", self.suspension))
+        if self.stand.legs:
+            laws.append(Field("leg", self.leg, (len(self.stand.legs),)))
+        return laws
+
+    @cached_property
+    def sums(self) -> Struct:
+        fields = (
+            Field("mu", REAL, (3,), "kg m", "first moment of all bodies about O1"),
+            Field("mu_dot", REAL, (3,), "kg m/s", "its rate in E1"),
+            Field("J", REAL, (6,), "kg m2", "inertia about O1"),
+            Field("J_dot", REAL, (6,), "kg m2/s", "its rate in E1"),
+            Field("h_rel", REAL, (3,), "kg m2/s", "moment part of sum I phi'"),
+            Field("a_rel", REAL, (3,), "N", "d/dt of the force part of sum I phi'"),
+            Field("g_rel", REAL, (3,), "N m", "d/dt of its moment part"),
+        )
+        return Struct("sums", "Sums over all bodies at one state.", fields)
+
+    @cached_property
+    def matrices(self) -> Struct:
+        fields = [
+            Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),
+            Field("K_dot", REAL, (6, 6), "per s", "its rate (6)"),
+            Field(
+                "M",
+                REAL,
+                (6, 6),
+                "per s",
+                "velocity matrix (9)" + (", at V relative to the stream" if self.stream else ""),
+            ),
+        ]
+        if self.flywheels:
+            fields += [
+                Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9), a column a flywheel"),
+                Field("J", REAL, (6, self.count), "per s", "its velocity part (9)"),
+            ]
+        fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
+        return Struct("matrices", "The matrices of (8).", tuple(fields))
+
+    @cached_property
+    def momentum(self) -> Struct:
+        fields = (
+            Field("Z", REAL, (6,), "kg m/s, kg m2/s", "momentum screw in E1 about O1 (2)"),
+            Field("Z0", REAL, (6,), "kg m/s, kg m2/s", "in E0 about its origin (1)"),
+            Field("energy", REAL, (), "J", "kinetic"),
+            Field("center_of_mass", REAL, (3,), "m", "of all bodies, in E1"),
+        )
+        return Struct("momentum", "Momentum, energy and mass centre.", fields)
+
+    @cached_property
+    def generalized(self) -> Struct:
+        fields = (
+            Field("A", REAL, (6, 6), "", "V = A q' (10)"),
+            Field("D", REAL, (6, 6), "1/s", "A' along the motion (10)"),
+            Field("I0", REAL, (6, 6), "", "K A (11)"),
+            Field("J0", REAL, (6, 6), "", "K D + M A (11)"),
+            Field("q_dot", REAL, (6,), "m/s, rad/s", "O1 in E0, then psi, theta, phi"),
+            Field("q_ddot", REAL, (6,), "m/s2, rad/s2", "by (11) for the given phi_ddot"),
+        )
+        return Struct(
+            "generalized", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields
+        )

@@ -1,0 +1,95 @@
+"""The functions of a program while it is being built: each after those it calls."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from mahovik.lower.layout import Layout
+from mahovik.lower.limits import Limit, limits
+from mahovik.program.build import Body, call
+from mahovik.program.expression import Expr, Operand, Place, Status, unequal
+from mahovik.program.function import Argument, Function
+from mahovik.program.types import Kind
+from mahovik.program.walk import used_variables
+
+
+class Library:
+    """Layout, limits, and the functions built so far by name."""
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self.limits: dict[str, Limit] = limits(layout.precision)
+        self._functions: dict[str, Function] = {}
+        self._status: Place
+
+    def add(self, function: Function) -> Function:
+        """Adds a function; later ones may call it. A function of our own loses arguments it has no use for."""
+        assert function.name not in self._functions
+        if not function.public:
+            used = used_variables(function.body)
+            function = replace(function, arguments=tuple(a for a in function.arguments if id(a.variable) in used))
+        self._functions[function.name] = function
+        return function
+
+    def __getitem__(self, name: str) -> Function:
+        return self._functions[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._functions
+
+    @property
+    def functions(self) -> tuple[Function, ...]:
+        return tuple(self._functions.values())
+
+    # -- what many functions share -----------------------------------------------------------------------------------
+
+    def table_argument(self) -> Argument:
+        """The prepared stand."""
+        return Argument("stand", self.layout.table, purpose="the prepared table")
+
+    def state_argument(self) -> Argument:
+        """The state."""
+        return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
+
+    def phi_ddot_arguments(self) -> tuple[Argument, ...]:
+        """phi_ddot, where there are flywheels."""
+        if not self.layout.flywheels:
+            return ()
+        return (Argument("phi_ddot", Kind.REAL, (self.layout.count,), unit="rad/s2", purpose="flywheel accelerations"),)
+
+    def wrench_arguments(self) -> tuple[Argument, ...]:
+        """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
+        if not self.layout.inputs:
+            return ()
+        names = ", ".join(b.name for b in self.layout.inputs)
+        return (
+            Argument(
+                "wrench",
+                Kind.REAL,
+                (6 * len(self.layout.inputs),),
+                unit="N, N m",
+                purpose=f"run-time wrenches, six numbers a body ({names}), in its own frame about its origin",
+            ),
+        )
+
+    def guard(self, body: Body, condition: Expr, status: str) -> None:
+        """return status where the condition holds."""
+        with body.when(condition):
+            body.ret(Status(status))
+
+    def passed(self, function: str, **named: Operand | None) -> list[Operand]:
+        """The arguments of a function in its order, by name; what it has no use for is left out."""
+        found = [named[a.name] for a in self[function].arguments]
+        if any(value is None for value in found):
+            raise TypeError(f"{function} needs what the caller has not")
+        return [value for value in found if value is not None]
+
+    def begin(self, body: Body) -> None:
+        """Declares the local `status`, for `check`."""
+        self._status = body.local("status", (), Kind.STATUS)
+
+    def check(self, body: Body, function: str, *arguments: Operand) -> None:
+        """Calls a function that returns a status, and returns that status where it is not OK."""
+        body.set(self._status, call(self[function], *arguments))
+        with body.when(unequal(self._status, Status("OK"))):
+            body.ret(self._status)

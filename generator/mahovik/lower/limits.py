@@ -1,0 +1,50 @@
+"""Ranges that the emitted C accepts (stand.md, *Evaluation*), as named constants of the program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.program.expression import Const
+from mahovik.program.types import Kind, Precision
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A named bound on the magnitude of an input."""
+
+    name: str
+    value: float
+    unit: str
+    comment: str
+
+    @property
+    def expression(self) -> Const:
+        return Const(self.value, Kind.REAL, self.name)
+
+
+def limits(precision: Precision) -> dict[str, Limit]:
+    """All bounds by name. Phases: a float has no digits left for large angles, wrap them first."""
+    table = [
+        Limit("MAX_POSITION", 1e6, "m", "each component of the position of O1"),
+        Limit("MAX_VELOCITY", 1e4, "m/s", "each component of v"),
+        Limit("MAX_SPEED", 1e5, "rad/s", "each component of omega, each phi_dot"),
+        Limit("MAX_PHASE", precision.max_phase, "rad", "each phase and attitude angle"),
+        Limit("MAX_ACCELERATION", 1e9, "rad/s2", "each phi_ddot"),
+        Limit("MAX_WRENCH", 1e9, "N, N m", "each component of a run-time wrench"),
+        Limit("MAX_PARAMETER", 1e9, "SI", "each mass, length and moment of inertia"),
+    ]
+    return {limit.name: limit for limit in table}
+
+
+QUATERNION_NORM_MIN = 0.998001
+QUATERNION_NORM_MAX = 1.002001
+"""|q|^2 for a quaternion within 1e-3 of unit length."""
+
+SINGULAR_BELOW = 1e-6
+"""|cos theta| (Euler: |sin theta|) below which A of (10) is refused as singular."""
+
+ZERO_LENGTH = 1e-9
+"""m; a leg shorter than this has no direction."""
+
+SMALL_SQUARE = 1e-30
+"""Square of a length or half angle below which its direction is taken from a series, or refused."""

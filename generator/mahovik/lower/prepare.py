@@ -1,0 +1,457 @@
+"""prepare: the table of a stand from masses, centres of mass, inertias and mountings. The generator runs it too."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from mahovik.derive import carrier as derived_carrier
+from mahovik.derive import flywheel as derived
+from mahovik.derive import wrench as derived_wrench
+from mahovik.derive.symbols import SYMMETRIC, matrix, symmetric, vector
+from mahovik.lower.layout import Layout
+from mahovik.lower.library import Library
+from mahovik.lower.limits import SMALL_SQUARE
+from mahovik.lower.symbolic import assign, translate
+from mahovik.program.build import Body, call
+from mahovik.program.expression import Expr, Not, Place, Status, both, integer, real
+from mahovik.program.function import Argument, Function
+from mahovik.program.types import Kind
+
+
+def frame_of_axes(lib: Library) -> Function:
+    """Axes from two directions: first along `axis`, second along the part of `zero` across it, third by the cross."""
+    axis = Argument("axis", Kind.REAL, (3,), purpose="any length")
+    zero = Argument("zero", Kind.REAL, (3,), purpose="any length, not along axis")
+    R = Argument("R", Kind.REAL, (9,), "out", purpose="columns are the axes, row by row")
+    body = Body()
+    lib.begin(body)
+    bound = lib.limits["MAX_PARAMETER"].expression
+    lib.check(body, "within", axis.place, 3, bound)
+    lib.check(body, "within", zero.place, 3, bound)
+    e1 = body.local("e1", (3,))
+    e2 = body.local("e2", (3,))
+    _unit(lib, body, axis.place, e1, "axis2")
+    a, b = e1, zero.place
+    along = body.let("along", a[0] * b[0] + a[1] * b[1] + a[2] * b[2], "of zero along the axis")
+    across = body.local("across", (3,))
+    for i in range(3):
+        body.set(across[i], b[i] - along * a[i])
+    _unit(lib, body, across, e2, "across2")
+    third = (e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0])
+    for i in range(3):
+        body.set(R.place[3 * i], e1[i])
+        body.set(R.place[3 * i + 1], e2[i])
+        body.set(R.place[3 * i + 2], third[i])
+    body.ret(Status("OK"))
+    return Function(
+        "frame_of_axes",
+        "Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it.",
+        (axis, zero, R),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE"),
+    )
+
+
+def _unit(lib: Library, body: Body, a: Place, out: Place, name: str) -> None:
+    """out = a / |a|; RANGE where a has no direction."""
+    square = body.let(name, a[0] * a[0] + a[1] * a[1] + a[2] * a[2])
+    lib.guard(body, Not(square > SMALL_SQUARE), "RANGE")
+    inverse = body.let(f"{name}_root", 1 / call(lib["sqrt"], square))
+    for i in range(3):
+        body.set(out[i], a[i] * inverse)
+
+
+def carry(lib: Library) -> Function:
+    """One harmonic of Theta(phi) to E1 about O1: L0 Theta L0^T, and the moment part of L0 Theta f."""
+    m = Argument("m", Kind.REAL, unit="kg", purpose="mass; 0 for harmonics 1 and 2")
+    b = Argument("b", Kind.REAL, (3,), unit="kg m", purpose="first moment in mounting axes")
+    J_own = Argument("J", Kind.REAL, (6,), unit="kg m2", purpose="about the body's origin")
+    O = Argument("O", Kind.REAL, (3,), unit="m", purpose="the body's origin in E1")
+    R = Argument("R", Kind.REAL, (9,), purpose="its axes in E1")
+    mu = Argument("mu", Kind.REAL, (3,), "out", "kg m", "first moment about O1")
+    J = Argument("J1", Kind.REAL, (6,), "out", "kg m2", "about O1")
+    t = Argument("t", Kind.REAL, (3,), "out", "kg m2", "moment part of I for a spin about the first axis")
+    body = Body()
+    b1 = body.local("b1", (3,), comment="R b")
+    RJ = body.local("RJ", (9,), comment="R J")
+    Jr = body.local("Jr", (6,), comment="R J R^T")
+    assign(body, list(b1), derived_wrench.rotated(), {"C": R.place, "a": b.place})
+    first, second = derived.rotated_tensor(symmetric("J"), matrix("R"))
+    assign(body, list(RJ), first, {"R": R.place, "J": J_own.place})
+    assign(body, list(Jr), second, {"R": R.place, "RJ": RJ})
+    body.note("T Theta T^T: about O1")
+    moved_mu, moved_J = derived.shifted_inertia(sp.Symbol("m"), vector("b"), symmetric("J"), vector("O"))
+    binding: dict[str, Any] = {"m": m.place, "b": b1, "J": Jr, "O": O.place, "mu": mu.place}
+    assign(body, list(mu.place), moved_mu, binding)
+    assign(body, list(J.place), moved_J, binding)
+    axis = [R.place[0], R.place[3], R.place[6]]
+    moment = derived.spin_momentum(vector("b"), symmetric("J"), vector("O"))
+    assign(body, list(t.place), moment, binding | {"axis": axis})
+    return Function(
+        "carry",
+        "Carries one harmonic of a spatial inertia from a body's frame to E1 about O1.",
+        (m, b, J_own, O, R, mu, J, t),
+        body.statements,
+        equation="(2)",
+    )
+
+
+def check_body(lib: Library) -> Function:
+    """Mass properties finite, and the mass not negative."""
+    b = Argument("body", lib.layout.body)
+    body = Body()
+    lib.begin(body)
+    bound = lib.limits["MAX_PARAMETER"].expression
+    scalars = [b.place.mass] + ([b.place.displaced_mass] if lib.layout.buoyancy else [])
+    arrays = [b.place.center_of_mass, b.place.inertia] + ([b.place.displaced_center] if lib.layout.buoyancy else [])
+    masses = body.local("masses", (len(scalars),))
+    for target, value in zip(masses, scalars, strict=True):
+        body.set(target, value)
+    lib.check(body, "within", masses, len(scalars), bound)
+    for array in arrays:
+        lib.check(body, "within", array, len(array), bound)
+    lib.guard(body, b.place.mass < 0, "RANGE")
+    body.ret(Status("OK"))
+    return Function(
+        "check_body",
+        "Are the mass properties finite and the mass not negative?",
+        (b,),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE"),
+    )
+
+
+@dataclass
+class _Totals:
+    """Places where the constant parts are summed up."""
+
+    mass: Place
+    mu: Place
+    J: Place
+    weight_mass: Place | None
+    displaced: Place | None
+
+
+def prepare(lib: Library) -> Function:
+    """The whole table but for the laws of the wrenches."""
+    layout = lib.layout
+    parameters = Argument("parameters", layout.parameters)
+    stand = Argument(
+        "stand", layout.table, (), "inout", purpose="its laws (gravity, damping, ...) are left as they are"
+    )
+    p, out = parameters.place, stand.place
+    body = Body()
+    lib.begin(body)
+    lib.check(body, "check_parameters", p)
+    body.note("all is good: from here on the table is written and nothing can fail")
+    totals = _start(layout, body)
+    body.note("carrier: its frame is E1")
+    origin = body.local("O", (3,), comment="origin of a body in E1")
+    R = body.local("R", (9,), comment="axes of a body in E1")
+    b = body.local("b", (3,), comment="first moment in the body's frame")
+    mu = body.local("mu", (3,))
+    J1 = body.local("J1", (6,))
+    t = body.local("t", (3,))
+    work = _Work(lib, body, totals, origin, R, b, mu, J1, t)
+    identity = (1, 0, 0, 0, 1, 0, 0, 0, 1)
+    for i in range(3):
+        body.set(origin[i], real(0))
+    for i in range(9):
+        body.set(R[i], real(identity[i]))
+    work.fixed(p.carrier)
+    if layout.stand.instruments:
+        _instruments(lib, work, p)
+    if layout.flywheels:
+        _flywheels(lib, work, p, out)
+    if layout.added_mass:
+        body.call(lib["translation_block"], p, totals.mass, out.A, out.A_inverse)
+        for i in range(3):
+            for j in range(3):
+                body.set(out.G[3 * i + j], p.added_mass[i + 3][j])
+        for k, (i, j) in enumerate(SYMMETRIC):
+            body.add(totals.J[k], p.added_mass[i + 3][j + 3])
+    body.set(out.mass, totals.mass)
+    body.set(out.mass_inverse, 1 / totals.mass)
+    body.copy_array(out.first_moment, totals.mu)
+    body.copy_array(out.inertia, totals.J)
+    if totals.weight_mass is not None and totals.displaced is not None:
+        body.set(out.weight_mass, totals.weight_mass)
+        body.copy_array(out.displaced_moment, totals.displaced)
+    if layout.own:
+        _frames(lib, work, p, out)
+    body.ret(Status("OK"))
+    return Function(
+        "prepare",
+        "Makes the table of a stand from masses, centres of mass, inertias and mountings.",
+        (parameters, stand),
+        body.statements,
+        equation="(2)",
+        returns=Kind.STATUS,
+        statuses=lib["check_parameters"].statuses,
+        notes=(
+            "The same operations made the table of the generator: for the parameters of the stand file, equal bits.",
+        ),
+        public=True,
+    )
+
+
+def _start(layout: Layout, body: Body) -> _Totals:
+    mass = body.local("mass")
+    mu = body.local("first_moment", (3,))
+    J = body.local("inertia", (6,))
+    body.set(mass, real(0))
+    for element in (*mu, *J):
+        body.set(element, real(0))
+    if not layout.buoyancy:
+        return _Totals(mass, mu, J, None, None)
+    weight_mass = body.local("weight_mass")
+    displaced = body.local("displaced", (3,))
+    body.set(weight_mass, real(0))
+    for element in displaced:
+        body.set(element, real(0))
+    return _Totals(mass, mu, J, weight_mass, displaced)
+
+
+@dataclass
+class _Work:
+    """Scratch places of prepare, and what is done for every body."""
+
+    lib: Library
+    body: Body
+    totals: _Totals
+    origin: Place
+    R: Place
+    b: Place
+    mu: Place
+    J1: Place
+    t: Place
+
+    def first_moment(self, b: Place) -> None:
+        """b = m rc."""
+        for i in range(3):
+            self.body.set(self.b[i], b.mass * b.center_of_mass[i])
+
+    def add(self, mass: Expr) -> None:
+        """Adds mu, J1 to the constant part."""
+        self.body.add(self.totals.mass, mass)
+        for i in range(3):
+            self.body.add(self.totals.mu[i], self.mu[i])
+        for i in range(6):
+            self.body.add(self.totals.J[i], self.J1[i])
+
+    def fixed(self, b: Place) -> None:
+        """A body that does not turn: origin and R are set."""
+        self.first_moment(b)
+        args = (b.mass, self.b, b.inertia, self.origin, self.R, self.mu, self.J1, self.t)
+        self.body.call(self.lib["carry"], *args)
+        self.add(b.mass)
+        self.displaced(b, None)
+
+    def displaced(self, b: Place, row: Place | None) -> None:
+        """Displaced mass and its first moment about O1; the turning part of a flywheel's goes to its row."""
+        if self.totals.weight_mass is None or self.totals.displaced is None:
+            return
+        body, R, center = self.body, self.R, b.displaced_center
+        body.add(self.totals.weight_mass, b.mass - b.displaced_mass)
+        for i in range(3):
+            turning = R[3 * i + 1] * center[1] + R[3 * i + 2] * center[2]
+            along = R[3 * i] * center[0]
+            if row is None:
+                body.add(self.totals.displaced[i], b.displaced_mass * (self.origin[i] + (along + turning)))
+                continue
+            body.add(self.totals.displaced[i], b.displaced_mass * (self.origin[i] + along))
+            if self.lib.layout.flywheel_buoyancy:
+                back = R[3 * i + 2] * center[1] - R[3 * i + 1] * center[2]
+                body.set(row.displaced_c[i], b.displaced_mass * turning)
+                body.set(row.displaced_s[i], b.displaced_mass * back)
+
+    def place_instrument(self, q: Place) -> None:
+        """origin and R of an instrument."""
+        self.body.call(self.lib["frame_of_axes"], q.axis, q.zero, self.R)
+        self.body.copy_array(self.origin, q.position)
+
+
+def _instruments(lib: Library, work: _Work, p: Place) -> None:
+    body = work.body
+    body.note("instruments")
+    with body.loop("k", len(lib.layout.stand.instruments)) as k:
+        q = p.instrument[k]
+        work.place_instrument(q)
+        work.fixed(q.body)
+
+
+def place_flywheel(lib: Library) -> Function:
+    """Origin and mounting axes of a flywheel in E1, through the instrument that bears it."""
+    p = Argument("parameters", lib.layout.parameters)
+    w = Argument("w", lib.layout.flywheel_parameters)
+    O = Argument("O", Kind.REAL, (3,), "out", "m", "Os in E1")
+    R = Argument("R", Kind.REAL, (9,), "out", purpose="axes of Es in E1 at phi = 0")
+    body = Body()
+    lib.begin(body)
+    lib.check(body, "within", w.place.position, 3, lib.limits["MAX_PARAMETER"].expression)
+    lib.check(body, "frame_of_axes", w.place.axis, w.place.zero, R.place)
+    body.copy_array(O.place, w.place.position)
+    count = len(lib.layout.stand.instruments)
+    if count:
+        mount = w.place.mount
+        lib.guard(body, Not(both(mount >= -1, mount < integer(count))), "BAD_ARGUMENT")
+        with body.when(mount >= 0):
+            body.note("Ls = Lp L_s in p")
+            q = p.place.instrument[mount]
+            Rp = body.local("Rp", (9,), comment="axes of the instrument in E1")
+            Rs = body.local("Rs", (9,), comment="axes of the flywheel in the instrument")
+            at = body.local("at", (3,))
+            lib.check(body, "frame_of_axes", q.axis, q.zero, Rp)
+            body.copy_array(Rs, R.place)
+            for i in range(3):
+                for j in range(3):
+                    product = Rp[3 * i] * Rs[j] + Rp[3 * i + 1] * Rs[3 + j] + Rp[3 * i + 2] * Rs[6 + j]
+                    body.set(R.place[3 * i + j], product)
+            assign(body, list(at), derived_wrench.rotated(), {"C": Rp, "a": w.place.position})
+            for i in range(3):
+                body.set(O.place[i], q.position[i] + at[i])
+    body.ret(Status("OK"))
+    return Function(
+        "place_flywheel",
+        "Origin and axes (at phi = 0) of a flywheel in E1.",
+        (p, w, O, R),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"),
+    )
+
+
+def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
+    """Every flywheel: its constant part to the totals, its harmonics to its row."""
+    body = work.body
+    body.note("flywheels: constant part to the totals, harmonics to the row")
+    with body.loop("s", lib.layout.count) as s:
+        w, row = p.flywheel[s], out.flywheel[s]
+        _place(lib, body, p, w, work)
+        work.first_moment(w.body)
+        parts = derived.spun_inertia(derived.generic())
+        binding = {"b": work.b, "J": w.body.inertia, "m": w.body.mass}
+        half = body.local("bh", (3,), comment="first moment of one harmonic, in mounting axes")
+        Jh = body.local("Jh", (6,), comment="its inertia")
+        for name, mu, J, t in (
+            ("0", work.mu, work.J1, row.t_0),
+            ("c", row.mu_c, row.J_c, row.t_c),
+            ("s", row.mu_s, row.J_s, row.t_s),
+            ("2c", work.mu, row.J_2c, work.t),
+            ("2s", work.mu, row.J_2s, work.t),
+        ):
+            part = parts[name]
+            body.note(f"harmonic {name} of Theta(phi)")
+            assign(body, list(half), part.b, binding)
+            assign(body, list(Jh), part.J, binding)
+            mass: Expr = w.body.mass if name == "0" else real(0)
+            body.call(lib["carry"], mass, half, Jh, work.origin, work.R, mu, J, t)
+            if name == "0":
+                work.add(w.body.mass)
+        body.set(row.spin, w.body.inertia[0])
+        work.displaced(w.body, row)
+
+
+def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work) -> None:
+    named = {"parameters": p, "w": w, "O": work.origin, "R": work.R}
+    body.call(lib["place_flywheel"], *lib.passed("place_flywheel", **named))
+
+
+def translation_block(lib: Library) -> Function:
+    """A = m E + Lambda_11 and its inverse."""
+    p = Argument("parameters", lib.layout.parameters)
+    mass = Argument("mass", Kind.REAL, unit="kg")
+    A = Argument("A", Kind.REAL, (6,), "out", "kg")
+    inverse = Argument("A_inverse", Kind.REAL, (6,), "out", "1/kg")
+    body = Body()
+    for k, (i, j) in enumerate(SYMMETRIC):
+        own = p.place.added_mass[i][j]
+        body.set(A.place[k], mass.place + own if i == j else own)
+    adjugate, determinant = derived_carrier.inverse_of_symmetric()
+    names = ("11", "22", "33", "12", "13", "23")
+    cofactor = [body.let(f"c{n}", translate(e, {"A": A.place})) for n, e in zip(names, adjugate, strict=True)]
+    d = body.let("det", translate(determinant, {"A": A.place, "cofactor": cofactor}))
+    positive = both(both(A.place[0] > 0, cofactor[2] > 0), d > 0)
+    lib.guard(body, Not(positive), "NOT_POSITIVE_DEFINITE")
+    r = body.let("r", 1 / d)
+    for k in range(6):
+        body.set(inverse.place[k], cofactor[k] * r)
+    body.ret(Status("OK"))
+    return Function(
+        "translation_block",
+        "Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse.",
+        (p, mass, A, inverse),
+        body.statements,
+        equation="(2)",
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def check_parameters(lib: Library) -> Function:
+    """Everything that can be wrong with parameters, before anything is written."""
+    layout = lib.layout
+    parameters = Argument("parameters", layout.parameters)
+    p = parameters.place
+    bound = lib.limits["MAX_PARAMETER"].expression
+    body = Body()
+    lib.begin(body)
+    total = body.local("mass")
+    if layout.stand.instruments or layout.flywheels:
+        O = body.local("O", (3,))
+        R = body.local("R", (9,))
+    lib.check(body, "check_body", p.carrier)
+    body.set(total, p.carrier.mass)
+    if layout.stand.instruments:
+        with body.loop("k", len(layout.stand.instruments)) as k:
+            q = p.instrument[k]
+            lib.check(body, "check_body", q.body)
+            lib.check(body, "within", q.position, 3, bound)
+            lib.check(body, "frame_of_axes", q.axis, q.zero, R)
+            body.add(total, q.body.mass)
+    if layout.flywheels:
+        with body.loop("s", layout.count) as s:
+            w = p.flywheel[s]
+            lib.check(body, "check_body", w.body)
+            lib.guard(body, Not(w.body.inertia[0] > 0), "NOT_POSITIVE_DEFINITE")
+            named = {"parameters": p, "w": w, "O": O, "R": R}
+            lib.check(body, "place_flywheel", *lib.passed("place_flywheel", **named))
+            body.add(total, w.body.mass)
+    lib.guard(body, Not(total > 0), "NOT_POSITIVE_DEFINITE")
+    if layout.added_mass:
+        A = body.local("A", (6,))
+        inverse = body.local("A_inverse", (6,))
+        with body.loop("i", 6) as i:
+            lib.check(body, "within", p.added_mass[i], 6, bound)
+        lib.check(body, "translation_block", p, total, A, inverse)
+    body.ret(Status("OK"))
+    mounts = ("BAD_ARGUMENT",) if layout.stand.instruments and layout.flywheels else ()
+    return Function(
+        "check_parameters",
+        "Are the parameters finite, in range, their axes directions, and the masses positive?",
+        (parameters,),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE", *mounts),
+    )
+
+
+def _frames(lib: Library, work: _Work, p: Place, out: Place) -> None:
+    """Poses of the bodies that have wrenches in their own frame."""
+    layout, body = lib.layout, work.body
+    body.note("frames of the bodies with wrenches of their own")
+    with body.loop("k", len(layout.own)) as k:
+        frame = out.frame[k]
+        if layout.own_turning:
+            with body.when(frame.flywheel >= 0):
+                _place(lib, body, p, p.flywheel[frame.flywheel], work)
+        if layout.own_fixed:
+            with body.when(frame.instrument >= 0):
+                work.place_instrument(p.instrument[frame.instrument])
+        body.copy_array(frame.origin, work.origin)
+        body.copy_array(frame.axes, work.R)

@@ -1,0 +1,103 @@
+"""The program of a stand: all functions in order, unused ones left out."""
+
+from __future__ import annotations
+
+from mahovik import routines
+from mahovik.lower import checks, flywheels, forward, generalized, laws, matrices, prepare, rotation, solve, wrenches
+from mahovik.lower.layout import Layout
+from mahovik.lower.library import Library
+from mahovik.program.function import Program
+from mahovik.program.types import Precision, Struct
+from mahovik.program.validate import validate
+from mahovik.program.walk import reachable
+from mahovik.stand.model import Stand
+
+
+def lower(stand: Stand, precision: Precision) -> Program:
+    """The program for a stand at a precision. Its text depends on the stand's structure only, not on its numbers."""
+    return lower_layout(Layout(stand, precision))
+
+
+def lower_layout(layout: Layout) -> Program:
+    """The program for a layout."""
+    lib = Library(layout)
+    precision = layout.precision
+    lib.add(routines.sincos(precision))
+    lib.add(routines.square_root(precision))
+    lib.add(routines.atan2(precision))
+    lib.add(checks.within(lib))
+    lib.add(checks.check_state(lib))
+    lib.add(rotation.rotation())
+    lib.add(rotation.rotate_back())
+    if layout.flywheels:
+        lib.add(flywheels.add_flywheel(lib))
+    lib.add(flywheels.start_sums(lib))
+    _add_wrenches(lib)
+    lib.add(solve.momentum_screw(lib))
+    lib.add(solve.subtract_rates(lib))
+    lib.add(solve.solve3(lib))
+    lib.add(solve.solve_carrier(lib))
+    lib.add(forward.forward(lib))
+    lib.add(forward.wrench_function(lib))
+    lib.add(matrices.velocity_matrix(lib))
+    lib.add(matrices.matrices(lib))
+    lib.add(matrices.momentum(lib))
+    lib.add(generalized.quaternion(lib))
+    lib.add(generalized.products(lib))
+    lib.add(generalized.attitude(lib))
+    lib.add(prepare.frame_of_axes(lib))
+    lib.add(prepare.carry(lib))
+    lib.add(prepare.check_body(lib))
+    if layout.flywheels:
+        lib.add(prepare.place_flywheel(lib))
+    if layout.added_mass:
+        lib.add(prepare.translation_block(lib))
+    lib.add(prepare.check_parameters(lib))
+    lib.add(prepare.prepare(lib))
+    counts = tuple(c for c in (layout.count, layout.input_count) if c.value)
+    functions = reachable(lib.functions)
+    program = Program(layout.stand.name, precision, counts, _structs(layout), functions)
+    validate(program)
+    return program
+
+
+def _add_wrenches(lib: Library) -> None:
+    """The laws of (7) that the stand has."""
+    layout = lib.layout
+    if not layout.wrenches:
+        return
+    if layout.damped:
+        lib.add(laws.damp(lib))
+    if layout.own:
+        lib.add(wrenches.own_wrench(lib))
+    if layout.stand.suspension is not None:
+        lib.add(laws.rotation_vector(lib))
+        lib.add(laws.suspend(lib))
+    if layout.stand.legs:
+        lib.add(laws.pull(lib))
+    lib.add(wrenches.external(lib))
+
+
+def _structs(layout: Layout) -> tuple[Struct, ...]:
+    """Struct types in an order in which each comes after those it holds."""
+    found: list[Struct] = []
+
+    def visit(struct: Struct) -> None:
+        if struct in found:
+            return
+        for f in struct.fields:
+            if isinstance(f.type, Struct):
+                visit(f.type)
+        found.append(struct)
+
+    for struct in (
+        layout.state,
+        layout.parameters,
+        layout.table,
+        layout.matrices,
+        layout.momentum,
+        layout.generalized,
+        layout.sums,
+    ):
+        visit(struct)
+    return tuple(found)

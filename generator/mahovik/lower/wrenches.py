@@ -1,0 +1,156 @@
+"""The total external wrench F of (7) in E1 about O1, with those kinds only that the stand has."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik.derive import wrench as derived
+from mahovik.lower.flywheels import sine_and_cosine
+from mahovik.lower.laws import add_force
+from mahovik.lower.library import Library
+from mahovik.lower.symbolic import assign
+from mahovik.program.build import Body
+from mahovik.program.expression import Place, Status, integer, real
+from mahovik.program.function import Argument, Function
+from mahovik.program.types import Kind
+
+
+def external(lib: Library) -> Function:
+    """F of (7) from checked inputs."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    sums = Argument("sum", layout.sums, purpose="first moment mu: the weight acts along it")
+    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
+    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
+    F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "in E1 about O1")
+    wrench = lib.wrench_arguments()
+    body = Body()
+    if layout.stand.legs:
+        lib.begin(body)
+    for element in F.place:
+        body.set(element, real(0))
+    if layout.weight:
+        _weight(lib, body, stand.place, x.place, sums.place, C.place, F.place)
+    if layout.stand.carrier.damping is not None:
+        _damp(lib, body, stand.place, stand.place.damper, V.place, F.place)
+    if layout.stand.carrier.wrench_input:
+        for i in range(6):
+            body.add(F.place[i], wrench[0].place[i])
+    if layout.own:
+        with body.loop("k", len(layout.own)) as k:
+            everything = {"stand": stand.place, "frame": stand.place.frame[k], "x": x.place, "V": V.place, "F": F.place}
+            everything |= {w.name: w.place for w in wrench}
+            body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
+    if layout.stand.suspension is not None:
+        body.call(lib["suspend"], stand.place.suspension, x.place, C.place, F.place)
+    if layout.stand.legs:
+        with body.loop("k", len(layout.stand.legs)) as k:
+            lib.check(body, "pull", stand.place.leg[k], x.place, C.place, F.place)
+        body.ret(Status("OK"))
+    return Function(
+        "external",
+        "Total external wrench of " + _kinds(lib) + ", from checked inputs.",
+        (stand, x, sums, C, V, *wrench, F),
+        body.statements,
+        equation="(7)",
+        returns=Kind.STATUS if layout.stand.legs else None,
+        statuses=("OK", "RANGE") if layout.stand.legs else (),
+    )
+
+
+def _kinds(lib: Library) -> str:
+    layout = lib.layout
+    kinds = {
+        "weight": layout.weight,
+        "buoyancy": layout.buoyancy,
+        "damping": layout.damped,
+        "suspension": layout.stand.suspension is not None,
+        "legs": bool(layout.stand.legs),
+        "run-time wrenches": bool(layout.inputs),
+    }
+    return ", ".join(name for name, there in kinds.items() if there) or "no kind at all"
+
+
+def _weight(lib: Library, body: Body, stand: Place, x: Place, sums: Place, C: Place, F: Place) -> None:
+    """Weight of every body at its mass centre, less the Archimedes force."""
+    layout = lib.layout
+    g = body.local("g", (3,), comment="gravity in E1")
+    body.call(lib["rotate_back"], C, stand.gravity, g)
+    binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": stand.mass}
+    if layout.buoyancy:
+        binding["weight_mass"] = stand.weight_mass
+        binding["displaced_moment"] = stand.displaced_moment
+    if layout.flywheel_buoyancy:
+        moment = body.local("displaced", (3,), comment="first moment of displaced fluid at the phases")
+        body.copy_array(moment, stand.displaced_moment)
+        with body.loop("s", layout.count) as s:
+            row = stand.flywheel[s]
+            turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+            for i in range(3):
+                body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
+        binding["displaced_moment"] = moment
+    body.note("weight of every body: its line of action moves with the flywheels")
+    assign(body, list(F), derived.weight(layout.buoyancy), binding, add=True)
+
+
+def _damp(lib: Library, body: Body, stand: Place, damper: Place, V: Place, P: Place) -> None:
+    body.call(lib["damp"], *lib.passed("damp", stand=stand, damper=damper, V=V, P=P))
+
+
+def own_wrench(lib: Library) -> Function:
+    """Wrench of one instrument or flywheel that acts in its own frame, added to F."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    frame = Argument("frame", layout.frame)
+    V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; is added to")
+    wrench = lib.wrench_arguments()
+    body = Body()
+    origin = frame.place.origin
+    axes = body.local("axes", (9,), comment="of the body in E1")
+    P = body.local("P", (6,), comment="in the body's own frame")
+    body.copy_array(axes, frame.place.axes)
+    for element in P:
+        body.set(element, real(0))
+    if layout.own_turning:
+        with body.when(frame.place.flywheel >= 0):
+            turn = sine_and_cosine(lib, body, x.place.phi[frame.place.flywheel])
+            assign(body, list(axes), derived.turned_axes(), turn | {"R": frame.place.axes})
+    if layout.own_damped:
+        _own_damping(lib, body, stand.place, frame.place, x.place, V.place, axes, P)
+    if layout.own_inputs:
+        with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
+            body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
+    force = body.local("force", (3,), comment="in E1")
+    moment = body.local("moment", (3,), comment="in E1, about the body's origin")
+    _turn(body, axes, list(P)[:3], force)
+    _turn(body, axes, list(P)[3:], moment)
+    add_force(body, list(F.place), origin, list(force), list(moment))
+    return Function(
+        "own_wrench",
+        "Adds the wrench of one instrument or flywheel that acts in its own frame.",
+        (stand, frame, x, V, *wrench, F),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def _turn(body: Body, C: Place, a: list[Place], out: Place) -> None:
+    assign(body, list(out), derived.rotated(), {"C": C, "a": a})
+
+
+def _own_damping(
+    lib: Library, body: Body, stand: Place, frame: Place, x: Place, V: Place, axes: Place, P: Place
+) -> None:
+    """Twist of the body relative to the fluid in its own frame, L^T V_r + f phi', and its damping."""
+    six = list(V)
+    velocity = body.local("velocity", (3,), comment="of the body's origin, in E1")
+    own = body.local("own", (6,), comment="twist of the body, in its own frame")
+    assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": frame.origin})
+    back = derived.rotated_back()
+    assign(body, list(own)[:3], back, {"C": axes, "a": velocity})
+    assign(body, list(own)[3:], back, {"C": axes, "a": six[3:]})
+    if lib.layout.own_turning:
+        with body.when(frame.flywheel >= 0):
+            body.add(own[3], x.phi_dot[frame.flywheel], "L^T V + f phi'")
+    _damp(lib, body, stand, frame.damper, own, P)
