@@ -5,13 +5,13 @@
 A development tool (needs mpmath); nothing imports it but the tests, which derive the coefficients again.
 
 Each polynomial P has the variable z = r^2 and is the best one for max |weight (P - target)| on 0 < z <= span^2:
-the error printed is that of P after its coefficients were rounded to the element type.
+the error printed is that of P with its coefficients rounded to the element type.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import mpmath as mp
@@ -49,8 +49,8 @@ def _arc_tangent(r: Real) -> Real:
 # Reduction by pi/2 leaves |r| <= pi/4, and a little more where x*(2/pi) is rounded to the wrong side of a tie:
 # in float, half an ulp of 637 quarter turns.
 REDUCED = 0.7855
-# Two cases of the arc tangent meet at tan(pi/8) = 0.41421; beyond it by the rounding of a comparison.
-HALVED = 0.41422
+# Two cases of the arc tangent meet at 1/2, where comparison and subtraction are exact.
+HALVED = 0.5
 
 PROBLEMS = (
     Problem(
@@ -78,7 +78,7 @@ PROBLEMS = (
         _arc_tangent,
         lambda r: r**3 / mp.atan(r),
         HALVED,
-        {"double": 11, "float": 5},
+        {"double": 12, "float": 5},
     ),
 )
 
@@ -147,19 +147,35 @@ def _extrema(grid: list[Real], errors: list[Real], count: int) -> list[Real]:
     return [grid[i] for i in best]
 
 
-def rounded(coefficients: Sequence[Real], precision: str) -> list[float]:
-    """Coefficients as numbers of the element type, written as Python floats."""
-    if precision == "double":
-        return [float(c) for c in coefficients]
-    with mp.workprec(24):
-        return [float(np.float32(float(+c))) for c in coefficients]
+def representable(value: Real, precision: str) -> float:
+    """The number of the element type next to `value`, as a Python float."""
+    return float(value) if precision == "double" else float(np.float32(float(value)))
+
+
+def coefficients_of(problem: Problem, precision: str) -> list[float]:
+    """The coefficients the routines use: each in turn is rounded, and the best rest is found for what it became."""
+    terms = problem.terms[precision]
+    chosen: list[float] = []
+    with mp.workdps(DIGITS):
+        for done in range(terms):
+            fixed = tuple(chosen)
+
+            def target(r: Real, fixed: tuple[float, ...] = fixed, done: int = done) -> Real:
+                return (problem.target(r) - horner(fixed, r**2)) / r ** (2 * done)
+
+            def weight(r: Real, done: int = done) -> Real:
+                return problem.weight(r) * r ** (2 * done)
+
+            rest = replace(problem, target=target, weight=weight)
+            chosen.append(representable(remez(rest, terms - done)[0], precision))
+    return chosen
 
 
 def main() -> None:
     """Prints every polynomial the routines use."""
     for problem in PROBLEMS:
-        for precision, terms in problem.terms.items():
-            coefficients = rounded(remez(problem, terms), precision)
+        for precision in problem.terms:
+            coefficients = coefficients_of(problem, precision)
             error = largest_deviation(problem, coefficients)
             bits = mp.nstr(mp.log(error, 2), 4)
             print(f"{problem.name}, {precision}: {problem.form}, |r| <= {problem.span}")
