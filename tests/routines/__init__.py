@@ -1,0 +1,1 @@
+"""Routines against mpmath: `run` interprets them and measures errors."""
