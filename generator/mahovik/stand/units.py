@@ -20,11 +20,12 @@ class Dimension:
     """What a key measures: in words for messages, and its SI unit as pint reads it ("" for a plain number).
 
     Radians count: an angle takes degrees but no `mm/m`, a speed takes rpm but no Hz (50 Hz is not 50 rad/s).
-    Elsewhere `rad` may be left out, as in N m for N m/rad.
+    Elsewhere `rad` may be left out, as in N m for N m/rad; `radians` are further powers of it that mean the same.
     """
 
     words: str
     si: str
+    radians: tuple[int, ...] = ()
 
 
 MASS = Dimension("a mass", "kg")
@@ -40,7 +41,7 @@ STIFFNESS = Dimension("a stiffness", "N/m")
 LINEAR_DAMPING = Dimension("a damping", "N s/m")
 STATIC_UNBALANCE = Dimension("a static unbalance", "kg m")
 DYNAMIC_UNBALANCE = Dimension("a dynamic unbalance", "kg m^2")
-TORQUE_CONSTANT = Dimension("a torque constant", "N m/A")
+TORQUE_CONSTANT = Dimension("a torque constant", "N m/A", radians=(-1,))  # V s/rad is the same unit
 RESISTANCE = Dimension("a resistance", "ohm")
 VOLTAGE = Dimension("a voltage", "V")
 VISCOUS = Dimension("a viscous friction", "N m s/rad")
@@ -100,8 +101,8 @@ def factor(unit: str, dimension: Dimension) -> Fraction:
     theirs, their_powers = _root(unit)
     radians, our_radians = their_powers.get("radian", 0), our_powers.get("radian", 0)
     same = _without_radian(their_powers) == _without_radian(our_powers)
-    strict = dimension in (ANGLE, SPEED)
-    if not same or radians not in ((our_radians,) if strict else (our_radians, 0)):
+    fitting = (our_radians,) if dimension in (ANGLE, SPEED) else (our_radians, 0, *dimension.radians)
+    if not same or radians not in fitting:
         hint = ", a frequency is not one: write rpm or rad/s" if dimension == SPEED and same else ""
         raise QuantityError(f"unit {show(unit)} does not fit, expected {_expected(dimension)}{hint}")
     return theirs / ours

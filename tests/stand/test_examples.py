@@ -1,0 +1,59 @@
+"""The example stands that the package ships."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from mahovik.errors import UsageError
+from mahovik.stand import load
+from mahovik.stand.summary import summarize
+from mahovik.stands import motions, names, path
+
+
+def test_the_examples_are_there() -> None:
+    assert names() == ("auv6", "bench8", "demo3", "remus6", "sat4", "shaker2")
+
+
+@pytest.mark.parametrize("name", names())
+def test_each_loads_under_its_own_name_and_says_what_it_shows(name: str) -> None:
+    assert name == load(path(name)).name
+    assert path(name).read_text().startswith("# ")
+
+
+def test_motion_files_belong_to_their_stands() -> None:
+    assert [file.name for file in motions("shaker2")] == ["shaker2.motion.json", "shaker2_spin.motion.json"]
+    for name in names():
+        for file in motions(name):
+            assert json.loads(file.read_text())["schema"] == 1
+
+
+def test_an_unknown_example_is_a_usage_error() -> None:
+    with pytest.raises(UsageError, match='no example stand "bench9", expected one of auv6, bench8'):
+        path("bench9")
+
+
+def test_remus6_has_the_published_totals() -> None:
+    """30.48 kg, centre of gravity 19.6 mm below the centre of buoyancy, 0.177 and 3.45 kg m2 about that."""
+    stand = load(path("remus6"))
+    summary = summarize(stand)
+    assert summary.mass == pytest.approx(30.48, rel=1e-12)
+    assert np.array(summary.center_of_mass) == pytest.approx(np.array([0, 0, 0.0196]), abs=1e-7)
+    assert stand.flywheels[5].mount == "nose"
+
+
+def test_sat4_wheels_hold_twelve_newton_metre_seconds() -> None:
+    stand = load(path("sat4"))
+    assert summarize(stand).mass == pytest.approx(60.0)
+    for wheel in stand.flywheels:
+        assert wheel.motor is not None and wheel.motor.speed is not None
+        assert wheel.inertia[0][0] * wheel.motor.speed == pytest.approx(12.0, rel=1e-4)
+
+
+def test_bench8_weight_hangs_at_its_suspension() -> None:
+    """The suspension is raised by weight / stiffness, as its file says."""
+    stand = load(path("bench8"))
+    assert stand.suspension is not None
+    assert stand.suspension.position[2] == pytest.approx(summarize(stand).mass * 9.81 / 1633.5, rel=1e-8)

@@ -1,0 +1,120 @@
+"""Structure and the two identities."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mahovik.stand import dumps, identities, load, loads, structure
+from mahovik.stand.model import Factor
+from mahovik.stands import names, path
+from strategies import stands
+
+TEXT = """schema = 1
+name = "a"   # comment
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 2
+inertia = [1.0, 1, 1]
+[[flywheel]]
+name = "w"
+mass = "500 g"
+angles = ["90 deg", 0]
+inertia = [0.002, 0.001, 0.001]
+"""
+RESPELLED = """# another comment\r
+schema = 1\r
+gravity = ["0 mm/s^2", -0.0, "-981 cm/s^2"]\r
+name = "a"\r
+flywheel = [{ inertia = { value = [2000, 1000, 1000], unit = "kg mm^2" }, angles = [1.5707963267948966, 0, 0],\
+ name = "w", mass = 0.5 }]\r
+[carrier]\r
+inertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\r
+inertia_about = "center_of_mass"\r
+mass = 2.000\r
+"""
+
+
+def test_spelling_changes_neither_identity() -> None:
+    assert identities(loads(TEXT)) == identities(loads(RESPELLED))
+
+
+def test_a_number_changes_physics_only() -> None:
+    one, other = identities(loads(TEXT)), identities(loads(TEXT.replace("mass = 2", "mass = 2.0000000000000004")))
+    assert one.structure == other.structure
+    assert one.physics != other.physics
+
+
+def test_names_kinds_and_order_change_both() -> None:
+    ours = identities(loads(TEXT))
+    for change in (
+        TEXT.replace('"a"', '"b"'),
+        TEXT.replace('"w"', '"w2"'),
+        TEXT.replace("schema = 1", 'schema = 1\nangles = "euler"'),
+        TEXT.replace("schema = 1", "schema = 1\nstream = [0, 0, 0]"),
+        TEXT.replace("[0, 0, -9.81]", "[0, 0, 0]"),
+        TEXT.replace("mass = 2", "mass = 2\nwrench_input = true"),
+        TEXT.replace("mass = 2", "mass = 2\nadded_mass = [1, 1, 1, 0, 0, 0]"),
+        TEXT + '[[point]]\nname = "p"\n',
+    ):
+        theirs = identities(loads(change))
+        assert ours.structure != theirs.structure
+        assert ours.physics != theirs.physics
+
+
+def test_identities_are_eight_hexadecimal_digits_and_differ_between_examples() -> None:
+    found = [identities(load(path(name))) for name in names()]
+    digests = [digest for each in found for digest in (each.structure, each.physics)]
+    assert all(re.fullmatch("[0-9a-f]{8}", digest) for digest in digests)
+    assert len(digests) == len(set(digests))
+
+
+@settings(max_examples=30, deadline=None)
+@given(stands(max_flywheels=4))
+def test_writing_and_reading_back_is_the_same_stand(stand) -> None:
+    again = loads(dumps(stand))
+    assert stand == again
+    assert identities(stand) == identities(again)
+
+
+@settings(max_examples=20, deadline=None)
+@given(stands(min_flywheels=2, max_flywheels=4), st.randoms(use_true_random=False))
+def test_the_order_of_flywheels_is_structure(stand, random) -> None:
+    i, j = random.sample(range(len(stand.flywheels)), 2)
+    wheels = list(stand.flywheels)
+    wheels[i], wheels[j] = wheels[j], wheels[i]
+    assert identities(stand).structure != identities(replace(stand, flywheels=tuple(wheels))).structure
+
+
+def test_structure_lists_what_acts_on_which_body() -> None:
+    stand = loads(
+        'schema = 1\nname = "a"\nangles = "aircraft"\ngravity = [0, 0, 1]\nstream = [0, 0, 0]\n'
+        "[carrier]\nmass = 1\ninertia = [1, 1, 1]\nbuoyancy = { displaced_mass = 1 }\n"
+        "damping = { linear = [1, 1, 1, 1, 1, 1] }\n"
+        "[suspension]\nstiffness = [1, 1, 1, 1, 1, 1]\n"
+        "[[leg]]\nground = [0, 0, 1]\ncarrier = [0, 0, 0]\nlength = 1\n"
+        '[[instrument]]\nname = "i"\nwrench_input = true\nadded_mass = [1, 1, 1, 1, 1, 1]\n'
+        '[[flywheel]]\nname = "v"\nmass = 1\ninertia = [1, 1, 1]\nmount = "i"\nbuoyancy = { displaced_mass = 1 }\n'
+        '[[flywheel]]\nname = "w"\nmass = 1\ninertia = [1, 1, 1]\n'
+        "damping = { quadratic = [1, 1, 1, 1, 1, 1], terms = [{ wrench = 'K', of = ['p', '|p|'], value = -1 }] }\n"
+        '[[point]]\nname = "p"\nmount = "i"\n'
+    )
+    found = structure(stand)
+    assert (found.name, found.angles, found.bodies) == ("a", "aircraft", ("carrier", "i", "v", "w"))
+    assert (found.flywheel_mounts, found.points, found.point_mounts) == ((1, 0), ("p",), (1,))
+    assert found.weight and found.stream and found.added_mass and found.suspension and found.buoyancy
+    assert found.legs == 1
+    assert (found.flywheel_buoyancy, found.wrench_inputs) == ((2,), (1,))
+    assert (found.linear_damping, found.quadratic_damping, found.damped) == ((0,), (3,), (0, 3))
+    assert ((3, ((3, (Factor(3, False), Factor(3, True))),)),) == found.damping_terms
+
+
+def test_without_gravity_nothing_floats() -> None:
+    stand = loads(
+        'schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\nbuoyancy = { displaced_mass = 1 }\n'
+    )
+    assert not structure(stand).buoyancy
+    assert not structure(stand).weight

@@ -1,0 +1,231 @@
+"""Every key of a stand file, in every spelling that it allows."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import mpmath
+import pytest
+
+from mahovik.stand import dumps, load, loads
+from mahovik.stand.model import (
+    Buoyancy,
+    DampingTerm,
+    Encoder,
+    Factor,
+    Leg,
+    Motor,
+    MountingAngles,
+    MountingAxes,
+    Point,
+)
+
+FULL = """
+schema = 1
+name = "full"
+angles = "zxz"
+gravity = [0, 0, "-9.81 m/s^2"]
+stream = { value = [1, 0, -0.5], unit = "km/h" }
+
+[carrier]
+mass = "12 kg"
+center_of_mass = ["0 mm", "4 mm", 0.01]
+inertia = { value = [[200, 1, 2], [1, 300, 3], [2, 3, 400]], unit = "g m^2" }
+inertia_about = "center_of_mass"
+added_mass = ["3 kg", 4, 5, "600 kg cm^2", 0.07, 0.08]
+buoyancy = { displaced_mass = "11800 g", center = { value = [0, 0, 30], unit = "mm" } }
+wrench_input = true
+[carrier.damping]
+linear = [1, 2, 3, "4 N m s", "5 N m s/rad", 6]
+quadratic = [
+  ["1 N s^2/m^2", 0, 0, 0, 0, 7],
+  [0, 2, 0, 0, 0, 0],
+  [0, 0, 3, 0, 0, 0],
+  [0, 0, 0, 4, 0, 0],
+  [0, 0, 0, 0, 5, 0],
+  [0, 0, 0, 0, 0, 6],
+]
+terms = [ { wrench = "Y", of = ["u", "r"], value = -3.1 }, { wrench = "N", of = ["r", "|v|"], value = -4.2 } ]
+
+[suspension]
+stiffness = ["1 N/mm", 1000, 1000, 60, 60, "60 N m/rad"]
+damping = [25, 25, 25, 1, 1, 1]
+position = [0, 0, 0.11]
+angles = { value = [0, 90, 0], unit = "deg" }
+
+[[leg]]
+ground = [0, 0, -1]
+carrier = [0, 0, "-10 cm"]
+length = 0.9
+stiffness = 400.0
+damping = 3
+
+[[instrument]]
+name = "gyro"
+position = [0.1, 0, 0]
+angles = ["30 deg", 0, 0]
+mass = 1
+inertia = [0.01, 0.02, 0.02]
+buoyancy = { displaced_mass = 0.5 }
+
+[[instrument]]
+name = "mark"
+
+[[flywheel]]
+name = "w1"
+mount = "gyro"
+position = [0.1, 0.2, 0]
+angles = [0.3, -0.2, "45 deg"]
+mass = 0.8
+center_of_mass = [0, 0.002, 0.001]
+inertia = [[0.0016, 0, 0], [0, 0.0009, 0], [0, 0, 0.0008]]
+inertia_about = "center_of_mass"
+buoyancy = { displaced_mass = 0.1 }
+damping = { linear = [0, 0, 0, 1e-4, 0, 0] }
+[flywheel.motor]
+torque = 0.2
+speed = "6000 rpm"
+constant = 0.03
+resistance = 0.5
+supply = 24
+viscous = 1e-5
+coulomb = 5e-4
+[flywheel.encoder]
+counts = -4096
+zero = 12.5
+latency = "50 us"
+
+[[flywheel]]
+name = "w2"
+axis = [0, 0, 2]
+zero = [1, 0, 5]
+mass = 0.8
+spin_inertia = 0.0016
+transverse_inertia = 0.0009
+unbalance = { static = "0.5 g cm", static_at = 0, dynamic = "2 g cm^2", dynamic_at = "90 deg" }
+
+[[point]]
+name = "acc1"
+mount = "gyro"
+position = [0.1, 0, 0.02]
+angles = [0, 0.1, 0]
+"""
+
+
+def diagonal(*x: float) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(value if i == j else 0.0 for j in range(len(x))) for i, value in enumerate(x))
+
+
+def test_every_key_is_read() -> None:
+    stand = loads(FULL)
+    assert (stand.name, stand.angles, stand.gravity) == ("full", "euler", (0.0, 0.0, -9.81))
+    assert stand.stream == pytest.approx((1 / 3.6, 0, -0.5 / 3.6), rel=1e-15)
+
+    carrier = stand.carrier
+    assert (carrier.name, carrier.mass, carrier.center_of_mass) == ("carrier", 12.0, (0.0, 0.004, 0.01))
+    assert carrier.inertia == ((0.2, 0.001, 0.002), (0.001, 0.3, 0.003), (0.002, 0.003, 0.4))
+    assert carrier.inertia_about == "center_of_mass"
+    assert diagonal(3.0, 4.0, 5.0, 0.06, 0.07, 0.08) == carrier.added_mass
+    assert Buoyancy(11.8, (0.0, 0.0, 0.03)) == carrier.buoyancy
+    assert carrier.wrench_input
+    assert carrier.damping is not None
+    assert diagonal(1.0, 2.0, 3.0, 4.0, 5.0, 6.0) == carrier.damping.linear
+    assert carrier.damping.quadratic is not None
+    assert carrier.damping.quadratic[0] == (1.0, 0.0, 0.0, 0.0, 0.0, 7.0)
+    terms = (
+        DampingTerm(1, (Factor(0, False), Factor(5, False)), -3.1),
+        DampingTerm(5, (Factor(5, False), Factor(1, True)), -4.2),
+    )
+    assert terms == carrier.damping.terms
+
+    suspension = stand.suspension
+    assert suspension is not None
+    assert diagonal(1000.0, 1000.0, 1000.0, 60.0, 60.0, 60.0) == suspension.stiffness
+    assert diagonal(25.0, 25.0, 25.0, 1.0, 1.0, 1.0) == suspension.damping
+    assert suspension.position == (0.0, 0.0, 0.11)
+    assert (0.0, math.pi / 2, 0.0) == suspension.angles
+    assert (Leg((0.0, 0.0, -1.0), (0.0, 0.0, -0.1), 0.9, 400.0, 3.0),) == stand.legs
+
+    gyro, mark = stand.instruments
+    assert (gyro.name, gyro.position, gyro.mass) == ("gyro", (0.1, 0.0, 0.0), 1.0)
+    assert gyro.angles[0] == 0.5235987755982989  # pi/6 rounded once; math.pi / 6 is one bit less
+    assert Buoyancy(0.5, (0.0, 0.0, 0.0)) == gyro.buoyancy
+    assert (0.0, diagonal(0.0, 0.0, 0.0), None, False) == (mark.mass, mark.inertia, mark.added_mass, mark.wrench_input)
+
+    w1, w2 = stand.flywheels
+    assert (w1.name, w1.mount, w1.position) == ("w1", "gyro", (0.1, 0.2, 0.0))
+    assert MountingAngles(0.3, -0.2, math.pi / 4) == w1.mounting
+    assert Motor(0.2, 200 * math.pi, 0.03, 0.5, 24.0, 1e-5, 5e-4, 0.1) == w1.motor
+    assert Encoder(-4096, 12.5, 5e-5) == w1.encoder
+    assert Buoyancy(0.1, (0.0, 0.0, 0.0)) == w1.buoyancy
+    assert w1.damping is not None
+    assert diagonal(0.0, 0.0, 0.0, 1e-4, 0.0, 0.0) == w1.damping.linear
+    assert (w1.damping.quadratic, w1.damping.terms) == (None, ())
+
+    assert (w2.mount, w2.position) == ("carrier", (0.0, 0.0, 0.0))
+    assert MountingAxes((0.0, 0.0, 2.0), (1.0, 0.0, 5.0)) == w2.mounting
+    assert (w2.motor, w2.encoder) == (None, None)
+    assert (Point("acc1", "gyro", (0.1, 0.0, 0.02), (0.0, 0.1, 0.0)),) == stand.points
+    assert stand == loads(dumps(stand))
+
+
+def test_the_least_stand_has_the_documented_defaults() -> None:
+    stand = loads('schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n')
+    assert (stand.angles, stand.gravity, stand.stream) == ("ship", (0.0, 0.0, 0.0), None)
+    assert (stand.suspension, stand.legs, stand.instruments, stand.flywheels, stand.points) == (None, (), (), (), ())
+    carrier = stand.carrier
+    assert (carrier.added_mass, carrier.buoyancy, carrier.damping, carrier.wrench_input) == (None, None, None, False)
+
+
+@pytest.mark.parametrize(
+    ("spelling", "meaning"),
+    [
+        ("ship", "ship"),
+        ("zyx", "ship"),
+        ("aircraft", "aircraft"),
+        ("yzx", "aircraft"),
+        ("euler", "euler"),
+        ("zxz", "euler"),
+    ],
+)
+def test_both_names_of_a_sequence(spelling: str, meaning: str) -> None:
+    text = f'schema = 1\nname = "a"\nangles = "{spelling}"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n'
+    assert meaning == loads(text).angles
+
+
+def test_what_is_all_zero_is_as_if_left_out() -> None:
+    bare = 'schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n'
+    zero = (
+        bare
+        + "added_mass = [0, 0, 0, 0, 0, 0]\nbuoyancy = { displaced_mass = 0 }\n"
+        + "damping = { linear = [0, 0, 0, 0, 0, 0], quadratic = [0, -0.0, 0, 0, 0, 0], terms = [] }\n"
+        + "[suspension]\nstiffness = [0, 0, 0, 0, 0, 0]\nposition = [0, 0, 1]\n"
+    )
+    assert loads(bare) == loads(zero)
+    assert loads("stream = [0, 0, 0]\n" + bare).stream == (0.0, 0.0, 0.0)  # the key alone makes it an input
+
+
+def test_a_data_sheet_becomes_centre_of_mass_and_tensor() -> None:
+    """center_of_mass = r (0, cos a, sin a), J12 = -U_d cos b, J13 = -U_d sin b, J23 = 0, all at the origin."""
+    sheet = (
+        'schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n[[flywheel]]\nname = "w"\nmass = 0.7\n'
+        'spin_inertia = "16 g m^2"\ntransverse_inertia = [0.009, 0.010]\n'
+        'unbalance = { static = "50 g cm", static_at = "30 deg", dynamic = "200 g cm^2", dynamic_at = 2.5 }\n'
+    )
+    wheel = loads(sheet).flywheels[0]
+    with mpmath.workdps(50):
+        a, b = mpmath.mpf(0.5235987755982989), mpmath.mpf(2.5)
+        r = mpmath.mpf(0.0005) / mpmath.mpf(0.7)
+        center = (0.0, float(r * mpmath.cos(a)), float(r * mpmath.sin(a)))
+        j12, j13 = float(-mpmath.mpf(2e-5) * mpmath.cos(b)), float(-mpmath.mpf(2e-5) * mpmath.sin(b))
+    assert center == wheel.center_of_mass
+    assert ((0.016, j12, j13), (j12, 0.009, 0.0), (j13, 0.0, 0.01)) == wheel.inertia
+    assert wheel.inertia_about == "origin"
+
+
+def test_line_ends_and_a_byte_order_mark_are_no_matter(tmp_path: Path) -> None:
+    path = tmp_path / "full.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + FULL.replace("\n", "\r\n").encode())
+    assert loads(FULL) == load(path)
+    assert loads(FULL) == load(str(path))

@@ -1,0 +1,103 @@
+"""Units: exact to the last bit, and of the right dimension or refused."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+
+import mpmath
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mahovik.stand import loads
+from mahovik.stand.units import (
+    ANGLE,
+    DYNAMIC_UNBALANCE,
+    INERTIA,
+    LENGTH,
+    MASS,
+    SPEED,
+    STATIC_UNBALANCE,
+    TIME,
+    TORQUE,
+    TORQUE_CONSTANT,
+    VISCOUS,
+    Dimension,
+    QuantityError,
+    number,
+)
+
+DECIMALS = st.decimals(allow_nan=False, allow_infinity=False, places=6, min_value=-(10**6), max_value=10**6)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "expected"),
+    [
+        ("120 mm", LENGTH, 0.12),
+        ("1.1 mm", LENGTH, 0.0011),
+        ("35 g", MASS, 0.035),
+        ("2.5 kg cm^2", INERTIA, 0.00025),
+        ("2.5 kg cm2", INERTIA, 0.00025),
+        ("2.5 kg·cm²", INERTIA, 0.00025),
+        ("2.5 kg*cm**2", INERTIA, 0.00025),
+        ("0.5 g cm", STATIC_UNBALANCE, 5e-6),
+        ("2 g cm^2", DYNAMIC_UNBALANCE, 2e-7),
+        ("50 us", TIME, 5e-5),
+        ("50 µs", TIME, 5e-5),
+        ("1 N m", TORQUE, 1.0),
+        ("1 mNm", TORQUE, 0.001),
+        ("0.03 N m/A", TORQUE_CONSTANT, 0.03),
+        ("30 mV s/rad", TORQUE_CONSTANT, 0.03),
+        ("1e-5 N m s", VISCOUS, 1e-5),
+        ("1e-5 N m s/rad", VISCOUS, 1e-5),
+        ("1 inch", LENGTH, 0.0254),
+        ("24mm", LENGTH, 0.024),
+        (".5 m", LENGTH, 0.5),
+        ("-2e3 mm", LENGTH, -2.0),
+    ],
+)
+def test_a_unit_gives_the_float_of_the_si_literal(text: str, dimension: Dimension, expected: float) -> None:
+    assert expected == number(text, dimension)
+
+
+@given(DECIMALS)
+def test_millimetres_are_exact(x: Decimal) -> None:
+    assert float(x / 1000) == number(f"{x} mm", LENGTH) == number(x, LENGTH, "mm")
+
+
+@given(DECIMALS)
+def test_angles_are_correctly_rounded(x: Decimal) -> None:
+    with mpmath.workdps(60):
+        degree = mpmath.mpf(str(x)) * mpmath.pi / 180
+        rpm = mpmath.mpf(str(x)) * mpmath.pi / 30
+        assert float(degree) == number(f"{x} deg", ANGLE)
+        assert float(rpm) == number(f"{x} rpm", SPEED)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_every_digit_of_a_plain_number_counts(x: float) -> None:
+    expected = x + 0.0  # one zero
+    got = number(Decimal(repr(x)), LENGTH)
+    assert math.copysign(1.0, expected) == math.copysign(1.0, got)
+    assert expected == got
+
+
+@given(DECIMALS, st.sampled_from(["mm", "cm", "km", "um", "inch"]))
+def test_a_stand_does_not_depend_on_the_unit(x: Decimal, unit: str) -> None:
+    meters = {"mm": "0.001", "cm": "0.01", "km": "1000", "um": "0.000001", "inch": "0.0254"}[unit]
+    exact = Fraction(x) * Fraction(meters)
+    decimal = Decimal(exact.numerator) / Decimal(exact.denominator)  # terminates: a power of ten below
+    head = (
+        'schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n[[leg]]\ncarrier = [0, 0, 0]\nlength = 1\n'
+    )
+    plain = loads(head + f"ground = [0, {float(decimal)!r}, 1]")
+    assert plain == loads(head + f'ground = [0, "{x} {unit}", 1]')
+    assert plain.legs == loads(head + f'ground = ["0 {unit}", {{ value = {x}, unit = "{unit}" }}, 1]').legs
+
+
+@pytest.mark.parametrize("unit", ["m/", "^2", "m^x", "(m", "m m)", "m^99", "__import__", "m;m", "", "1e9 m", "lambda"])
+def test_nonsense_is_no_unit(unit: str) -> None:
+    with pytest.raises(QuantityError):
+        number(f"1 {unit}", LENGTH)

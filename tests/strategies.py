@@ -1,0 +1,91 @@
+"""Hypothesis strategies of random general physical stands and their states: the one place for them."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import strategies as st
+
+from mahovik.stand import Stand, State
+from mahovik.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
+
+_SEEDS = st.integers(0, 2**32 - 1)
+
+
+def features(
+    *,
+    fluid: bool | None = None,
+    gravity: bool | None = None,
+    stream: bool | None = None,
+    suspension: bool | None = None,
+    legs: int | None = None,
+    instruments: int | None = None,
+    points: int | None = None,
+    wrench_inputs: bool | None = None,
+    motors: bool | None = None,
+) -> st.SearchStrategy[Features]:
+    """Which kinds of wrench and body a stand has; what is not given is drawn, and shrinks to absent."""
+
+    def flag(given: bool | None) -> st.SearchStrategy[bool]:
+        return st.booleans() if given is None else st.just(given)
+
+    def count(given: int | None) -> st.SearchStrategy[int]:
+        return st.integers(0, 2) if given is None else st.just(given)
+
+    return st.builds(
+        Features,
+        angles=st.sampled_from(SEQUENCES),
+        instruments=count(instruments),
+        gravity=flag(gravity),
+        stream=flag(stream),
+        fluid=flag(fluid),
+        suspension=flag(suspension),
+        legs=count(legs),
+        points=count(points),
+        wrench_inputs=flag(wrench_inputs),
+        motors=flag(motors),
+    )
+
+
+@st.composite
+def stands(
+    draw: st.DrawFn,
+    min_flywheels: int = 0,
+    max_flywheels: int = 8,
+    *,
+    fluid: bool | None = None,
+    gravity: bool | None = None,
+    stream: bool | None = None,
+    suspension: bool | None = None,
+    legs: int | None = None,
+    instruments: int | None = None,
+    points: int | None = None,
+    wrench_inputs: bool | None = None,
+    motors: bool | None = None,
+) -> Stand:
+    """General stands; options left None are drawn. Every body is a cloud of point masses off its origin."""
+    has = draw(
+        features(
+            fluid=fluid,
+            gravity=gravity,
+            stream=stream,
+            suspension=suspension,
+            legs=legs,
+            instruments=instruments,
+            points=points,
+            wrench_inputs=wrench_inputs,
+            motors=motors,
+        )
+    )
+    flywheels = draw(st.integers(min_flywheels, max_flywheels))
+    return random_stand(np.random.default_rng(draw(_SEEDS)), flywheels, has)
+
+
+def states(stand: Stand, *, extreme: bool = False, phase_limit: float = 1e7) -> st.SearchStrategy[State]:
+    """States of `stand` with inputs; with `extreme`, of every kind in EXTREMES as well."""
+
+    def build(seed: int, kind: str | None) -> State:
+        rng = np.random.default_rng(seed)
+        return random_state(stand, rng) if kind is None else extreme_state(stand, rng, kind, phase_limit)
+
+    kinds = st.sampled_from((None, *EXTREMES)) if extreme else st.none()
+    return st.builds(build, _SEEDS, kinds)
