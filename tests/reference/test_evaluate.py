@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.errors import StateError
 from mahovik.reference import WANTS, evaluate
+from mahovik.stand.random import EXTREMES, extreme_state, random_stand
 from physics.general import draw
 from physics.motions import motion, rate, rotation, second_rate
 
@@ -125,3 +126,23 @@ def test_points_are_where_and_as_fast_as_differences_say(seed):
         specific_force = C.T @ (second_rate(place, step) - np.array(stand.gravity))
         np.testing.assert_allclose(found["specific_force"], specific_force, rtol=0, atol=1e-9)
         np.testing.assert_allclose(found["angular_acceleration"], rate(omega, step), rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize("kind", EXTREMES)
+@pytest.mark.parametrize("flywheels", [0, 3, 8])
+def test_extreme_states_of_the_accepted_range_are_evaluated(kind, flywheels):
+    rng = np.random.default_rng(flywheels)
+    for _ in range(5):
+        stand = random_stand(rng, flywheels)
+        state = extreme_state(stand, rng, kind)
+        want = ["matrices", "momentum", "forward", "torque", "mounts", "inverse", "points"]
+        values = evaluate(stand, state, want) | evaluate(stand, state, ["coupled"])
+        assert values["V_dot"].shape == (6,)
+        if kind == "near_singular":  # near, but not at it
+            generalized = evaluate(stand, state, ["generalized"])
+            q_ddot, D, A = generalized["q_ddot"], generalized["D"], generalized["A"]
+            V_dot = evaluate(stand, state, ["forward"])["V_dot"]
+            # A is singular to 1e-5, and D q' is large there, by its square
+            scale = np.abs(V_dot).max() + np.abs(D @ generalized["q_dot"]).max() + np.abs(A @ q_ddot).max()
+            found = A @ q_ddot + D @ generalized["q_dot"]
+            np.testing.assert_allclose(found, V_dot, rtol=0, atol=1e-9 * scale)
