@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from mahovik.errors import StandError
-from mahovik.stand import load, loads
+from mahovik.stand import loads
 
 CARRIER = """
 [carrier]
@@ -76,15 +74,15 @@ CASES = {
     ),
     "length for an angle": (
         BASE + WHEEL + 'angles = ["3 m", 0]',
-        'flywheel "w1", angles: [0]: unit "m" does not fit, expected an angle (rad)',
+        'flywheel "w1", angles[0]: unit "m" does not fit, expected an angle (rad)',
     ),
     "rpm for an angle": (
         BASE + WHEEL + 'angles = ["3 rpm", 0]',
-        'flywheel "w1", angles: [0]: unit "rpm" does not fit, expected an angle (rad)',
+        'flywheel "w1", angles[0]: unit "rpm" does not fit, expected an angle (rad)',
     ),
     "mm/m for an angle": (
         BASE + WHEEL + 'angles = [0, "3 mm/m"]',
-        'flywheel "w1", angles: [1]: unit "mm/m" does not fit, expected an angle (rad)',
+        'flywheel "w1", angles[1]: unit "mm/m" does not fit, expected an angle (rad)',
     ),
     "hertz for a speed": (
         BASE + WHEEL + 'motor = { speed = "50 Hz" }',
@@ -105,11 +103,11 @@ CASES = {
     ),
     "decibel": (
         BASE + WHEEL + 'angles = ["3 dB", 0]',
-        'flywheel "w1", angles: [0]: unit "dB" has an offset or is logarithmic',
+        'flywheel "w1", angles[0]: unit "dB" has an offset or is logarithmic',
     ),
     "two units": (
         BASE + 'center_of_mass = { value = [1, "2 mm", 3], unit = "mm" }\ninertia_about = "origin"',
-        'carrier, center_of_mass: [1]: "2 mm" has a unit of its own inside a list in mm',
+        'carrier, center_of_mass[1]: "2 mm" has a unit of its own inside a list in mm',
     ),
     "value without unit": (
         BASE + "center_of_mass = { value = [1, 2, 3] }",
@@ -121,18 +119,18 @@ CASES = {
     ),
     "unit of another block": (
         BASE + 'added_mass = ["1 kg", "1 kg", "1 kg", "1 kg", 1, 1]',
-        'carrier, added_mass: [3]: unit "kg" does not fit, expected an added inertia (kg m^2)',
+        'carrier, added_mass[3]: unit "kg" does not fit, expected an added inertia (kg m^2)',
     ),
     "unit of a derivative": (
         BASE + 'damping = { terms = [{ wrench = "Y", of = ["u", "r"], value = "1 N" }] }',
-        'carrier, damping, terms[0]: value: unit "N" does not fit, expected a hydrodynamic derivative (N s^2/m/rad)',
+        'carrier, damping, terms[0], value: unit "N" does not fit, expected a hydrodynamic derivative (N s^2/m/rad)',
     ),
     # shapes
     "two numbers": (BASE + "center_of_mass = [1, 2]", "carrier, center_of_mass: expected 3 numbers, found 2"),
     "a number for a vector": (BASE + "center_of_mass = 1", "carrier, center_of_mass: expected 3 numbers, found 1"),
     "short row": (
         BASE.replace("[1, 1, 1]", "[[1, 0, 0], [0, 1], [0, 0, 1]]"),
-        "carrier, inertia: [1]: expected 3 numbers, found 2",
+        "carrier, inertia[1]: expected 3 numbers, found 2",
     ),
     "inertia of six": (
         BASE.replace("[1, 1, 1]", "[1, 1, 1, 0, 0, 0]"),
@@ -158,7 +156,7 @@ CASES = {
     "terms not a list": (BASE + "damping = { terms = 3 }", "carrier, damping, terms: expected a list, found 3"),
     # numbers
     "nan": (BASE.replace("mass = 3", "mass = nan"), "carrier, mass: not finite: nan"),
-    "infinite": (BASE.replace("[1, 1, 1]", "[1, inf, 1]"), "carrier, inertia: [1]: not finite: infinity"),
+    "infinite": (BASE.replace("[1, 1, 1]", "[1, inf, 1]"), "carrier, inertia[1]: not finite: infinity"),
     "beyond double": (BASE.replace("mass = 3", "mass = 1e400"), "carrier, mass: not finite in double precision"),
     "beyond any exponent": (
         BASE.replace("mass = 3", "mass = 1e99999999999999999999"),
@@ -319,8 +317,8 @@ CASES = {
     ),
     "a motion without inertia": (
         HEAD + "[carrier]\nmass = 1\ninertia = [0, 0, 0]",
-        "mass matrix of the whole stand, scaled to unit diagonal, has the eigenvalue -inf, "
-        "expected at least 1e-12: some motion has no inertia",
+        "mass matrix of the whole stand, scaled to unit diagonal, has a zero on its diagonal, or overflows, "
+        "expected eigenvalues of at least 1e-12: some motion has no inertia",
     ),
 }
 
@@ -360,61 +358,3 @@ def test_flat_discs_and_rods_are_bodies() -> None:
     assert loads(disc).carrier.inertia[2][2] == 1.0000000004
     assert loads(rod).flywheels[0].inertia[1][1] == 0.0
     assert refusal(BASE.replace("[1, 1, 1]", "[0.5, 0.5, 1.00000001]"))
-
-
-MASSLESS = HEAD + "[carrier]\nmass = 0\ninertia = [0, 0, 0]\n"
-ROD = "mass = 1\naxis = [0, 0, 1]\nzero = [0, 1, 0]\nspin_inertia = 1\ntransverse_inertia = [0, 1]\n"
-
-
-def rods(*positions: str) -> str:
-    return MASSLESS + "".join(
-        f'[[flywheel]]\nname = "w{i}"\nposition = {at}\n{ROD}' for i, at in enumerate(positions, 1)
-    )
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        pytest.param(MASSLESS + WHEEL, id="one flywheel on a massless carrier, at every phase"),
-        pytest.param(rods("[0, 0, 0]", "[1, 0, 0]"), id="two rods in one line, at one phase only"),
-        pytest.param(rods("[0, 0, 0]", "[1, 0, 0.1]"), id="two parallel rods, turned by their own spin"),
-        pytest.param(rods("[0, 0, 0]", "[1, 0.3, 0]", "[2, 0.6, 0]"), id="three rods in one line"),
-    ],
-)
-def test_a_stand_singular_at_some_phase_is_refused(text: str) -> None:
-    (problem,) = refusal(text)
-    assert "mass matrix of the whole stand, scaled to unit diagonal, has the eigenvalue" in problem
-    assert "at phases w1 = " in problem
-
-
-def test_rods_that_never_line_up_are_accepted() -> None:
-    assert len(loads(rods("[0, 0, 0]", "[1, 0.3, 0]", "[1, 1, 0]")).flywheels) == 3
-
-
-def test_files_that_cannot_be_read_are_one_line(tmp_path: Path) -> None:
-    missing, folder, binary, broken = (tmp_path / name for name in ("no.toml", "d", "b.toml", "t.toml"))
-    folder.mkdir()
-    binary.write_bytes(b'schema = 1\nname = "\xff"\n')
-    broken.write_text("schema = = 1\n")
-    expected = {
-        missing: f"{missing}: no such file",
-        folder: f"{folder}: is a directory, expected a stand file (TOML)",
-        binary: "b.toml: not UTF-8, byte 0xff in line 2",
-        broken: "t.toml: not TOML: Invalid value (at line 1, column 10)",
-    }
-    for path, message in expected.items():
-        with pytest.raises(StandError) as caught:
-            load(path)
-        assert message == str(caught.value)
-
-
-def test_the_exit_status_of_a_refusal_is_two() -> None:
-    with pytest.raises(StandError) as caught:
-        loads("", "empty.toml")
-    assert caught.value.exit_status == 2
-    expected = [
-        "empty.toml: schema: required, but missing",
-        "empty.toml: name: required, but missing",
-        "empty.toml: carrier: required, but missing",
-    ]
-    assert expected == list(caught.value.problems)

@@ -41,6 +41,8 @@ def least_eigenvalue(stand: Stand) -> tuple[float, tuple[float, ...]]:
     if rotors:
         scaling = scale[:, None] * scale[None, :]
         harmonics = np.array([rotor.schur for rotor in rotors]) * scaling
+        if not np.isfinite(harmonics).all():
+            return -np.inf, at_zero
         starts = _alternate(constant * scaling, harmonics)
         candidates += list(_polish(constant * scaling, rotors, scale, starts))
     values = [_eigenvalue(constant, rotors, phases, scale) for phases in candidates]
@@ -153,7 +155,7 @@ class _Rotor:
         self.mount = outer @ _transfer(*placement(flywheel))
         self.Theta = _spatial(flywheel)
         row = self.Theta[:, 3]
-        free = self.Theta - np.outer(row, row) / self.Theta[3, 3]
+        free = self.Theta - np.outer(row / self.Theta[3, 3], row)
         size = np.sqrt(np.where(np.diag(self.Theta) > 0, np.diag(self.Theta), 1.0))
         values, vectors = np.linalg.eigh(free / size[:, None] / size[None, :])
         self.root = np.sqrt(np.maximum(values, 0.0))[:, None] * vectors.T * size[None, :]  # root^T root = free

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from difflib import SequenceMatcher
 
+from mahovik.stand.units import show
+
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 # C99, then C11 and C23
@@ -29,11 +31,11 @@ CPP_KEYWORDS = frozenset(_CPP.split())
 def name_problem(name: str) -> str | None:
     """Why `name` cannot be a name in generated C, or None."""
     if not _IDENTIFIER.fullmatch(name):
-        return f'"{name}" is not a C identifier (letters, digits, _; no digit first)'
+        return f"{show(name)} is not a C identifier (letters, digits, _; no digit first)"
     if name in C_KEYWORDS:
-        return f'"{name}" is a C keyword'
+        return f"{show(name)} is a C keyword"
     if name in CPP_KEYWORDS:
-        return f'"{name}" is a C++ keyword'
+        return f"{show(name)} is a C++ keyword"
     return None
 
 

@@ -83,12 +83,19 @@ def check_stand(stand: Stand, problems: Problems) -> None:
         return
     from mahovik.stand.definite import least_eigenvalue
 
-    with np.errstate(all="ignore"):  # numbers near the ends of double precision: not finite below, or -inf
-        least, phases = least_eigenvalue(stand)
-    if not least >= LEAST_EIGENVALUE:
+    with np.errstate(all="ignore"):  # numbers near the ends of double precision
+        try:
+            least, phases = least_eigenvalue(stand)
+        except np.linalg.LinAlgError:
+            least, phases = -np.inf, ()
+    if least >= LEAST_EIGENVALUE:
+        return
+    if np.isfinite(least):
         at = ", ".join(f"{f.name} = {phi:.4g}" for f, phi in zip(stand.flywheels, phases, strict=True))
-        problems.add(
-            "mass matrix of the whole stand, scaled to unit diagonal, has the eigenvalue "
-            f"{least:.3g}{' at phases ' + at if at else ''}, expected at least {LEAST_EIGENVALUE:g}: "
-            "some motion has no inertia"
-        )
+        found = f"the eigenvalue {least:.3g}{' at phases ' + at if at else ''}"
+    else:
+        found = "a zero on its diagonal, or overflows"
+    problems.add(
+        f"mass matrix of the whole stand, scaled to unit diagonal, has {found}, "
+        f"expected eigenvalues of at least {LEAST_EIGENVALUE:g}: some motion has no inertia"
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import types
 import typing
 from dataclasses import dataclass, field
@@ -11,6 +12,8 @@ from pydantic import BaseModel, ValidationError
 
 from mahovik.stand.names import nearest
 from mahovik.stand.units import show
+
+_ELEMENT = re.compile(r"((?:\[\d+\])+): (.*)", re.DOTALL)  # what `shapes` says of one element
 
 
 @dataclass
@@ -23,6 +26,9 @@ class Problems:
     def add(self, *words: str) -> None:
         """Note a problem; `words` are the parts of the key path, the last the reason."""
         *path, reason = (word for word in words if word)
+        element = _ELEMENT.fullmatch(reason)
+        if element is not None and path:
+            path[-1], reason = path[-1] + element[1], element[2]
         line = f"{self.source}: " + (f"{', '.join(path)}: {reason}" if path else reason)
         if line not in self.lines:
             self.lines.append(line)
@@ -35,7 +41,7 @@ class Problems:
                 known = _known_keys(_table_at(table, location[:-1]))
                 path, reason = (
                     location[:-1],
-                    f'unknown key "{location[-1]}", did you mean "{nearest(str(location[-1]), known)}"?',
+                    f'unknown key {show(location[-1])}, did you mean "{nearest(str(location[-1]), known)}"?',
                 )
             elif kind == "missing":
                 path, reason = location, "required, but missing"
@@ -45,7 +51,8 @@ class Problems:
                 path, reason = location, f"expected a list, found {show(item['input'])}"
             else:
                 path, reason = location, item["msg"]
-            self.add(where, *_words(path), reason)
+            key = item.get("ctx", {}).get("key", "")  # what a check of the whole table found in one of its keys
+            self.add(where, *_words(path), key, reason)
 
 
 def _words(location: tuple[int | str, ...]) -> list[str]:

@@ -130,7 +130,7 @@ def _header(document: dict[str, Any], problems: Problems) -> Header | None:
     own = {key: value for key, value in document.items() if key in known and key not in (*_TABLES, *_ARRAYS)}
     for key in document:
         if key not in known:
-            problems.add(f'unknown key "{key}", did you mean "{nearest(key, known)}"?')
+            problems.add(f'unknown key {show(key)}, did you mean "{nearest(key, known)}"?')
     return _validate(problems, "", Header, own)
 
 
@@ -155,7 +155,7 @@ def _array(problems: Problems, document: dict[str, Any], key: str, table: type[A
     found = []
     for i, item in enumerate(raw):
         name = item.get("name") if isinstance(item, dict) else None
-        where = f'{key} "{name}"' if isinstance(name, str) else f"{key}[{i}]"
+        where = f"{key} {show(name)}" if isinstance(name, str) else f"{key}[{i}]"
         valid = _validate(problems, where, table, item)
         if valid is not None:
             found.append((where, valid))
@@ -174,7 +174,7 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
     for key in ("instrument", "flywheel", "point"):
         for name, _ in _named(document, key):
             if name in taken:
-                problems.add(f'{key} "{name}"', "name", f"taken by {taken[name]}")
+                problems.add(f"{key} {show(name)}", "name", f"taken by {taken[name]}")
             else:
                 taken[name] = f"{'an' if key == 'instrument' else 'a'} {key}"
     mounts = ["carrier", *(name for name, _ in _named(document, "instrument"))]
@@ -185,7 +185,7 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
             if not isinstance(mount, str) or mount in mounts:
                 continue
             if mount in flywheels:
-                reason = f'"{mount}" is a flywheel, expected "carrier" or an instrument'
+                reason = f'{show(mount)} is a flywheel, expected "carrier" or an instrument'
             else:
-                reason = f'unknown "{mount}", did you mean "{nearest(mount, mounts)}"?'
-            problems.add(f'{key} "{name}"', "mount", reason)
+                reason = f'unknown {show(mount)}, did you mean "{nearest(mount, mounts)}"?'
+            problems.add(f"{key} {show(name)}", "mount", reason)

@@ -42,8 +42,8 @@ SEQUENCES: dict[str, AngleSequence] = {
 }  # fmt: skip
 
 
-def _refuse(error: str) -> PydanticCustomError:
-    return PydanticCustomError("stand", "{reason}", {"reason": error})
+def _refuse(error: str, key: str = "") -> PydanticCustomError:
+    return PydanticCustomError("stand", "{reason}", {"reason": error, "key": key})
 
 
 def _validator(read: Callable[[Any], T]) -> PlainValidator:
@@ -192,7 +192,7 @@ class TermTable(Table):
         try:
             value = number(self.value, Dimension("a hydrodynamic derivative", f"{moment} {per}"))
         except QuantityError as error:
-            raise _refuse(f"value: {error}") from None
+            raise _refuse(str(error), "value") from None
         object.__setattr__(self, "value", value)
         return self
 

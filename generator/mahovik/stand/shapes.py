@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, cast
 
 from mahovik.stand.model import Mat3, Mat6, Vec3
-from mahovik.stand.units import Dimension, QuantityError, number, show, split_value_unit
+from mahovik.stand.units import PLAIN, Dimension, QuantityError, number, show, split_value_unit
 
 Blocks = tuple[tuple[Dimension, Dimension], tuple[Dimension, Dimension]]
 """Dimensions of a 6x6 by its four 3x3 blocks: (force, moment) rows by (linear, angular) columns."""
@@ -31,8 +31,6 @@ def vec3(raw: Any, dimension: Dimension) -> Vec3:
 
 def direction(raw: Any) -> Vec3:
     """A direction of any length but zero, without unit."""
-    from mahovik.stand.units import PLAIN
-
     found = vec3(raw, PLAIN)
     if not any(found):
         raise QuantityError("[0, 0, 0] has no direction")
