@@ -15,7 +15,7 @@ def within(lib: Library) -> Function:
     values = Argument("values", Kind.REAL, (0,))
     count = Argument("count", Kind.INT)
     limit = Argument("limit", Kind.REAL)
-    largest = real(lib.layout.precision.largest)
+    largest = lib.limits["LARGEST"].expression
     body = Body()
     with body.loop("i", count.place) as i:
         value = values.place[i]
@@ -46,8 +46,8 @@ def check_state(lib: Library) -> Function:
     lib.check(body, "within", state.V, 6, limit["MAX_SPEED"])
     lib.check(body, "within", state.V, 3, limit["MAX_VELOCITY"])
     if lib.layout.flywheels:
-        lib.check(body, "within", state.phi, int(lib.layout.count), limit["MAX_PHASE"])
-        lib.check(body, "within", state.phi_dot, int(lib.layout.count), limit["MAX_SPEED"])
+        lib.check(body, "within", state.phi, lib.layout.count, limit["MAX_PHASE"])
+        lib.check(body, "within", state.phi_dot, lib.layout.count, limit["MAX_SPEED"])
     q = state.attitude
     norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     unit = both(norm >= real(QUATERNION_NORM_MIN), norm <= real(QUATERNION_NORM_MAX))

@@ -32,7 +32,7 @@ def check_inputs(
     lib.begin(body)
     lib.check(body, "check_state", x.place)
     for argument in phi_ddot:
-        lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_ACCELERATION"].expression)
+        lib.check(body, "within", argument.place, lib.layout.count, lib.limits["MAX_ACCELERATION"].expression)
     for argument in wrench:
         lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_WRENCH"].expression)
 

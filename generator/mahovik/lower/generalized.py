@@ -76,7 +76,7 @@ def attitude(lib: Library) -> Function:
     stand, x = lib.table_argument(), lib.state_argument()
     angles = _angles_argument(lib)
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    out = Argument("out", layout.generalized, (), "out")
+    out = Argument("out", layout.generalized, (), "out", purpose="A, D, I0, J0, q_dot, q_ddot")
     body = Body()
     lib.begin(body)
     found = derived.attitude(layout.stand.angles)

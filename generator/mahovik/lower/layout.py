@@ -353,7 +353,7 @@ class Layout:
                 Field("J", REAL, (6, self.count), "per s", "its velocity part (9)"),
             ]
         fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
-        return Struct("matrices", "The matrices of (8).", tuple(fields))
+        return Struct("equations", "The matrices of (8).", tuple(fields))
 
     @cached_property
     def momentum(self) -> Struct:
@@ -363,7 +363,7 @@ class Layout:
             Field("energy", REAL, (), "J", "kinetic"),
             Field("center_of_mass", REAL, (3,), "m", "of all bodies, in E1"),
         )
-        return Struct("momentum", "Momentum, energy and mass centre.", fields)
+        return Struct("momenta", "Momentum, energy and mass centre.", fields)
 
     @cached_property
     def generalized(self) -> Struct:

@@ -44,7 +44,7 @@ def matrices(lib: Library) -> Function:
     layout = lib.layout
     stand, x = lib.table_argument(), lib.state_argument()
     wrench = lib.wrench_arguments()
-    out = Argument("out", layout.matrices, (), "out")
+    out = Argument("out", layout.matrices, (), "out", purpose="K, K_dot, M, I, J, F")
     body = Body()
     check_inputs(lib, body, x, (), wrench)
     seen = scene(lib, body, stand.place, x.place, None)
@@ -92,7 +92,7 @@ def momentum(lib: Library) -> Function:
     """Z, Z0, kinetic energy, mass centre."""
     layout = lib.layout
     stand, x = lib.table_argument(), lib.state_argument()
-    out = Argument("out", layout.momentum, (), "out")
+    out = Argument("out", layout.momentum, (), "out", purpose="Z, Z0, energy, mass centre")
     body = Body()
     check_inputs(lib, body, x)
     seen = scene(lib, body, stand.place, x.place, None, attitude=True)

@@ -140,7 +140,7 @@ class _Totals:
 def prepare(lib: Library) -> Function:
     """The whole table but for the laws of the wrenches."""
     layout = lib.layout
-    parameters = Argument("parameters", layout.parameters)
+    parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
     stand = Argument(
         "stand", layout.table, (), "inout", purpose="its laws (gravity, damping, ...) are left as they are"
     )

@@ -61,7 +61,7 @@ def subtract_rates(lib: Library) -> Function:
     assign(body, list(F.place), derived.remainder(), binding)
     return Function(
         "subtract_rates",
-        "F - Phi Z - K* V - the flywheels' terms of (5): what K V* must equal by (4).",
+        "F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms",
         (sums, V, Z, F),
         body.statements,
         equation="(4), (5)",

@@ -76,8 +76,14 @@ def _negative(term: sp.Expr) -> bool:
     return bool(term.as_coeff_Mul()[0] < 0)
 
 
+_LAST = frozenset(("c", "s", "c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds"))
+"""Weights of a row's columns: a column is named before its weight."""
+
+
 def _key(e: sp.Expr) -> tuple[object, ...]:
     """Names in natural order ([2] before [10]), then the text: the same in every run and version."""
+    if str(e) in _LAST:
+        return (["~"], str(e))
     text = re.sub(r"\d+", lambda m: m[0].zfill(4), str(e).replace("-", ""))
     return (sorted(re.findall(r"[a-zA-Z_]\w*(?:\[\d+\])?", text)), text)
 

@@ -83,7 +83,7 @@ class Body:
         self._add(Return(value))
 
     @contextmanager
-    def loop(self, name: str, stop: Operand | NamedCount, start: Operand = 0, comment: str = "") -> Iterator[Place]:
+    def loop(self, name: str, stop: Operand, start: Operand = 0, comment: str = "") -> Iterator[Place]:
         """for name in start..stop-1"""
         index = Variable(name, Kind.INT)
         self._blocks.append([])

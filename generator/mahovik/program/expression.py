@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from mahovik.program.function import Function
 
 Number = Union[int, float, Fraction]
-Operand = Union["Expr", int, float, Fraction]
+Operand = Union["Expr", int, float, Fraction, NamedCount]
 
 
 class Expr:
@@ -292,7 +292,7 @@ class Call(Expr):
             self.kind = function.returns
 
 
-def as_expr(value: Operand | NamedCount, kind: Kind) -> Expr:
+def as_expr(value: Operand, kind: Kind) -> Expr:
     """`value` as an expression; a Python number becomes a literal of `kind`."""
     if isinstance(value, Expr):
         return value

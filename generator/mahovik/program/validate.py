@@ -11,6 +11,10 @@ from mahovik.program.walk import called, expressions
 
 def validate(program: Program) -> None:
     """Raises ValueError with the function and the name where a program is not well-formed."""
+    names = [f.name for f in program.functions] + [s.name for s in program.structs]
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"{name} names two things")
     known: set[str] = set()
     for function in program.functions:
         unknown = called(function.body) - known

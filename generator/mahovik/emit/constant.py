@@ -1,0 +1,115 @@
+"""Constant tables as C initialisers: members by name; arrays of structs as one row a line under a header."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mahovik.emit.literal import real_literal
+from mahovik.program.types import Field, Kind, Precision, Struct
+
+_STEP = "    "
+
+
+def initialiser(struct: Struct, value: dict[str, Any], precision: Precision, labels: dict[str, list[str]]) -> list[str]:
+    """Lines of `{ ... }` for a struct. `labels`: names of the rows of array members, for a comment at their end."""
+    return ["{", *_members(struct, value, precision, labels, _STEP), "}"]
+
+
+def _members(
+    struct: Struct, value: dict[str, Any], precision: Precision, labels: dict[str, list[str]], indent: str
+) -> Iterator[str]:
+    for f in struct.fields:
+        given = value[f.name]
+        if isinstance(f.type, Struct) and f.shape:
+            yield f"{indent}.{f.name} = {{"
+            yield from _rows(f.type, given, precision, labels.get(f.name, []), indent + _STEP)
+            yield f"{indent}}},"
+        elif isinstance(f.type, Struct):
+            yield f"{indent}.{f.name} = {{"
+            yield from _members(f.type, given, precision, labels, indent + _STEP)
+            yield f"{indent}}},"
+        elif len(f.shape) == 2:
+            yield f"{indent}.{f.name} = {{"
+            yield from _matrix(given, f, precision, indent + _STEP)
+            yield f"{indent}}},"
+        else:
+            yield f"{indent}.{f.name} = {_nested(f, given, precision)},"
+
+
+def _matrix(rows: list[list[Any]], f: Field, precision: Precision, indent: str) -> Iterator[str]:
+    texts = [[_number(x, f.type, precision) for x in row] for row in rows]
+    width = max(len(t) for row in texts for t in row)
+    for row in texts:
+        yield f"{indent}{{ {', '.join(f'{t:>{width}}' for t in row)} }},"
+
+
+def _rows(
+    struct: Struct, rows: list[dict[str, Any]], precision: Precision, labels: list[str], indent: str
+) -> Iterator[str]:
+    """A table: a header that names every column, then one row a line."""
+    columns = list(_columns(struct, ""))
+    cells = [list(_cells(struct, row, precision)) for row in rows]
+    widths = [max(len(title), *(len(row[k][1]) for row in cells)) for k, title in enumerate(columns)]
+    lead = cells[0]
+    header = " ".join(
+        f"{' ' * len(before)}{title:>{width}}{' ' * len(after)}"
+        for (before, _, after), title, width in zip(lead, columns, widths, strict=True)
+    )
+    yield f"{indent}/*{header[2:] if header.startswith('  ') else header} */"
+    for number, row in enumerate(cells):
+        text = " ".join(
+            f"{before}{number_:>{w}}{after}" for (before, number_, after), w in zip(row, widths, strict=True)
+        )
+        label = f"  /* {labels[number]} */" if labels else ""
+        yield f"{indent}{text},{label}"
+
+
+def _columns(struct: Struct, prefix: str) -> Iterator[str]:
+    for f in struct.fields:
+        if isinstance(f.type, Struct):
+            yield from _columns(f.type, f"{prefix}{f.name}.")
+            continue
+        yield from (f"{prefix}{f.name}{index}" for index in _indices(f.shape))
+
+
+def _indices(shape: tuple[Any, ...]) -> Iterator[str]:
+    if not shape:
+        yield ""
+        return
+    for i in range(int(shape[0])):
+        yield from (f"[{i}]{rest}" for rest in _indices(shape[1:]))
+
+
+def _cells(struct: Struct, value: dict[str, Any], precision: Precision) -> Iterator[tuple[str, str, str]]:
+    """(opening, number, closing) of each number of a row: braces and commas stick to the numbers."""
+    flat: list[list[str]] = []
+
+    def visit(type_: Kind | Struct, shape: tuple[Any, ...], given: Any) -> None:
+        if not shape and not isinstance(type_, Struct):
+            flat.append(["", _number(given, type_, precision), ""])
+            return
+        start = len(flat)
+        if shape:
+            for element in given:
+                visit(type_, shape[1:], element)
+        else:
+            assert isinstance(type_, Struct)
+            for f in type_.fields:
+                visit(f.type, f.shape, given[f.name])
+        flat[start][0] = "{ " + flat[start][0]
+        flat[-1][2] += " }"
+
+    visit(struct, (), value)
+    for k, (before, number, after) in enumerate(flat):
+        yield before, number, after + ("," if k < len(flat) - 1 else "")
+
+
+def _nested(f: Field, value: Any, precision: Precision) -> str:
+    if f.shape:
+        return "{ " + ", ".join(_number(x, f.type, precision) for x in value) + " }"
+    return _number(value, f.type, precision)
+
+
+def _number(value: Any, type_: Kind | Struct, precision: Precision) -> str:
+    return real_literal(float(value), precision) if type_ is Kind.REAL else str(int(value))

@@ -1,0 +1,102 @@
+"""Structs, prototypes and their comments: the contract a firmware engineer reads."""
+
+from __future__ import annotations
+
+from mahovik.emit.layout import WIDTH, paragraph
+from mahovik.emit.names import Names
+from mahovik.emit.statement import dimensions
+from mahovik.program.cost import cost
+from mahovik.program.function import Argument, Function
+from mahovik.program.types import Field, Struct
+
+
+def struct_lines(struct: Struct, names: Names) -> list[str]:
+    """A struct definition with a comment a member."""
+    head = [f"/* {struct.purpose} */", f"typedef struct {names.type(struct)} {{"]
+    declarations = [_member(f, names) for f in struct.fields]
+    width = max(len(d) for d in declarations)
+    lines = []
+    for declaration, f in zip(declarations, struct.fields, strict=True):
+        comment = "; ".join(part for part in (f.unit, f.comment) if part)
+        text = f"    {declaration:<{width}}  /* {comment} */" if comment else f"    {declaration}"
+        lines.append(text.rstrip())
+    return [*head, *lines, f"}} {names.type(struct)};"]
+
+
+def _member(f: Field, names: Names) -> str:
+    return f"{names.type(f.type)} {f.name}{''.join(dimensions(names, f.shape))};"
+
+
+def prototype(function: Function, names: Names) -> str:
+    """Storage, return type, name and arguments, wrapped under the opening parenthesis."""
+    returns = names.type(function.returns) if function.returns is not None else "void"
+    head = f"{'' if function.public else 'static '}{returns} {names.function(function.name)}("
+    arguments = [_argument(a, names) for a in function.arguments] or ["void"]
+    lines, line = [], head
+    for number, argument in enumerate(arguments):
+        text = argument + (")" if number == len(arguments) - 1 else ",")
+        if line != head and len(line) + 1 + len(text) > WIDTH:
+            lines.append(line)
+            line = " " * len(head) + text
+        else:
+            line += text if line == head else f" {text}"
+    return "\n".join([*lines, line])
+
+
+def _argument(a: Argument, names: Names) -> str:
+    const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
+    star = "*" if a.variable.pointer else ""
+    return f"{const}{names.type(a.type)} {star}{a.name}{''.join(dimensions(names, a.shape))}"
+
+
+def contract(function: Function, names: Names) -> list[str]:
+    """The comment above a public prototype: purpose, equation, arguments, statuses, cost."""
+    lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
+    width = max((len(_shaped(a)) for a in function.arguments), default=0)
+    for a in function.arguments:
+        direction = {"in": "", "out": "out: ", "inout": "in and out: "}[a.direction]
+        meaning = direction + "; ".join(part for part in (a.unit, a.purpose) if part)
+        lead = f" *   {_shaped(a):<{width}}  "
+        lines += paragraph(meaning, lead, " *   " + " " * (width + 2))
+    for note in function.notes:
+        lines += paragraph(note, " * ", " * ")
+    if function.statuses:
+        text = f"Returns {', '.join(function.statuses)}."
+        if any(a.direction != "in" for a in function.arguments):
+            text += " Nothing is written when the status is negative."
+        lines += paragraph(text, " * ", " * ")
+    lines += paragraph(counted(function), " * ", " * ")
+    lines[-1] += " */"
+    return lines
+
+
+def summary(function: Function) -> list[str]:
+    """The comment above an internal function."""
+    lines = paragraph(titled(function), "/* ", " * ")
+    for note in function.notes:
+        lines += paragraph(note, " * ", " * ")
+    lines[-1] += " */"
+    return lines
+
+
+def titled(function: Function) -> str:
+    """Purpose with the equation's number."""
+    purpose = function.purpose.rstrip(".")
+    if not purpose[1:2].isupper() and purpose[1:2] not in "^ ":
+        purpose = purpose[0].lower() + purpose[1:]
+    if function.equation:
+        purpose += f", {function.equation}"
+    return purpose if purpose.endswith("?") else f"{purpose}."
+
+
+def counted(function: Function) -> str:
+    """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
+    found = cost(function)
+    divisions = {0: "no division", 1: "1 of them a division"}.get(
+        found.divisions, f"{found.divisions} of them divisions"
+    )
+    return f"At most {found.total} operations on reals, {divisions}."
+
+
+def _shaped(a: Argument) -> str:
+    return a.name + "".join(f"[{int(n)}]" for n in a.shape)

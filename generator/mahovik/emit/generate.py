@@ -1,0 +1,185 @@
+"""From a stand to the text of its C files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from mahovik import __version__
+from mahovik.emit.constant import initialiser
+from mahovik.emit.declaration import contract, prototype, struct_lines, summary
+from mahovik.emit.expression import Expressions
+from mahovik.emit.layout import paragraph, wrapped
+from mahovik.emit.literal import real_literal
+from mahovik.emit.names import Names
+from mahovik.emit.statement import Statements
+from mahovik.emit.templates import template
+from mahovik.errors import UsageError
+from mahovik.lower.layout import Layout
+from mahovik.lower.limits import limits
+from mahovik.lower.program import lower_layout
+from mahovik.lower.values import Values
+from mahovik.program.expression import BitCast
+from mahovik.program.function import STATUS_VALUES, Function, Program
+from mahovik.program.types import DOUBLE, Struct
+from mahovik.program.walk import expressions
+from mahovik.stand.identity import identities
+from mahovik.stand.model import Stand
+
+PRECISIONS = {"double": DOUBLE}
+"""Element types that `generate` offers."""
+
+_STATUS_MEANING = {
+    "OK": "good",
+    "NEAR_SINGULAR": "smallest kept singular value below the given threshold",
+    "DAMPED": "damping was applied",
+    "LIMITED": "a limit was reached; the mask says whose",
+    "UNREACHABLE": "least-squares answer: the demand is out of reach",
+    "RANK_DEFICIENT": "rank below min(6, N)",
+    "NOT_FINITE": "an input is NaN or infinite",
+    "RANGE": "an input is outside its range, a quaternion off unit length, or a leg has no length",
+    "NOT_POSITIVE_DEFINITE": "a mass or inertia that no body has",
+    "SINGULAR_ATTITUDE": "the attitude angles are at their singularity",
+    "BAD_ARGUMENT": "a count or an index",
+}
+
+
+@dataclass(frozen=True)
+class Generated:
+    """A stand's program with its numbers and C text by file name."""
+
+    layout: Layout
+    program: Program
+    values: Values
+    files: dict[str, str]
+
+
+def generate(stand: Stand, precision_name: str = "double") -> dict[str, str]:
+    """C of a stand: file name to text, header first. Raises UsageError, StandError."""
+    return generate_all(stand, precision_name).files
+
+
+def generate_all(stand: Stand, precision_name: str = "double") -> Generated:
+    """As `generate`, with the program and the numbers it was printed from."""
+    if precision_name not in PRECISIONS:
+        raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
+    layout = Layout(stand, PRECISIONS[precision_name])
+    program = lower_layout(layout)
+    values = Values(layout, program)
+    printer = _Printer(layout, program, values)
+    files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
+    return Generated(layout, program, values, files)
+
+
+class _Printer:
+    """Collects the parts that the templates put in order."""
+
+    def __init__(self, layout: Layout, program: Program, values: Values) -> None:
+        self._layout = layout
+        self._program = program
+        self._values = values
+        self._names = Names(program.name)
+        self._expressions = Expressions(self._names, program.precision)
+        self._statements = Statements(self._names, self._expressions)
+
+    def header(self) -> str:
+        """The header: the manual of the generated code."""
+        public = [f for f in self._program.functions if f.public]
+        functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
+        internal = {"sums"}
+        structs = [struct_lines(s, self._names) for s in self._program.structs if s.name not in internal]
+        return template("stand.h.j2").render(
+            **self._common(),
+            limits=self._limits(),
+            statuses=self._statuses(),
+            enums=self._enums(),
+            structs=structs,
+            functions=functions,
+        )
+
+    def source(self) -> str:
+        """The source: routines, internal functions, public functions, tables."""
+        internal = [struct_lines(s, self._names) for s in self._program.structs if s.name == "sums"]
+        return template("stand.c.j2").render(
+            **self._common(),
+            bits=any(isinstance(e, BitCast) for f in self._program.functions for e in expressions(f.body)),
+            internal=internal,
+            functions=[self._function(f) for f in self._program.functions],
+            table=self._table(self._layout.table, self._values.table),
+            parameters=self._table(self._layout.parameters, self._values.parameters),
+        )
+
+    def _common(self) -> dict[str, Any]:
+        stand = self._layout.stand
+        found = identities(stand)
+        bodies = [_counted(len(stand.instruments), "instrument"), _counted(len(stand.flywheels), "flywheel")]
+        return {
+            "name": stand.name,
+            "NAME": stand.name.upper(),
+            "version": __version__,
+            "structure": found.structure,
+            "physics": found.physics,
+            "real": self._program.precision.name,
+            "width": self._program.precision.width,
+            "bodies": ", ".join(["carrier", *bodies]),
+        }
+
+    def _limits(self) -> list[tuple[str, str, str]]:
+        precision = self._program.precision
+        return [
+            (
+                self._names.constant(x.name),
+                real_literal(x.value, precision),
+                f"{x.unit}; {x.comment}" if x.unit else x.comment,
+            )
+            for x in limits(precision).values()
+        ]
+
+    def _statuses(self) -> list[tuple[str, int, str]]:
+        return [(self._names.constant(n), v, _STATUS_MEANING[n]) for n, v in STATUS_VALUES.items()]
+
+    def _enums(self) -> list[list[str]]:
+        """Enumerators of flywheels and of run-time wrenches."""
+        layout = self._layout
+        taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
+        taken |= {"STRUCTURE", "PHYSICS", "H", "CODE", "CONST"}
+        found = []
+        if layout.flywheels:
+            names = [s.name for s in layout.stand.flywheels]
+            entries = self._names.enumerators(names, taken)
+            found.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
+        if layout.inputs:
+            names = [b.name for b in layout.inputs]
+            entries = self._names.enumerators(names, taken, "WRENCH_")
+            count = layout.input_count
+            found.append(self._enum(entries, count.name, len(names), f"{count.comment}: six numbers each"))
+        return found
+
+    def _enum(self, entries: list[str], count: str, value: int, comment: str) -> list[str]:
+        text = f"enum {{ {', '.join(entries)}, {self._names.constant(count)} = {value} }};"
+        return [f"/* {comment} */", *wrapped(text, "")]
+
+    def _function(self, f: Function) -> dict[str, Any]:
+        if f.public:
+            comment = paragraph(f"{f.equation or f.purpose}", "/* ", " * ")
+            comment[-1] += " */"
+        else:
+            comment = summary(f)
+        return {
+            "comment": comment,
+            "prototype": prototype(f, self._names),
+            "body": self._statements.block(f.body, "    "),
+        }
+
+    def _table(self, struct: Struct, value: dict[str, Any]) -> list[str]:
+        stand = self._layout.stand
+        labels = {
+            "flywheel": [s.name for s in stand.flywheels],
+            "instrument": [p.name for p in stand.instruments],
+            "frame": [o.body.name for o in self._layout.own],
+        }
+        return initialiser(struct, value, self._program.precision, labels)
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,50 @@
+"""Where long lines break: at the outermost operator or comma that fits."""
+
+from __future__ import annotations
+
+WIDTH = 110
+"""Columns of a line of code or comment; rows of tables are longer."""
+
+
+def wrapped(text: str, indent: str) -> list[str]:
+    """A statement as lines of at most WIDTH columns where it can be broken; later lines are indented further."""
+    lines = []
+    rest, lead = text, indent
+    while len(lead) + len(rest) > WIDTH:
+        at = _break(rest, WIDTH - len(lead))
+        if at <= 0:
+            break
+        lines.append(lead + rest[:at].rstrip())
+        rest, lead = rest[at:].lstrip(), indent + "    "
+    return [*lines, lead + rest]
+
+
+def _break(text: str, room: int) -> int:
+    """Position of the best break: the least nested one of those in the last half of the room."""
+    depth, best, best_depth = 0, -1, 10**6
+    for i, character in enumerate(text[: room + 1]):
+        if character in "([{":
+            depth += 1
+        elif character in ")]}":
+            depth -= 1
+        if i < room // 3:
+            continue
+        before_operator = text.startswith((" + ", " - ", " && ", " || ", " ? ", " : ", " * "), i)
+        after_comma = character == " " and text[i - 1] == ","
+        weight = depth * 2 + text.startswith(" * ", i)
+        if (before_operator or after_comma) and weight <= best_depth:
+            best, best_depth = i, weight
+    return best
+
+
+def paragraph(text: str, first: str, later: str) -> list[str]:
+    """Prose as lines of at most WIDTH columns."""
+    lines, line = [], first
+    empty = True
+    for word in text.split():
+        if not empty and len(line) + 1 + len(word) > WIDTH:
+            lines.append(line)
+            line, empty = later, True
+        line += word if empty else f" {word}"
+        empty = False
+    return [*lines, line.rstrip()]

@@ -1,0 +1,34 @@
+"""Templates of emitted files. They stand in templates/ of the repository and travel in the wheel."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, select_autoescape
+
+
+@lru_cache(maxsize=1)
+def environment() -> Environment:
+    """Jinja environment: undefined names are errors; blocks are [% %] and values [= =], since C is full of braces."""
+    package = Path(__file__).resolve().parent.parent
+    folders = [package / "templates", package.parent.parent / "templates"]
+    return Environment(
+        loader=FileSystemLoader([f for f in folders if f.is_dir()]),
+        undefined=StrictUndefined,
+        autoescape=select_autoescape(["html", "html.j2"]),
+        block_start_string="[%",
+        block_end_string="%]",
+        variable_start_string="[=",
+        variable_end_string="=]",
+        comment_start_string="[#",
+        comment_end_string="#]",
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+
+
+def template(name: str) -> Template:
+    """The template of that file name."""
+    return environment().get_template(name)
