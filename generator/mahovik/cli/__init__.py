@@ -1,0 +1,39 @@
+"""The command line: one thin module a command. Nothing is computed here.
+
+Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage. What is heavy is imported inside the
+commands, so that `mahovik --help` answers at once.
+"""
+
+from __future__ import annotations
+
+import click
+
+from mahovik import __version__
+from mahovik.cli.check import check
+from mahovik.cli.derive import derive
+from mahovik.cli.evaluate import evaluate
+from mahovik.cli.generate import generate
+from mahovik.cli.group import Commands
+from mahovik.cli.new import new
+from mahovik.cli.verify import verify
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="mahovik")
+def main() -> None:
+    """Exact equations of motion of a carrier with unbalanced flywheels, as verified, dependency-free C.
+
+    A stand file goes in; readable C comes out, with the proof that it is right:
+
+    \b
+        mahovik new bench8               copy an example stand
+        mahovik check bench8.toml        masses, unbalance, warnings
+        mahovik generate bench8.toml     C into ./bench8
+        mahovik verify bench8.toml       that C against the literal reference
+
+    Exit status: 0 good, 1 a check failed or some states, 2 bad input or usage.
+    """
+
+
+for command in (new, check, derive, generate, verify, evaluate):
+    main.add_command(command)

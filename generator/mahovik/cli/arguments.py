@@ -1,0 +1,47 @@
+"""Arguments and options that several commands have, and the console of tables."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+    from mahovik.stand.model import Stand
+
+stand_argument = click.argument("stand_file", metavar="STAND.toml", type=click.Path())
+real_option = click.option(
+    "--real", type=click.Choice(["double", "float"]), default="double", show_default=True, help="Element type of the C."
+)
+
+NOT_YET_FLOAT = "--real float: float C is not there yet, only double"
+
+
+def load_stand(stand_file: str) -> Stand:
+    """The stand of a file. Raises StandError."""
+    from mahovik.stand import load
+
+    return load(stand_file)
+
+
+def console() -> Console:
+    """Colours and box lines on a terminal only; elsewhere no line is cut or folded."""
+    from rich.console import Console
+
+    found = Console(highlight=False, soft_wrap=False)
+    return found if found.is_terminal else Console(highlight=False, width=4000)
+
+
+def table(*columns: str, title: str | None = None) -> Table:
+    """A plain table; a column whose name ends in ">" is right-aligned. Narrow terminals fold, never cut."""
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    found = Table(title=title, title_justify="left", title_style="bold", box=SIMPLE_HEAD, pad_edge=False, safe_box=True)
+    for name in columns:
+        right: Any = "right" if name.endswith(">") else "left"
+        found.add_column(name.removesuffix(">"), justify=right, overflow="fold")
+    return found

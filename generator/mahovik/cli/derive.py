@@ -1,0 +1,33 @@
+"""`mahovik derive`: the matrices of (8)-(11) of a stand, for a person to read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.errors import UsageError
+
+
+@click.command()
+@stand_argument
+@click.option(
+    "-o", "output", metavar="FILE.html|FILE.tex", type=click.Path(), help="Default: LaTeX to standard output."
+)
+def derive(stand_file: str, output: str | None) -> None:
+    """Show the derivation, LaTeX or HTML.
+
+    The matrices of (8)-(11): one generic flywheel with symbols, then the numbers of the stand.
+    """
+    if output is not None and not output.endswith((".html", ".tex")):
+        raise UsageError(f"-o {output}: expected a name that ends in .html or .tex")
+    stand = load_stand(stand_file)
+    from mahovik.derive import page
+    from mahovik.verify.files import write
+
+    if output is None:
+        click.echo(page.latex(stand))
+        return
+    write(Path(output), page.html(stand) if output.endswith(".html") else page.latex(stand))
+    click.echo(click.format_filename(output))

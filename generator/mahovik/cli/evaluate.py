@@ -1,0 +1,60 @@
+"""`mahovik eval`: states in, values out, one JSON object a line."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from mahovik.cli.arguments import NOT_YET_FLOAT, load_stand, real_option, stand_argument
+from mahovik.errors import UsageError
+
+if TYPE_CHECKING:
+    from mahovik.stand.model import Stand
+    from mahovik.verify.backends import Backend
+
+
+@click.command(name="eval")
+@stand_argument
+@click.option(
+    "--backend",
+    type=click.Choice(["c", "numpy", "casadi"]),
+    default="c",
+    show_default=True,
+    help="c: the generated C; numpy: the literal reference; casadi: the second derivation.",
+)
+@real_option
+def evaluate(stand_file: str, backend: str, real: str) -> None:
+    """Evaluate states from standard input.
+
+    One JSON object a line, a result line for each, in order.
+
+    A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
+    """
+    if real == "float":
+        raise UsageError(NOT_YET_FLOAT if backend == "c" else f"--real float: only --backend c has it, not {backend}")
+    if backend == "casadi":
+        raise UsageError("--backend casadi: the second derivation is not there yet")
+    stand = load_stand(stand_file)
+    chosen = _backend(stand, backend, real)
+    from mahovik.verify.evaluate import results
+
+    failed = 0
+    for line, good in results(stand, chosen, sys.stdin.buffer, real):
+        failed += not good
+        sys.stdout.write(line + "\n")
+        sys.stdout.flush()  # line by line, so that a program can hold a conversation
+    if failed:
+        click.echo(f"error: {failed} of the states cannot be evaluated, see their lines", err=True)
+        raise SystemExit(1)
+
+
+def _backend(stand: Stand, name: str, real: str) -> Backend:
+    if name == "numpy":
+        from mahovik.verify.backends import NumpyBackend
+
+        return NumpyBackend(stand)
+    from mahovik.verify.c_backend import CBackend
+
+    return CBackend(stand, real)

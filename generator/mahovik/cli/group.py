@@ -1,0 +1,49 @@
+"""What all commands share: errors as lines, and a guess where a command is misspelt."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+from typing import Any
+
+import click
+
+from mahovik.errors import MahovikError
+
+
+class Commands(click.Group):
+    """A group whose commands end in `error: ...` lines and an exit status, never in a traceback for a user's mistake."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except MahovikError as error:
+            for line in str(error).splitlines() or [type(error).__name__]:
+                click.echo(f"error: {line}", err=True)
+            ctx.exit(error.exit_status)
+        except BrokenPipeError:
+            # the reader has left (`| head`): nothing more can be said, and nothing may be flushed at exit
+            with contextlib.suppress(OSError, ValueError):
+                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            ctx.exit(1)
+        except OSError as error:
+            where = f"{error.filename}: " if error.filename else ""
+            click.echo(f"error: {where}{error.strerror or error}", err=True)
+            ctx.exit(2)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """In the order in which one uses them."""
+        return list(self.commands)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name = args[0]
+        if self.get_command(ctx, name) is None and not name.startswith("-"):
+            from difflib import get_close_matches
+
+            near = get_close_matches(name.lower(), list(self.commands), n=1, cutoff=0.4)
+            hint = f', did you mean "{near[0]}"?' if near else f", expected one of {', '.join(self.commands)}"
+            ctx.fail(f'no such command "{name}"{hint}')
+        return super().resolve_command(ctx, args)

@@ -1,0 +1,45 @@
+"""`mahovik new`: copy an example stand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from mahovik.errors import UsageError
+
+
+@click.command()
+@click.argument("name", required=False)
+@click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Where to; default ./NAME.toml.")
+@click.option("--list", "listed", is_flag=True, help="List the examples and stop.")
+def new(name: str | None, output: str | None, listed: bool) -> None:
+    """Copy an example stand with its motions. Nothing is ever overwritten."""
+    from mahovik import stands
+    from mahovik.verify.files import write_all
+
+    if listed:
+        for each in stands.names():
+            click.echo(f"{each:10} {_first_comment(stands.path(each))}".rstrip())
+        return
+    if name is None:
+        raise UsageError(f"which example? One of {', '.join(stands.names())}")
+    source = stands.path(name)
+    target = Path(output) if output is not None else Path(f"{name}.toml")
+    if target.is_dir() or (output is not None and output.endswith("/")):
+        target = target / f"{name}.toml"
+    stem = target.name.removesuffix(".toml")
+    files = {target.name: source}
+    files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
+    for each in files:
+        if (target.parent / each).exists():
+            raise UsageError(f"{target.parent / each}: is there already, nothing was written")
+    texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
+    for path in write_all(target.parent, texts):
+        click.echo(click.format_filename(path))
+
+
+def _first_comment(path: Path) -> str:
+    """The first line of a stand file's comment."""
+    first = path.read_text(encoding="utf-8").partition("\n")[0]
+    return first.lstrip("# ") if first.startswith("#") else ""

@@ -1,0 +1,76 @@
+"""Files written whole or not at all."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from mahovik.errors import UsageError
+
+
+def write(path: Path, text: str) -> None:
+    """Write one file, atomically. Raises UsageError."""
+    write_all(path.parent, {path.name: text})
+
+
+def write_all(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
+    """Write several files into a folder, which is made if need be: all of them or none. Raises UsageError.
+
+    Each is written beside its place and moved there when all are complete, so that a build that runs at the same
+    time never sees half a file. What has the same content already is not touched: its date stays.
+    """
+    made = _make(folder)
+    targets = {name: folder / name for name in files}
+    drafts: dict[str, Path] = {}
+    try:
+        for name, target in targets.items():
+            if target.is_dir():
+                raise UsageError(f"{target}: is a directory, expected a file to write")
+            content = files[name].encode("utf-8")
+            if not (target.is_file() and target.read_bytes() == content):
+                drafts[name] = _draft(folder, name, content)
+        for name, draft in drafts.items():
+            os.replace(draft, targets[name])
+    except OSError as error:
+        raise UsageError(f"{error.filename or folder}: cannot be written: {error.strerror or error}") from None
+    finally:
+        for draft in drafts.values():
+            draft.unlink(missing_ok=True)
+        for each in made:  # innermost first; stays where it holds something
+            with contextlib.suppress(OSError):
+                each.rmdir()
+    return tuple(targets.values())
+
+
+def _draft(folder: Path, name: str, content: bytes) -> Path:
+    """The content in a temporary file of the folder, with the permissions of an ordinary new file."""
+    handle, path = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(path, 0o666 & ~mask)
+    except OSError:
+        Path(path).unlink(missing_ok=True)
+        raise
+    return Path(path)
+
+
+def _make(folder: Path) -> list[Path]:
+    """Makes the folder and its parents; returns those made, innermost first."""
+    missing = [each for each in (folder, *folder.parents) if not each.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise UsageError(f"{folder}: is a file, expected a folder to write into") from None
+    except NotADirectoryError:
+        raise UsageError(f"{folder}: cannot be made, a part of the path is a file") from None
+    except OSError as error:
+        raise UsageError(f"{folder}: cannot be made: {error.strerror or error}") from None
+    except ValueError as error:  # a NUL in the name
+        raise UsageError(f"{str(folder)!r}: {error}") from None
+    return missing
