@@ -73,14 +73,14 @@ def atan2(precision: Precision) -> Function:
     b = Body()
     x_size = b.let("x_size", magnitude(x.place))
     y_size = b.let("y_size", magnitude(y.place))
-    steep = y_size > x_size
+    steep = b.let("steep", y_size > x_size)
     larger = b.let("larger", select(steep, y_size, x_size))
     scale = b.let("scale", select(larger > huge, 0.25, 1.0), "larger + smaller must not overflow")
     major = b.let("major", larger * scale)
     minor = b.let("minor", select(steep, x_size, y_size) * scale)
 
     b.note("The angle of (major, minor) is atan(t), or pi/4 + atan(t) where minor > major/2; in both |t| <= 1/2.")
-    beyond = minor + minor > major
+    beyond = b.let("beyond", minor + minor > major)
     above = b.let("above", select(beyond, minor - major, minor))
     below = b.let("below", select(beyond, minor + major, select(major > 0.0, major, 1.0)), "1 for 0/0")
     octant = b.let("octant", select(beyond, real(1.0), 0.0))
@@ -88,7 +88,7 @@ def atan2(precision: Precision) -> Function:
     b.note("Octants: |y| > |x| is pi/2 - angle, a negative x (or -0, as in C) pi - angle.")
     above_1 = b.let("above_1", select(steep, -above, above))
     octant_1 = b.let("octant_1", select(steep, 2.0 - octant, octant))
-    left = unequal(bits_of(x.place) & word(sign), 0)
+    left = b.let("left", unequal(bits_of(x.place) & word(sign), 0))
     t = b.let("t", select(left, -above_1, above_1) / below)
     octant_2 = b.let("octant_2", select(left, 4.0 - octant_1, octant_1))
 

@@ -43,7 +43,7 @@ def square_root(precision: Precision) -> Function:
 
     b = Body()
     b.note("x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first.")
-    subnormal = x.place < smallest
+    subnormal = b.let("subnormal", x.place < smallest)
     lift = b.let("lift", select(subnormal, 2.0**raised, 1.0))
     lowered = b.let("lowered", select(subnormal, word(raised // 2), word(0)))
     bits = b.let("bits", bits_of(x.place * lift))
