@@ -25,6 +25,7 @@ from mahovik.program.types import DOUBLE, Struct
 from mahovik.program.walk import expressions
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
+from mahovik.stand.structure import structure
 
 PRECISIONS = {"double": DOUBLE}
 """Element types that `generate` offers."""
@@ -63,10 +64,10 @@ def generate_all(stand: Stand, precision_name: str = "double") -> Generated:
     """As `generate`, with the program and the numbers it was printed from."""
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
-    layout = Layout(stand, PRECISIONS[precision_name])
+    layout = Layout(structure(stand), PRECISIONS[precision_name])
     program = lower_layout(layout)
-    values = Values(layout, program)
-    printer = _Printer(layout, program, values)
+    values = Values(stand, layout, program)
+    printer = _Printer(stand, layout, program, values)
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
     return Generated(layout, program, values, files)
 
@@ -74,7 +75,8 @@ def generate_all(stand: Stand, precision_name: str = "double") -> Generated:
 class _Printer:
     """Collects the parts that the templates put in order."""
 
-    def __init__(self, layout: Layout, program: Program, values: Values) -> None:
+    def __init__(self, stand: Stand, layout: Layout, program: Program, values: Values) -> None:
+        self._stand = stand
         self._layout = layout
         self._program = program
         self._values = values
@@ -110,7 +112,7 @@ class _Printer:
         )
 
     def _common(self) -> dict[str, Any]:
-        stand = self._layout.stand
+        stand = self._stand
         found = identities(stand)
         bodies = [_counted(len(stand.instruments), "instrument"), _counted(len(stand.flywheels), "flywheel")]
         return {
@@ -145,11 +147,11 @@ class _Printer:
         taken |= {"STRUCTURE", "PHYSICS", "H", "CODE", "CONST"}
         found = []
         if layout.flywheels:
-            names = [s.name for s in layout.stand.flywheels]
+            names = list(layout.structure.flywheels)
             entries = self._names.enumerators(names, taken)
             found.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
         if layout.inputs:
-            names = [b.name for b in layout.inputs]
+            names = list(layout.inputs)
             entries = self._names.enumerators(names, taken, "WRENCH_")
             count = layout.input_count
             found.append(self._enum(entries, count.name, len(names), f"{count.comment}: six numbers each"))
@@ -172,11 +174,11 @@ class _Printer:
         }
 
     def _table(self, struct: Struct, value: dict[str, Any]) -> list[str]:
-        stand = self._layout.stand
+        stand = self._stand
         labels = {
             "flywheel": [s.name for s in stand.flywheels],
             "instrument": [p.name for p in stand.instruments],
-            "frame": [o.body.name for o in self._layout.own],
+            "frame": [stand.bodies[o.index].name for o in self._layout.own],
         }
         return initialiser(struct, value, self._program.precision, labels)
 

@@ -21,7 +21,7 @@ _NAMES = ("psi", "theta", "phi")
 
 
 def _angles_argument(lib: Library) -> Argument:
-    sequence = lib.layout.stand.angles
+    sequence = lib.layout.structure.angles
     axes = " ".join(f"C{axis}({name})" for axis, name in zip(derived.SEQUENCES[sequence], _NAMES, strict=True))
     return Argument("angles", Kind.REAL, (3,), unit="rad", purpose=f"psi, theta, phi of C = {axes} ({sequence})")
 
@@ -39,7 +39,7 @@ def quaternion(lib: Library) -> Function:
         c = body.local(f"c_{name}")
         body.call(lib["sincos"], real(0.5) * angles.place[i], s, c)
         binding |= {f"s_{name}": s, f"c_{name}": c}
-    assign(body, list(attitude.place), derived.quaternion_of(lib.layout.stand.angles), binding)
+    assign(body, list(attitude.place), derived.quaternion_of(lib.layout.structure.angles), binding)
     body.ret(Status("OK"))
     return Function(
         "quaternion",
@@ -79,7 +79,7 @@ def attitude(lib: Library) -> Function:
     out = Argument("out", layout.generalized, (), "out", purpose="A, D, I0, J0, q_dot, q_ddot")
     body = Body()
     lib.begin(body)
-    found = derived.attitude(layout.stand.angles)
+    found = derived.attitude(layout.structure.angles)
     y = body.local("y", (), layout.state, "the state with the attitude of the angles")
     V_dot = body.local("V_dot", (6,))
     m = body.local("m", (), layout.matrices)
@@ -106,7 +106,7 @@ def attitude(lib: Library) -> Function:
         binding | {"singular_inverse": body.let("singular_inverse", 1 / singular)},
         V_dot,
         out.place,
-        layout.stand.angles,
+        layout.structure.angles,
     )
     body.call(lib["products"], m, out.place)
     body.ret(Status("OK"))

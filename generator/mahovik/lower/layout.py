@@ -6,16 +6,20 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from mahovik.program.types import Field, Kind, NamedCount, Precision, Struct
-from mahovik.stand.model import Body, Flywheel, Instrument, Stand
+from mahovik.stand.structure import Structure
 
 REAL, INT = Kind.REAL, Kind.INT
 
 
 @dataclass(frozen=True)
 class OwnBody:
-    """An instrument or flywheel with a wrench in its own frame; indices -1 where it has no such part."""
+    """An instrument or flywheel with a wrench in its own frame.
 
-    body: Instrument | Flywheel
+    `index` in the stand's bodies; `instrument`, `flywheel` its number among those, `input` its row of the run-time
+    wrenches; -1 where it is or has none.
+    """
+
+    index: int
     instrument: int
     flywheel: int
     input: int
@@ -23,47 +27,62 @@ class OwnBody:
 
 @dataclass(frozen=True)
 class Layout:
-    """Kinds and structs of one stand at one precision."""
+    """Kinds and structs of stands of one structure at one precision: no number of a stand is in reach."""
 
-    stand: Stand
+    structure: Structure
     precision: Precision
 
     # -- what there is ---------------------------------------------------------------------------------------------
 
     @cached_property
     def count(self) -> NamedCount:
-        return NamedCount("N", len(self.stand.flywheels), "flywheels, in the order of the stand file")
+        return NamedCount("N", len(self.structure.flywheels), "flywheels, in the order of the stand file")
 
     @property
     def flywheels(self) -> bool:
-        return bool(self.stand.flywheels)
+        return bool(self.structure.flywheels)
+
+    @property
+    def instruments(self) -> int:
+        return len(self.structure.instruments)
 
     @property
     def added_mass(self) -> bool:
-        instruments = any(p.added_mass is not None for p in self.stand.instruments)
-        return instruments or self.stand.carrier.added_mass is not None
+        return self.structure.added_mass
 
     @property
     def weight(self) -> bool:
-        return any(self.stand.gravity)
+        return self.structure.weight
 
     @property
     def stream(self) -> bool:
-        return self.stand.stream is not None
+        return self.structure.stream
+
+    @property
+    def suspended(self) -> bool:
+        return self.structure.suspension
+
+    @property
+    def legs(self) -> int:
+        return self.structure.legs
 
     @property
     def buoyancy(self) -> bool:
         """Any displaced mass under gravity."""
-        return self.weight and any(b.buoyancy is not None for b in self.stand.bodies)
+        return self.structure.buoyancy or self.flywheel_buoyancy
 
     @property
     def flywheel_buoyancy(self) -> bool:
-        return self.weight and any(b.buoyancy is not None for b in self.stand.flywheels)
+        return bool(self.structure.flywheel_buoyancy)
 
-    @cached_property
-    def inputs(self) -> tuple[Body, ...]:
+    @property
+    def inputs(self) -> tuple[str, ...]:
         """Bodies with a run-time wrench, in the order of the stand."""
-        return tuple(b for b in self.stand.bodies if b.wrench_input)
+        return tuple(self.structure.bodies[i] for i in self.structure.wrench_inputs)
+
+    @property
+    def carrier_input(self) -> bool:
+        return 0 in self.structure.wrench_inputs
 
     @property
     def input_count(self) -> NamedCount:
@@ -72,23 +91,25 @@ class Layout:
     @cached_property
     def own(self) -> tuple[OwnBody, ...]:
         """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
-        names = [b.name for b in self.inputs]
-        found = []
-        for k, p in enumerate(self.stand.instruments):
-            if p.damping is not None or p.wrench_input:
-                found.append(OwnBody(p, k, -1, names.index(p.name) if p.wrench_input else -1))
-        for k, s in enumerate(self.stand.flywheels):
-            if s.damping is not None or s.wrench_input:
-                found.append(OwnBody(s, -1, k, names.index(s.name) if s.wrench_input else -1))
-        return tuple(found)
+        inputs = self.structure.wrench_inputs
+        indices = sorted({*self.structure.damped, *inputs} - {0})
+        fixed = 1 + self.instruments
+        return tuple(
+            OwnBody(i, i - 1 if i < fixed else -1, i - fixed if i >= fixed else -1, _position(i, inputs))
+            for i in indices
+        )
 
     @property
     def damped(self) -> bool:
-        return any(b.damping is not None for b in self.stand.bodies)
+        return bool(self.structure.damped)
+
+    @property
+    def carrier_damped(self) -> bool:
+        return 0 in self.structure.damped
 
     @property
     def own_damped(self) -> bool:
-        return any(o.body.damping is not None for o in self.own)
+        return any(i > 0 for i in self.structure.damped)
 
     @property
     def own_inputs(self) -> bool:
@@ -104,32 +125,26 @@ class Layout:
 
     @property
     def linear_damping(self) -> bool:
-        return any(b.damping is not None and b.damping.linear is not None for b in self.stand.bodies)
+        return bool(self.structure.linear_damping)
 
     @property
     def quadratic_damping(self) -> bool:
-        return any(b.damping is not None and b.damping.quadratic is not None for b in self.stand.bodies)
+        return bool(self.structure.quadratic_damping)
 
     @property
     def terms(self) -> int:
         """Hydrodynamic derivatives of all bodies."""
-        return sum(len(b.damping.terms) for b in self.stand.bodies if b.damping is not None)
+        return sum(len(kinds) for _, kinds in self.structure.damping_terms)
 
     @property
     def attitude_needed(self) -> bool:
         """The equations depend on the attitude."""
-        return self.weight or self.stream or self.stand.suspension is not None or bool(self.stand.legs)
+        return self.weight or self.stream or self.suspended or bool(self.legs)
 
     @property
     def wrenches(self) -> bool:
         """Any external wrench at all."""
-        return (
-            self.weight
-            or self.damped
-            or bool(self.inputs)
-            or self.stand.suspension is not None
-            or bool(self.stand.legs)
-        )
+        return self.weight or self.damped or bool(self.inputs) or self.suspended or bool(self.legs)
 
     # -- structs ---------------------------------------------------------------------------------------------------
 
@@ -179,7 +194,7 @@ class Layout:
             Field("axis", REAL, (3,), "", "spin axis in the frame of the mount, any length"),
             Field("zero", REAL, (3,), "", "its part across the axis is the second axis of Es at phi = 0"),
         ]
-        if self.stand.instruments:
+        if self.instruments:
             fields.append(Field("mount", INT, (), "", "number of the instrument that bears it; -1: the carrier"))
         return Struct("flywheel", "A flywheel and how it is mounted.", tuple(fields))
 
@@ -188,8 +203,8 @@ class Layout:
         fields = [Field("carrier", self.body)]
         if self.added_mass:
             fields.append(Field("added_mass", REAL, (6, 6), "kg, kg m, kg m2", "Lambda of all bodies, about O1 in E1"))
-        if self.stand.instruments:
-            fields.append(Field("instrument", self.instrument_parameters, (len(self.stand.instruments),)))
+        if self.instruments:
+            fields.append(Field("instrument", self.instrument_parameters, (self.instruments,)))
         if self.flywheels:
             fields.append(Field("flywheel", self.flywheel_parameters, (self.count,)))
         return Struct("parameters", "What prepare makes the table of: masses, inertias and mountings.", tuple(fields))
@@ -311,14 +326,14 @@ class Layout:
             laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
         if self.stream:
             laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
-        if self.stand.carrier.damping is not None:
+        if self.carrier_damped:
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
         if self.terms:
             laws.append(Field("term", self.term, (self.terms,)))
-        if self.stand.suspension is not None:
+        if self.suspended:
             laws.append(Field("suspension", self.suspension))
-        if self.stand.legs:
-            laws.append(Field("leg", self.leg, (len(self.stand.legs),)))
+        if self.legs:
+            laws.append(Field("leg", self.leg, (self.legs,)))
         return laws
 
     @cached_property
@@ -378,3 +393,7 @@ class Layout:
         return Struct(
             "generalized", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields
         )
+
+
+def _position(index: int, indices: tuple[int, ...]) -> int:
+    return indices.index(index) if index in indices else -1

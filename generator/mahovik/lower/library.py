@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from mahovik.lower.layout import Layout
 from mahovik.lower.limits import Limit, limits
 from mahovik.program.build import Body, call
 from mahovik.program.expression import Expr, Operand, Place, Status, unequal
 from mahovik.program.function import Argument, Function
+from mahovik.program.prune import pruned
 from mahovik.program.types import Kind
-from mahovik.program.walk import used_variables
 
 
 class Library:
@@ -25,9 +23,7 @@ class Library:
     def add(self, function: Function) -> Function:
         """Adds a function; later ones may call it. A function of our own loses arguments it has no use for."""
         assert function.name not in self._functions
-        if not function.public:
-            used = used_variables(function.body)
-            function = replace(function, arguments=tuple(a for a in function.arguments if id(a.variable) in used))
+        function = pruned(function)
         self._functions[function.name] = function
         return function
 
@@ -61,7 +57,7 @@ class Library:
         """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
         if not self.layout.inputs:
             return ()
-        names = ", ".join(b.name for b in self.layout.inputs)
+        names = ", ".join(self.layout.inputs)
         return (
             Argument(
                 "wrench",

@@ -164,7 +164,7 @@ def prepare(lib: Library) -> Function:
     for i in range(9):
         body.set(R[i], real(identity[i]))
     work.fixed(p.carrier)
-    if layout.stand.instruments:
+    if layout.instruments:
         _instruments(lib, work, p)
     if layout.flywheels:
         _flywheels(lib, work, p, out)
@@ -279,7 +279,7 @@ class _Work:
 def _instruments(lib: Library, work: _Work, p: Place) -> None:
     body = work.body
     body.note("instruments")
-    with body.loop("k", len(lib.layout.stand.instruments)) as k:
+    with body.loop("k", lib.layout.instruments) as k:
         q = p.instrument[k]
         work.place_instrument(q)
         work.fixed(q.body)
@@ -296,7 +296,7 @@ def place_flywheel(lib: Library) -> Function:
     lib.check(body, "within", w.place.position, 3, lib.limits["MAX_PARAMETER"].expression)
     lib.check(body, "frame_of_axes", w.place.axis, w.place.zero, R.place)
     body.copy_array(O.place, w.place.position)
-    count = len(lib.layout.stand.instruments)
+    count = lib.layout.instruments
     if count:
         mount = w.place.mount
         lib.guard(body, Not(both(mount >= -1, mount < integer(count))), "BAD_ARGUMENT")
@@ -402,13 +402,14 @@ def check_parameters(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     total = body.local("mass")
-    if layout.stand.instruments or layout.flywheels:
+    if layout.flywheels:
         O = body.local("O", (3,))
+    if layout.instruments or layout.flywheels:
         R = body.local("R", (9,))
     lib.check(body, "check_body", p.carrier)
     body.set(total, p.carrier.mass)
-    if layout.stand.instruments:
-        with body.loop("k", len(layout.stand.instruments)) as k:
+    if layout.instruments:
+        with body.loop("k", layout.instruments) as k:
             q = p.instrument[k]
             lib.check(body, "check_body", q.body)
             lib.check(body, "within", q.position, 3, bound)
@@ -430,7 +431,7 @@ def check_parameters(lib: Library) -> Function:
             lib.check(body, "within", p.added_mass[i], 6, bound)
         lib.check(body, "translation_block", p, total, A, inverse)
     body.ret(Status("OK"))
-    mounts = ("BAD_ARGUMENT",) if layout.stand.instruments and layout.flywheels else ()
+    mounts = ("BAD_ARGUMENT",) if layout.instruments and layout.flywheels else ()
     return Function(
         "check_parameters",
         "Are the parameters finite, in range, their axes directions, and the masses positive?",

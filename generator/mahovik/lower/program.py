@@ -11,11 +11,12 @@ from mahovik.program.types import Precision, Struct
 from mahovik.program.validate import validate
 from mahovik.program.walk import reachable
 from mahovik.stand.model import Stand
+from mahovik.stand.structure import structure
 
 
 def lower(stand: Stand, precision: Precision) -> Program:
     """The program for a stand at a precision. Its text depends on the stand's structure only, not on its numbers."""
-    return lower_layout(Layout(stand, precision))
+    return lower_layout(Layout(structure(stand), precision))
 
 
 def lower_layout(layout: Layout) -> Program:
@@ -38,7 +39,8 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(solve.solve3(lib))
     lib.add(solve.solve_carrier(lib))
     lib.add(forward.forward(lib))
-    lib.add(forward.wrench_function(lib))
+    if layout.wrenches:
+        lib.add(forward.wrench_function(lib))
     lib.add(matrices.velocity_matrix(lib))
     lib.add(matrices.matrices(lib))
     lib.add(matrices.momentum(lib))
@@ -56,7 +58,7 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(prepare.prepare(lib))
     counts = tuple(c for c in (layout.count, layout.input_count) if c.value)
     functions = reachable(lib.functions)
-    program = Program(layout.stand.name, precision, counts, _structs(layout), functions)
+    program = Program(layout.structure.name, precision, counts, _structs(layout), functions)
     validate(program)
     return program
 
@@ -70,10 +72,10 @@ def _add_wrenches(lib: Library) -> None:
         lib.add(laws.damp(lib))
     if layout.own:
         lib.add(wrenches.own_wrench(lib))
-    if layout.stand.suspension is not None:
+    if layout.suspended:
         lib.add(laws.rotation_vector(lib))
         lib.add(laws.suspend(lib))
-    if layout.stand.legs:
+    if layout.legs:
         lib.add(laws.pull(lib))
     lib.add(wrenches.external(lib))
 

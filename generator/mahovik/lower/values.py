@@ -22,7 +22,7 @@ from mahovik.program.function import STATUS_VALUES, Argument, Function, Program
 from mahovik.program.interpret import Interpreter
 from mahovik.program.types import Kind, Precision
 from mahovik.stand.model import Body as StandBody
-from mahovik.stand.model import Damping, Flywheel, Instrument, Mat6, MountingAngles
+from mahovik.stand.model import Damping, Flywheel, Instrument, Mat6, MountingAngles, Stand
 
 
 def conversions(precision: Precision) -> Program:
@@ -68,9 +68,9 @@ def _about_origin() -> Function:
 class Values:
     """Parameters and table of one stand, from the interpreter of its program."""
 
-    def __init__(self, layout: Layout, program: Program) -> None:
+    def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
         self._layout = layout
-        self._stand = layout.stand
+        self._stand = stand
         self._conversions = Interpreter(conversions(layout.precision))
         self._program = Interpreter(program)
         self.parameters = self._parameters()
@@ -145,7 +145,7 @@ class Values:
                 if layout.frame.field(name) is not None:
                     setattr(frame, name, value)
             if layout.own_damped:
-                frame.damper = self._program.filled(layout.damper, self._damper(own.body.damping, terms))
+                frame.damper = self._program.filled(layout.damper, self._damper(stand.bodies[own.index].damping, terms))
         if layout.terms:
             laws["term"] = terms
         if stand.suspension is not None:

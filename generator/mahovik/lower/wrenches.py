@@ -25,15 +25,15 @@ def external(lib: Library) -> Function:
     F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "in E1 about O1")
     wrench = lib.wrench_arguments()
     body = Body()
-    if layout.stand.legs:
+    if layout.legs:
         lib.begin(body)
     for element in F.place:
         body.set(element, real(0))
     if layout.weight:
         _weight(lib, body, stand.place, x.place, sums.place, C.place, F.place)
-    if layout.stand.carrier.damping is not None:
+    if layout.carrier_damped:
         _damp(lib, body, stand.place, stand.place.damper, V.place, F.place)
-    if layout.stand.carrier.wrench_input:
+    if layout.carrier_input:
         for i in range(6):
             body.add(F.place[i], wrench[0].place[i])
     if layout.own:
@@ -41,10 +41,10 @@ def external(lib: Library) -> Function:
             everything = {"stand": stand.place, "frame": stand.place.frame[k], "x": x.place, "V": V.place, "F": F.place}
             everything |= {w.name: w.place for w in wrench}
             body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
-    if layout.stand.suspension is not None:
+    if layout.suspended:
         body.call(lib["suspend"], stand.place.suspension, x.place, C.place, F.place)
-    if layout.stand.legs:
-        with body.loop("k", len(layout.stand.legs)) as k:
+    if layout.legs:
+        with body.loop("k", layout.legs) as k:
             lib.check(body, "pull", stand.place.leg[k], x.place, C.place, F.place)
         body.ret(Status("OK"))
     return Function(
@@ -53,8 +53,8 @@ def external(lib: Library) -> Function:
         (stand, x, sums, C, V, *wrench, F),
         body.statements,
         equation="(7)",
-        returns=Kind.STATUS if layout.stand.legs else None,
-        statuses=("OK", "RANGE") if layout.stand.legs else (),
+        returns=Kind.STATUS if layout.legs else None,
+        statuses=("OK", "RANGE") if layout.legs else (),
     )
 
 
@@ -64,8 +64,8 @@ def _kinds(lib: Library) -> str:
         "weight": layout.weight,
         "buoyancy": layout.buoyancy,
         "damping": layout.damped,
-        "suspension": layout.stand.suspension is not None,
-        "legs": bool(layout.stand.legs),
+        "suspension": layout.suspended,
+        "legs": bool(layout.legs),
         "run-time wrenches": bool(layout.inputs),
     }
     return ", ".join(name for name, there in kinds.items() if there) or "no kind at all"

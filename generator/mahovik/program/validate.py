@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from mahovik.program.expression import Expr, Place
+from collections.abc import Iterator
+
+from mahovik.program.expression import Expr, Place, Variable
 from mahovik.program.function import Function, Program
 from mahovik.program.statement import Declare, Let, Loop, Return, Statement, When
 from mahovik.program.types import Kind
-from mahovik.program.walk import called, expressions
+from mahovik.program.walk import called, expressions, used_variables
 
 
 def validate(program: Program) -> None:
@@ -23,6 +25,22 @@ def validate(program: Program) -> None:
         known.add(function.name)
         scope = {a.name: id(a.variable) for a in function.arguments}
         _check_block(function, function.body, scope)
+        used = used_variables(function.body)
+        for variable in _declared(function.body):
+            if id(variable) not in used:
+                raise ValueError(f"{function.name}: {variable.name} is never used")
+
+
+def _declared(body: tuple[Statement, ...]) -> Iterator[Variable]:
+    for statement in body:
+        match statement:
+            case Let(variable) | Declare(variable):
+                yield variable
+            case Loop(_, _, _, inner):
+                yield from _declared(inner)
+            case When(_, inner, otherwise):
+                yield from _declared(inner)
+                yield from _declared(otherwise)
 
 
 def _check_block(function: Function, body: tuple[Statement, ...], scope: dict[str, int]) -> None:

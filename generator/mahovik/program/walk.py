@@ -20,26 +20,27 @@ def _of_statement(s: Statement) -> Iterator[Expr]:
         case Note() | Declare():
             return
         case Let(_, value) | Return(value):
-            yield from _inside(value)
+            yield from inside(value)
         case Set(place, value):
-            yield from _inside(place)
-            yield from _inside(value)
+            yield from inside(place)
+            yield from inside(value)
         case Copy(target, source):
-            yield from _inside(target)
-            yield from _inside(source)
+            yield from inside(target)
+            yield from inside(source)
         case Do(call):
-            yield from _inside(call)
+            yield from inside(call)
         case Loop(_, start, stop, body):
-            yield from _inside(start)
-            yield from _inside(stop)
+            yield from inside(start)
+            yield from inside(stop)
             yield from expressions(body)
         case When(condition, body, otherwise):
-            yield from _inside(condition)
+            yield from inside(condition)
             yield from expressions(body)
             yield from expressions(otherwise)
 
 
-def _inside(e: Expr) -> Iterator[Expr]:
+def inside(e: Expr) -> Iterator[Expr]:
+    """An expression and all its parts, from the outside in."""
     yield e
     match e:
         case Place():
@@ -55,7 +56,7 @@ def _inside(e: Expr) -> Iterator[Expr]:
         case _:
             children = ()
     for child in children:
-        yield from _inside(child)
+        yield from inside(child)
 
 
 def used_variables(body: tuple[Statement, ...]) -> set[int]:

@@ -1,0 +1,1 @@
+"""Compilers, and loading what they made."""

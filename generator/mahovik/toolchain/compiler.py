@@ -1,0 +1,56 @@
+"""The host's C compiler: finding it, and building a shared library of emitted C."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+from mahovik.errors import ToolchainError
+
+WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+"""Every compile of emitted C uses these: a warning is an error."""
+
+BITS = ("-ffp-contract=off",)
+"""No fused multiply-add: the same bits on every processor."""
+
+CANDIDATES = ("cc", "gcc", "clang")
+
+
+def find_compiler() -> list[str]:
+    """The compiler's command: the environment's CC, else cc, gcc or clang. Raises ToolchainError."""
+    chosen = os.environ.get("CC", "").strip()
+    if chosen:
+        command = shlex.split(chosen)
+        if shutil.which(command[0]) is None:
+            raise ToolchainError(f"CC={chosen}: no such command; unset CC or name an installed C compiler")
+        return command
+    for candidate in CANDIDATES:
+        if shutil.which(candidate) is not None:
+            return [candidate]
+    raise ToolchainError("no C compiler found (cc, gcc, clang): install one, on Debian with `apt-get install gcc`")
+
+
+def run_compiler(arguments: Sequence[str], what: str) -> str:
+    """Runs the compiler and returns what it printed. Raises ToolchainError with its first complaint."""
+    command = [*find_compiler(), *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
+    if done.returncode != 0:
+        lines = done.stderr.strip().splitlines()
+        first = next((line for line in lines if "error" in line), lines[0] if lines else "no message")
+        raise ToolchainError(f"{command[0]} refused {what}: {first}")
+    return done.stdout
+
+
+def build_shared(source: Path, library: Path, optimisation: str = "-O2") -> None:
+    """Compiles one C file to a shared library. Raises ToolchainError."""
+    flags = [*WARNINGS, *BITS, optimisation, "-shared", "-fPIC"]
+    run_compiler([*flags, f"-I{source.parent}", str(source), "-o", str(library)], source.name)
+
+
+def preprocess(header: Path) -> str:
+    """A header as the compiler sees it: declarations without directives. Raises ToolchainError."""
+    return run_compiler(["-std=c99", "-E", "-P", "-x", "c", str(header)], header.name)

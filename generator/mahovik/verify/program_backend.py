@@ -1,0 +1,108 @@
+"""Evaluates the wants of a state through a stand's program, whoever runs it: compiled C or the interpreter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
+
+from mahovik.errors import StateError
+from mahovik.lower.layout import Layout
+from mahovik.program.function import STATUS_VALUES, Program
+from mahovik.stand.state import State
+
+STATUS_NAMES = {value: name for name, value in STATUS_VALUES.items()}
+
+PROGRAM_WANTS = ("matrices", "momentum", "forward", "generalized")
+"""The wants of stand.md that the program offers so far."""
+
+_MEANING = {
+    "NOT_FINITE": "an input is NaN or infinite",
+    "RANGE": "an input is outside its range, or a leg has no length",
+    "NOT_POSITIVE_DEFINITE": "the mass matrix is not positive definite",
+    "SINGULAR_ATTITUDE": "the attitude angles are at their singularity",
+}
+
+
+class Runner(Protocol):
+    """Calls a function of the program by name with plain inputs; returns its status and outputs."""
+
+    def __call__(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]: ...
+
+
+class ProgramBackend:
+    """Wants of a state from a program. `table` is what the functions take as the prepared stand."""
+
+    def __init__(self, name: str, layout: Layout, program: Program, table: Any, run: Runner) -> None:
+        self.name = name
+        self.layout = layout
+        self.program = program
+        self._table = table
+        self._run = run
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Bodies on which the program takes a run-time wrench."""
+        return self.layout.inputs
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        """Results by the names of stand.md. Raises StateError."""
+        for name in want:
+            if name not in PROGRAM_WANTS:
+                raise StateError(f'the generated C has no "{name}" yet: it offers {", ".join(PROGRAM_WANTS)}')
+        missing = [body for body in state.wrench if body not in self.inputs]
+        if missing:
+            raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
+        inputs = self.arguments(state)
+        results: dict[str, Any] = {}
+        if self.layout.legs:
+            self._call("wrench", inputs)  # a leg without length spoils a state, whatever is wanted
+        for name in want:
+            results |= getattr(self, f"_{name}")(state, inputs)
+        return results
+
+    def arguments(self, state: State) -> dict[str, Any]:
+        """A state as arguments of the program's functions, by name."""
+        if state.quaternion is not None:
+            attitude: Any = state.quaternion
+        elif state.angles is not None:
+            attitude = self._call("quaternion", {"angles": state.angles})["attitude"]
+        else:
+            attitude = (1.0, 0.0, 0.0, 0.0)
+        x = {"position": state.position, "attitude": attitude, "V": state.V}
+        if self.layout.flywheels:
+            x |= {"phi": state.phi, "phi_dot": state.phi_dot}
+        zero = (0.0,) * 6
+        wrench = [number for body in self.inputs for number in state.wrench.get(body, zero)]
+        return {"stand": self._table, "x": x, "phi_ddot": state.phi_ddot, "wrench": wrench}
+
+    def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+        """Calls one function with those of the inputs that it takes; returns status and outputs."""
+        wanted = {a.name for a in self.program.function(function).arguments}
+        return self._run(function, {name: value for name, value in inputs.items() if name in wanted})
+
+    def _call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        status, outputs = self.call(function, inputs)
+        if status < 0:
+            name = STATUS_NAMES[status]
+            raise StateError(f"{name}: {_MEANING.get(name, 'refused')}")
+        return outputs
+
+    def _matrices(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        found: dict[str, Any] = self._call("matrices", inputs)["out"]
+        if not self.layout.flywheels:
+            found |= {"I": [[] for _ in range(6)], "J": [[] for _ in range(6)]}
+        return found
+
+    def _momentum(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        found: dict[str, Any] = self._call("momentum", inputs)["out"]
+        return found
+
+    def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        return self._call("forward", inputs)
+
+    def _generalized(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if state.quaternion is not None:
+            raise StateError("generalized: needs angles, not a quaternion")
+        angles = state.angles or (0.0, 0.0, 0.0)
+        found: dict[str, Any] = self._call("attitude", {**inputs, "angles": angles})["out"]
+        return found
