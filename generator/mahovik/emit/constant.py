@@ -47,38 +47,42 @@ def _matrix(rows: list[list[Any]], f: Field, precision: Precision, indent: str) 
 def _rows(
     struct: Struct, rows: list[dict[str, Any]], precision: Precision, labels: list[str], indent: str
 ) -> Iterator[str]:
-    """A table: a header that names every column, then one row a line."""
-    columns = list(_columns(struct, ""))
+    """A table: a header that names the columns, then one row a line."""
     cells = [list(_cells(struct, row, precision)) for row in rows]
-    widths = [max(len(title), *(len(row[k][1]) for row in cells)) for k, title in enumerate(columns)]
-    lead = cells[0]
-    header = " ".join(
-        f"{' ' * len(before)}{title:>{width}}{' ' * len(after)}"
-        for (before, _, after), title, width in zip(lead, columns, widths, strict=True)
-    )
-    yield f"{indent}/*{header[2:] if header.startswith('  ') else header} */"
-    for number, row in enumerate(cells):
-        text = " ".join(
-            f"{before}{number_:>{w}}{after}" for (before, number_, after), w in zip(row, widths, strict=True)
+    groups = list(_groups(struct))
+    starts = [sum(size for _, size in groups[:k]) for k in range(len(groups))]
+    widths = [max(len(row[k][1]) for row in cells) for k in range(len(cells[0]))]
+    for (title, size), start in zip(groups, starts, strict=True):
+        # A title stands over its numbers: the last of them is widened where they are too narrow for it.
+        room = sum(
+            len(a) + w + len(b) + 1
+            for (a, _, b), w in zip(cells[0][start:], widths[start : start + size], strict=False)
         )
+        widths[start + size - 1] += max(0, len(title) + 1 - room)
+    header = ""
+    for (title, size), start in zip(groups, starts, strict=True):
+        line = " ".join(
+            f"{a}{' ' * w}{b}" for (a, _, b), w in zip(cells[0][start:], widths[start : start + size], strict=False)
+        )
+        lead = len(line) - len(line.lstrip("{ "))
+        header += f"{' ' * lead}{title}".ljust(len(line)) + " "
+    yield f"{indent}/*{header.rstrip()[2:]} */"
+    for number, row in enumerate(cells):
+        text = " ".join(f"{before}{value:>{w}}{after}" for (before, value, after), w in zip(row, widths, strict=True))
         label = f"  /* {labels[number]} */" if labels else ""
         yield f"{indent}{text},{label}"
 
 
-def _columns(struct: Struct, prefix: str) -> Iterator[str]:
+def _groups(struct: Struct) -> Iterator[tuple[str, int]]:
+    """Members of a row with how many numbers each has; nested structs are opened."""
     for f in struct.fields:
         if isinstance(f.type, Struct):
-            yield from _columns(f.type, f"{prefix}{f.name}.")
+            yield from _groups(f.type)
             continue
-        yield from (f"{prefix}{f.name}{index}" for index in _indices(f.shape))
-
-
-def _indices(shape: tuple[Any, ...]) -> Iterator[str]:
-    if not shape:
-        yield ""
-        return
-    for i in range(int(shape[0])):
-        yield from (f"[{i}]{rest}" for rest in _indices(shape[1:]))
+        size = 1
+        for count in f.shape:
+            size *= int(count)
+        yield f.name + "".join(f"[{int(n)}]" for n in f.shape), size
 
 
 def _cells(struct: Struct, value: dict[str, Any], precision: Precision) -> Iterator[tuple[str, str, str]]:

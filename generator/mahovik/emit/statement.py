@@ -5,11 +5,14 @@ from __future__ import annotations
 from mahovik.emit.expression import Expressions
 from mahovik.emit.layout import WIDTH, paragraph, wrapped
 from mahovik.emit.names import Names
-from mahovik.program.expression import Place, Variable
+from mahovik.program.expression import Negate, Place, Variable
 from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.program.types import NamedCount
 
 _STEP = "    "
+
+_SHORT = 34
+"""Assignments to elements up to this length share a line."""
 
 
 class Statements:
@@ -30,6 +33,11 @@ class Statements:
                 lines.append(f"{indent}{self._names.type(run[0].type)} {names};")
                 position += len(run)
                 continue
+            pack = self._element_run(body, position)
+            if len(pack) > 1:
+                lines += self._packed(pack, indent)
+                position += len(pack)
+                continue
             if self._initialised(body, position):
                 lines += self._initialisation(body[position], body[position + 1], indent)
                 position += 2
@@ -37,6 +45,41 @@ class Statements:
             lines += self._statement(body[position], indent)
             position += 1
         return lines
+
+    def _element_run(self, body: tuple[Statement, ...], start: int) -> list[str]:
+        """Short assignments to elements of one array that follow one another, as text."""
+        found: list[str] = []
+        first: Set | None = None
+        for statement in body[start:]:
+            if not isinstance(statement, Set) or statement.comment or not statement.place.path:
+                break
+            place = statement.place
+            if first is None:
+                first = statement
+            same = place.root is first.place.root and len(place.path) == len(first.place.path)
+            text = self._assignment(statement)
+            array = not isinstance(place.path[-1], str)
+            if not same or not array or not self._siblings(place, first.place) or len(text) > _SHORT:
+                break
+            found.append(text)
+        return found
+
+    def _siblings(self, a: Place, b: Place) -> bool:
+        """Are both elements of the same array?"""
+        return self._expressions.place(a).rpartition("[")[0] == self._expressions.place(b).rpartition("[")[0]
+
+    def _packed(self, texts: list[str], indent: str) -> list[str]:
+        """Up to three assignments a line, in columns."""
+        width = max(len(t) for t in texts)
+        rows = [texts[i : i + 3] for i in range(0, len(texts), 3)]
+        return [indent + "  ".join(f"{t:<{width}}" for t in row).rstrip() for row in rows]
+
+    def _assignment(self, s: Set) -> str:
+        """`a = b;`, `a += b;`, and `a -= b;` for a + (-b), which is the same number."""
+        text, target = self._expressions.text, self._expressions.place(s.place)
+        if s.add and isinstance(s.value, Negate):
+            return f"{target} -= {text(s.value.operand)};"
+        return f"{target} {'+=' if s.add else '='} {text(s.value)};"
 
     def _initialised(self, body: tuple[Statement, ...], position: int) -> bool:
         """A scalar is declared, and the next statement gives it its first value."""
@@ -74,9 +117,8 @@ class Statements:
                 )
             case Declare(variable, comment):
                 return self._line(f"{declared(self._names, variable)};", indent, comment)
-            case Set(place, value, comment, add):
-                operator = "+=" if add else "="
-                return self._line(f"{self._expressions.place(place)} {operator} {text(value)};", indent, comment)
+            case Set():
+                return self._line(self._assignment(s), indent, s.comment)
             case Copy(target, source, comment):
                 return self._line(f"{self._whole(target)} = {self._whole(source)};", indent, comment)
             case Do(call, comment):

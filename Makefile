@@ -1,0 +1,46 @@
+# Everything lives in .venv: `make demo` and `make test` need nothing but Python >= 3.11, gcc and make.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
+
+.PHONY: help demo test setup generated lint clean
+
+help:
+	@echo "make demo       set up, generate bench8, verify it, print the table"
+	@echo "make test       the same, then all tests"
+	@echo "make setup      virtual environment with everything in .venv (run .venv/bin/mahovik)"
+	@echo "make generated  write generated/ anew from the example stands"
+	@echo "make lint       format, lint and type checks"
+	@echo "make clean      remove what the other targets made"
+
+demo: setup
+	$(BIN)/mahovik generate generator/mahovik/stands/bench8.toml -o build/demo/bench8
+	$(BIN)/mahovik verify generator/mahovik/stands/bench8.toml
+
+test: demo
+	$(BIN)/python -m pytest -q -n 2
+
+setup: $(READY)
+
+$(READY): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+	  || { echo "mahovik needs Python 3.11 or newer: try make PYTHON=python3.12"; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null \
+	  || { echo "this Python has no venv: on Debian, apt-get install python3-venv"; exit 1; }
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
+	@touch $(READY)
+
+generated: setup
+	@for stand in $(EXAMPLES); do \
+	  $(BIN)/mahovik generate generator/mahovik/stands/$$stand.toml -o generated/$$stand || exit 1; done
+
+lint: setup
+	$(BIN)/ruff check generator tests tools
+	$(BIN)/ruff format --check generator tests tools
+	$(BIN)/mypy
+
+clean:
+	rm -rf $(VENV) build dist .pytest_cache .hypothesis .mypy_cache .ruff_cache
