@@ -82,7 +82,7 @@ def summary(function: Function) -> list[str]:
 def titled(function: Function) -> str:
     """Purpose with the equation's number."""
     purpose = function.purpose.rstrip(".")
-    if not purpose[1:2].isupper() and purpose[1:2] not in "^ ":
+    if purpose[1:2].islower():
         purpose = purpose[0].lower() + purpose[1:]
     if function.equation:
         purpose += f", {function.equation}"

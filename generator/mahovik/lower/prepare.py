@@ -142,7 +142,11 @@ def prepare(lib: Library) -> Function:
     layout = lib.layout
     parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
     stand = Argument(
-        "stand", layout.table, (), "inout", purpose="its laws (gravity, damping, ...) are left as they are"
+        "stand",
+        layout.table,
+        (),
+        "inout",
+        purpose="begin with a copy of the default: its laws (gravity, damping, ...) stay",
     )
     p, out = parameters.place, stand.place
     body = Body()
