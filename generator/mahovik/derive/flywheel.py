@@ -88,7 +88,7 @@ def harmonics(expression: sp.Expr, phi: sp.Symbol) -> dict[str, sp.Expr]:
 
 @dataclass(frozen=True)
 class Inertia:
-    """Mass, first moment (3) and six moments of inertia: the numbers of a spatial inertia, or of one of its harmonics."""
+    """Mass, first moment (3) and six moments of inertia, of a spatial inertia or of one of its harmonics."""
 
     m: sp.Expr
     b: sp.Matrix

@@ -1,4 +1,4 @@
-"""Expressions of a program as C text. Parentheses stand where C would read another tree, and where gcc asks for them."""
+"""Expressions as C text. Parentheses stand where C would read another tree, and where gcc asks for them."""
 
 from __future__ import annotations
 

@@ -24,9 +24,10 @@ def damp(lib: Library) -> Function:
     factors: Place | None = None
     if layout.terms or layout.quadratic_damping:
         factors = body.local("x", (12,), comment="u v w p q r and their magnitudes")
-        for i in range(6):
-            body.set(factors[i], V.place[i])
-            body.set(factors[i + 6], magnitude(V.place[i]))
+        for k in range(6):
+            body.set(factors[k], V.place[k])
+        for k in range(6):
+            body.set(factors[k + 6], magnitude(V.place[k]))
     if layout.linear_damping:
         with body.loop("i", 6) as i:
             row = derived.row_times("linear", "V")
@@ -86,8 +87,8 @@ def suspend(lib: Library) -> Function:
     body_shift = body.local("shift1", (3,), comment="C^T (O1 - position)")
     turn = body.local("turn", (4,), comment="quaternion of C_eq^T C")
     angle = body.local("angle", (3,), comment="its rotation vector")
-    for i in range(3):
-        body.set(shift[i], x.place.position[i] - law.place.position[i])
+    for k in range(3):
+        body.set(shift[k], x.place.position[k] - law.place.position[k])
     body.call(lib["rotate_back"], C.place, shift, body_shift)
     binding = {"q_eq": law.place.attitude, "q": x.place.attitude}
     assign(body, list(turn), derived.relative_quaternion(), binding)

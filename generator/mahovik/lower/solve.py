@@ -56,7 +56,7 @@ def subtract_rates(lib: Library) -> Function:
     F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in: wrench (7); out: what K V* must equal")
     body = Body()
     z = list(Z.place)
-    binding = {f.name: sums.place.member(f.name) for f in lib.layout.sums.fields}
+    binding: dict[str, Any] = {f.name: sums.place.member(f.name) for f in lib.layout.sums.fields}
     binding |= parts_of_twist(V.place) | {"p": z[:3], "h": z[3:], "F": F.place}
     assign(body, list(F.place), derived.remainder(), binding)
     return Function(

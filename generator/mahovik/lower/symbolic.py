@@ -39,10 +39,7 @@ def translate(expression: sp.Expr, binding: Binding) -> Expr:
 
 def _place(name: str, binding: Binding) -> Expr:
     indexed = _INDEXED.fullmatch(name)
-    if indexed is None:
-        found = binding[name]
-    else:
-        found = binding[indexed[1]][int(indexed[2])]
+    found = binding[name] if indexed is None else binding[indexed[1]][int(indexed[2])]
     assert isinstance(found, Expr)
     return found
 

@@ -22,7 +22,7 @@ from mahovik.program.function import STATUS_VALUES, Argument, Function, Program
 from mahovik.program.interpret import Interpreter
 from mahovik.program.types import Kind, Precision
 from mahovik.stand.model import Body as StandBody
-from mahovik.stand.model import Damping, Flywheel, Instrument, Mat6, MountingAngles, Stand
+from mahovik.stand.model import Damping, Flywheel, Instrument, MountingAngles, Stand
 
 
 def conversions(precision: Precision) -> Program:
@@ -39,7 +39,7 @@ def _axes_of_angles(sincos: Function) -> Function:
     symbols = sp.symbols("psi theta phi")
     C = elementary(3, symbols[0]) * elementary(2, symbols[1]) * elementary(1, symbols[2])
     body = Body()
-    binding = {}
+    binding: dict[str, Any] = {}
     for i, angle in enumerate(symbols):
         s, c = body.local(f"s_{angle}"), body.local(f"c_{angle}")
         body.call(sincos, angles.place[i], s, c)
@@ -80,7 +80,9 @@ class Values:
         layout, stand = self._layout, self._stand
         found: dict[str, Any] = {"carrier": self._body(stand.carrier)}
         if layout.added_mass:
-            parts = [b.added_mass for b in (stand.carrier, *stand.instruments) if b.added_mass is not None]
+            parts = [p.added_mass for p in stand.instruments if p.added_mass is not None]
+            if stand.carrier.added_mass is not None:
+                parts.insert(0, stand.carrier.added_mass)
             found["added_mass"] = [[sum(part[i][j] for part in parts) for j in range(6)] for i in range(6)]
         if stand.instruments:
             found["instrument"] = [self._instrument(p) for p in stand.instruments]
@@ -168,7 +170,7 @@ class Values:
 
     def _damper(self, damping: Damping | None, terms: list[dict[str, Any]]) -> dict[str, Any]:
         """One damper; its hydrodynamic derivatives are appended to the table of terms."""
-        zero: Mat6 = ((0.0,) * 6,) * 6  # type: ignore[assignment]  # a tuple product has no known length
+        zero = ((0.0,) * 6,) * 6
         layout = self._layout
         found: dict[str, Any] = {}
         if layout.linear_damping:

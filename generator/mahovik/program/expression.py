@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from mahovik.program.types import Field, Kind, NamedCount, Struct
 
 if TYPE_CHECKING:
     from mahovik.program.function import Function
 
-Number = Union[int, float, Fraction]
-Operand = Union["Expr", int, float, Fraction, NamedCount]
+Number: TypeAlias = int | float | Fraction
+Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
 
 
 class Expr:
@@ -257,7 +257,7 @@ class Select(Expr):
 
 
 class Convert(Expr):
-    """A change of kind by value: int to real, word to int and back. Never real to int (undefined in C outside its range)."""
+    """A change of kind by value: int to real, word to int and back. Never real to int, which C may leave undefined."""
 
     __slots__ = ("operand",)
 
