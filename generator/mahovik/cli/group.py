@@ -13,7 +13,7 @@ from mahovik.errors import MahovikError
 
 
 class Commands(click.Group):
-    """A group whose commands end in `error: ...` lines and an exit status, never in a traceback for a user's mistake."""
+    """A group whose commands end in `error: ...` lines and an exit status; no traceback for a user's mistake."""
 
     def invoke(self, ctx: click.Context) -> Any:
         try:

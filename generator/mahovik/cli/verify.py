@@ -2,13 +2,149 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import click
 
-from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.arguments import NOT_YET_FLOAT, console, load_stand, real_option, stand_argument, table
+from mahovik.errors import UsageError
+
+if TYPE_CHECKING:
+    from mahovik.stand.model import Stand
+    from mahovik.verify.report import Report
 
 
 @click.command()
 @stand_argument
-def verify(stand_file: str) -> None:
-    """Judge C or any program by the reference."""
-    load_stand(stand_file)
+@click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="How many states.")
+@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Of the random states.")
+@click.option("--json", "as_json", is_flag=True, help="Print the table as JSON.")
+@click.option("--junit", metavar="FILE", type=click.Path(), help="Write the table as JUnit XML as well.")
+@click.option(
+    "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
+)
+@click.option("--against", metavar="DIR", type=click.Path(), help="Judge the C that lies there, not a fresh copy.")
+@click.option(
+    "--with", "command", metavar="COMMAND", help="Judge a program that reads states; {stand}: the stand file."
+)
+@click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
+@click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
+@real_option
+def verify(
+    stand_file: str,
+    states: int,
+    seed: int,
+    as_json: bool,
+    junit: str | None,
+    worst: str | None,
+    against: str | None,
+    command: str | None,
+    want: str | None,
+    timeout: float,
+    real: str,
+) -> None:
+    """Judge C or any program by the reference.
+
+    Generates the C of a stand, compiles it with warnings as errors, evaluates random and extreme states, and compares
+    every quantity with the literal reference, relative to its natural scale. Exit status 0 only if all agree.
+    """
+    if real == "float":
+        raise UsageError(NOT_YET_FLOAT)
+    if command is not None and against is not None:
+        raise UsageError("--with, --against: one of them")
+    if want is not None and command is None:
+        raise UsageError("--want goes with --with")
+    wants = read_wants(want)
+    stand = load_stand(stand_file)
+    if command is not None:
+        from mahovik.verify.foreign import verify_program
+
+        found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
+    else:
+        found = _verify_c(stand, seed, states, against, real)
+    _finish(found, as_json, junit, worst)
+
+
+def read_wants(text: str | None) -> tuple[str, ...]:
+    """The wants of `--want`. Raises UsageError."""
+    if text is None:
+        return ()
+    from mahovik.stand.names import nearest
+    from mahovik.verify.backends import WANTS
+
+    names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
+    for name in names:
+        if name not in WANTS:
+            raise UsageError(f'--want: unknown "{name}", did you mean "{nearest(name, list(WANTS))}"?')
+    return names
+
+
+def _verify_c(stand: Stand, seed: int, states: int, against: str | None, real: str) -> Report:
+    """With a line of progress on a terminal."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from mahovik.verify.harness import verify_c
+
+    err = Console(stderr=True)
+    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task(f"verify {stand.name}", total=states)
+        return verify_c(
+            stand,
+            seed=seed,
+            count=states,
+            against=None if against is None else Path(against),
+            real=real,
+            progress=lambda done, _: bar.update(task, completed=done),
+        )
+
+
+def _finish(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
+    """Print, write what was asked for, and end with the verdict as exit status."""
+    from mahovik.verify.files import write
+    from mahovik.verify.report import as_json as json_text
+    from mahovik.verify.report import as_junit, conclusion, worst_lines
+
+    if junit is not None:
+        write(Path(junit), as_junit(found))
+    lines = worst_lines(found)
+    target = Path(worst) if worst is not None else Path(f"{found.stand}-worst.jsonl")
+    written = bool(lines) and (worst is not None or not found.passed)
+    if written:
+        write(target, lines)
+    if as_json:
+        click.echo(json_text(found))
+    else:
+        _print(found, conclusion(found))
+    if written:
+        click.echo(f"worst states: {click.format_filename(target)}", err=as_json)
+    if found.error:
+        click.echo(f"error: {found.error}", err=True)
+    if not found.passed:
+        raise SystemExit(1)
+
+
+def _print(found: Report, conclusion: str) -> None:
+    from rich.text import Text
+
+    out = console()
+    head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
+    out.print(Text(head))
+    rows = table("quantity", "want", "states>", "worst>", "at state", "verdict")
+    for row in found.rows:
+        judged = row.verdict in ("ok", "FAILED") and row.want
+        style = "green" if row.verdict == "ok" else "red" if row.failed else "yellow"
+        verdict = Text(row.verdict, style)
+        if row.reason:
+            verdict.append(f"  {row.reason}")
+        rows.add_row(
+            Text(row.quantity),
+            row.want,
+            str(row.states) if row.states else "",
+            f"{row.worst:.1e}" if judged else "",
+            Text(row.state),
+            verdict,
+        )
+    out.print(rows)
+    out.print(Text(conclusion, "bold green" if found.passed else "bold red"))

@@ -1,0 +1,68 @@
+"""The states of a verification: ordinary and extreme ones, the same for the same seed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from types import MappingProxyType
+from typing import cast
+
+import numpy as np
+
+from mahovik.reference.rotation import carrier_rotation
+from mahovik.reference.wrenches import suspension_displacement
+from mahovik.stand.model import Stand, Vec6
+from mahovik.stand.random_state import EXTREMES, extreme_state, random_state
+from mahovik.stand.state import State
+from mahovik.verify.states import MAX_PHASE
+
+CUT = 1e-6
+"""rad; nearer than this to a half turn of the suspension, rounding decides which way it is turned back."""
+
+
+def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bool = True) -> list[tuple[str, State]]:
+    """`count` states with their names, `KIND NUMBER`: two ordinary, one extreme, and so on.
+
+    Every fourth ordinary one has a run-time wrench on every body, where `wrenches` allows it.
+    """
+    found = []
+    rng = np.random.default_rng(seed)
+    for number, kind in zip(range(count), _kinds(), strict=False):
+        state = _one(stand, rng, kind, real)
+        while _on_the_cut(stand, state):
+            state = _one(stand, rng, "random", real)
+        if not wrenches and kind == "wrenched":
+            state = replace(state, wrench=MappingProxyType({}))
+        found.append((f"{kind} {number}", state))
+    return found
+
+
+def _kinds() -> Iterator[str]:
+    yield "rest"
+    extremes = [kind for kind in EXTREMES if kind != "rest"]
+    number = 0
+    while True:
+        yield "random"
+        yield "wrenched" if number % 2 else "random"
+        yield extremes[number % len(extremes)]
+        number += 1
+
+
+def _one(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
+    if kind in EXTREMES:
+        return extreme_state(stand, rng, kind, MAX_PHASE[real])
+    state = random_state(stand, rng)
+    if kind == "wrenched":
+        wrench = {body.name: cast(Vec6, tuple(map(float, rng.normal(size=6) * 5))) for body in stand.bodies}
+        return replace(state, wrench=MappingProxyType(wrench))
+    return state
+
+
+def _on_the_cut(stand: Stand, state: State) -> bool:
+    """Whether the suspension is turned by a half turn, where two rotation vectors are equally right."""
+    if stand.suspension is None:
+        return False
+    C = carrier_rotation(stand, state)
+    x = suspension_displacement(stand.suspension, stand.angles, np.array(state.position), C)
+    return math.hypot(*x[3:]) > math.pi - CUT

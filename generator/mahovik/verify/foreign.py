@@ -1,0 +1,149 @@
+"""Any program that speaks the `eval` contract, judged as a whole: states into it, its results against the reference."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shlex
+import signal
+import subprocess
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from mahovik.errors import CheckFailed, UsageError
+from mahovik.stand.model import Stand
+from mahovik.stand.state import State
+from mahovik.verify.backends import WANTS
+from mahovik.verify.compare import TOLERANCE, Judge, Row
+from mahovik.verify.draw import draw
+from mahovik.verify.evaluate import state_line
+from mahovik.verify.harness import askable, report
+from mahovik.verify.report import Report
+from mahovik.verify.states import Request
+
+
+def verify_program(
+    stand: Stand,
+    command: str,
+    stand_file: str,
+    *,
+    wants: Sequence[str] = (),
+    seed: int = 1,
+    count: int = 200,
+    timeout: float = 300.0,
+    tolerance: float = TOLERANCE["double"],
+) -> Report:
+    """Judge `command`; `{stand}` in it becomes the stand file. `wants`: those it must offer; else what it does offer.
+
+    A program that dies, hangs, drops lines or prints anything else is reported with an `error`.
+    Raises UsageError where it cannot be started.
+    """
+    states = draw(stand, seed, count)
+    requests = _requests(states, wants or WANTS)
+    lines = [state_line(request) for request in requests]
+    try:
+        output = run(_words(command, stand_file), "".join(f"{line}\n" for line in lines), timeout)
+        found = read_results(output, requests)
+    except CheckFailed as error:
+        return report(stand, command, seed, len(states), tolerance, (), str(error))
+    rows = _rows(stand, requests, found, tolerance, bool(wants))
+    return report(stand, command, seed, len(states), tolerance, rows)
+
+
+def _requests(states: Sequence[tuple[str, State]], wants: Sequence[str]) -> list[Request]:
+    """One want a line, so that a want which a program lacks spoils no other."""
+    return [
+        Request(f"{name}, {want}", state, (want,)) for name, state in states for want in wants if askable(state, want)
+    ]
+
+
+def _words(command: str, stand_file: str) -> list[str]:
+    try:
+        words = [word.replace("{stand}", stand_file) for word in shlex.split(command)]
+    except ValueError as error:
+        raise UsageError(f"--with {command}: {error}") from None
+    if not words:
+        raise UsageError("--with: no command")
+    return words
+
+
+def run(words: Sequence[str], text: str, timeout: float) -> bytes:
+    """Standard output of a program that reads `text`. Raises CheckFailed, UsageError where it cannot be started."""
+    try:
+        process = subprocess.Popen(
+            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+        )
+    except (OSError, ValueError) as error:
+        raise UsageError(f"--with {words[0]}: cannot be started: {getattr(error, 'strerror', None) or error}") from None
+    with process:
+        try:
+            output, complaint = process.communicate(text.encode(), timeout)
+        except subprocess.TimeoutExpired:
+            raise CheckFailed(f"{words[0]} gave no complete answer in {timeout:g} s") from None
+        finally:
+            _stop(process)
+    if process.returncode not in (0, 1):  # 1: some states failed, which their lines say
+        last = complaint.decode("utf-8", "replace").strip().splitlines()[-1:]
+        how = f"signal {-process.returncode}" if process.returncode < 0 else f"status {process.returncode}"
+        raise CheckFailed(f"{words[0]} ended with {how}" + (f": {last[0][:200]}" if last else ""))
+    if not output.strip() and complaint.strip():
+        raise CheckFailed(
+            f"{words[0]} gave nothing: {complaint.decode('utf-8', 'replace').strip().splitlines()[-1][:200]}"
+        )
+    return output
+
+
+def _stop(process: subprocess.Popen[bytes]) -> None:
+    """End a program that is still there, with all that it started."""
+    if process.poll() is None:
+        with contextlib.suppress(OSError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+
+
+def read_results(output: bytes, requests: Sequence[Request]) -> list[Mapping[str, Any]]:
+    """A result for every request, in order. Raises CheckFailed."""
+    found: list[Mapping[str, Any]] = []
+    lines = [line for line in output.split(b"\n") if line.strip()]
+    for number, (line, request) in enumerate(zip(lines, requests, strict=False), start=1):
+        try:
+            result = json.loads(line)
+        except (ValueError, RecursionError):
+            raise CheckFailed(f"line {number} of its output is no JSON: {_start(line)}") from None
+        if not isinstance(result, dict):
+            raise CheckFailed(f"line {number} of its output is no object: {_start(line)}")
+        if result.get("id") != request.id:
+            given = json.dumps(result.get("id"))[:60]
+            raise CheckFailed(f'line {number} of its output has the id {given}, expected "{request.id}"')
+        found.append(result)
+    if len(lines) != len(requests):
+        raise CheckFailed(f"{len(lines)} lines of output for {len(requests)} states")
+    return found
+
+
+def _start(line: bytes) -> str:
+    return ascii(line[:60].decode("utf-8", "replace"))
+
+
+def _rows(
+    stand: Stand, requests: Sequence[Request], found: Sequence[Mapping[str, Any]], tolerance: float, required: bool
+) -> list[Row]:
+    """Rows of the wants it offers; one row for each it does not."""
+    judge = Judge(stand, tolerance)
+    wants = list(dict.fromkeys(request.want[0] for request in requests))
+    offered = {request.want[0] for request, result in zip(requests, found, strict=True) if "error" not in result}
+    for request, result in zip(requests, found, strict=True):
+        want = request.want[0]
+        if want not in offered:
+            continue
+        if "error" in result:
+            judge.refused(request, want, f"refused: {result['error']}"[:200])
+        else:
+            judge.compare(request, want, result)
+    rows = judge.rows()
+    for want in wants:
+        if want not in offered:
+            reason = next(str(r["error"])[:200] for q, r in zip(requests, found, strict=True) if q.want[0] == want)
+            rows.append(Row(want, want, verdict="MISSING" if required else "not offered", reason=reason))
+    return rows

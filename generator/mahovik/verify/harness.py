@@ -1,0 +1,138 @@
+"""Judging a backend, and the generated C in particular, by the literal reference over random and extreme states."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from mahovik.errors import StateError
+from mahovik.stand.identity import identities
+from mahovik.stand.model import Stand
+from mahovik.stand.state import State
+from mahovik.verify.backends import Backend
+from mahovik.verify.compare import TOLERANCE, Judge, Row, same_bits
+from mahovik.verify.draw import draw
+from mahovik.verify.refusals import refusals
+from mahovik.verify.report import Report
+from mahovik.verify.states import Request
+
+if TYPE_CHECKING:
+    from mahovik.verify.c_backend import CBackend
+
+PROGRAM_WANTS = ("matrices", "momentum", "forward", "generalized")
+"""What generated C offers."""
+
+Progress = Callable[[int, int], None]
+"""States done, states in all."""
+
+
+def askable(state: State, want: str) -> bool:
+    """Whether the contract lets a state ask for it: `generalized` wants angles."""
+    return want != "generalized" or state.quaternion is None
+
+
+def judge(
+    stand: Stand,
+    backend: Backend,
+    states: Sequence[tuple[str, State]],
+    wants: Sequence[str] = PROGRAM_WANTS,
+    tolerance: float = TOLERANCE["double"],
+    progress: Progress | None = None,
+) -> list[Row]:
+    """Rows of every quantity that `wants` give: the backend against the reference."""
+    found = Judge(stand, tolerance)
+    for done, (name, state) in enumerate(states):
+        for want in wants:
+            if not askable(state, want):
+                continue
+            request = Request(name, state, (want,))
+            if found.expected(state, want) is None:
+                continue
+            try:
+                found.compare(request, want, backend.evaluate(state, (want,)))
+            except StateError as error:
+                found.refused(request, want, f"refused: {error}")
+        if progress is not None:
+            progress(done + 1, len(states))
+    return found.rows()
+
+
+def verify_c(
+    stand: Stand,
+    *,
+    seed: int = 1,
+    count: int = 200,
+    against: Path | None = None,
+    real: str = "double",
+    progress: Progress | None = None,
+) -> Report:
+    """Generated C, fresh or as it lies in `against`: compiled without a warning, and judged.
+
+    Raises ToolchainError where it does not compile, CheckFailed where it is of another stand.
+    """
+    from mahovik.verify.c_backend import CBackend
+
+    backend = CBackend(stand, real, against)
+    states = draw(stand, seed, count, real, wrenches=against is None)
+    rows = judge(stand, backend, states, PROGRAM_WANTS, TOLERANCE[real], progress)
+    rows.append(bits(backend, states, against))
+    rows.append(refusals(backend.program, _good_inputs(backend, states), _raw(backend)))
+    judged = "generated C" if against is None else f"C in {against}"
+    return report(stand, judged, seed, len(states), TOLERANCE[real], rows)
+
+
+def report(
+    stand: Stand, judged: str, seed: int, count: int, tolerance: float, rows: Sequence[Row], error: str = ""
+) -> Report:
+    """The report of these rows on a stand."""
+    names = identities(stand)
+    return Report(stand.name, names.structure, names.physics, judged, seed, count, tolerance, tuple(rows), error)
+
+
+def bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path | None) -> Row:
+    """The interpreter of the program gives the same bits as the compiled C: printer, templates and compiler are right.
+
+    C that another version generated may round otherwise: it is held to the tolerance only.
+    """
+    row = Row("", "interpreter = C, bit for bit", verdict="ok")
+    if against is not None and not _same_text(backend.generated.files, against):
+        row.verdict, row.reason = "not compared", "its text is not what this version generates"
+        return row
+    for name, state in states:
+        wants = [want for want in PROGRAM_WANTS if askable(state, want)]
+        row.states += 1
+        for want in wants:
+            if same_bits(_outcome(backend.evaluate, state, want), _outcome(backend.interpreter_evaluate, state, want)):
+                continue
+            if row.verdict == "ok":
+                row.verdict, row.state, row.request = "FAILED", name, Request(name, state, (want,))
+                row.reason = f"{want} differs"
+    return row
+
+
+def _outcome(evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: State, want: str) -> Any:
+    """Results, or the words of the refusal: these must be equal as well."""
+    try:
+        return evaluate(state, (want,))
+    except StateError as error:
+        return str(error)
+
+
+def _same_text(files: Mapping[str, str], folder: Path) -> bool:
+    return all(
+        (folder / name).read_bytes().replace(b"\r\n", b"\n") == text.encode("utf-8") for name, text in files.items()
+    )
+
+
+def _good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
+    """Arguments of an ordinary state, with angles as well."""
+    state = next((s for name, s in states if name.startswith("random")), states[0][1])
+    return {**backend.arguments(state), "angles": (0.1, 0.7, -0.2)}
+
+
+def _raw(backend: CBackend) -> Callable[[str, Mapping[str, Any], float], tuple[int, dict[str, Any]]]:
+    def call(name: str, inputs: Mapping[str, Any], fill: float) -> tuple[int, dict[str, Any]]:
+        return backend.library.run(backend.program.function(name), inputs, fill)
+
+    return call

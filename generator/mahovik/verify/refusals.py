@@ -1,0 +1,98 @@
+"""What every function must refuse: inputs that are not finite or out of range, with its outputs untouched."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from mahovik.program.function import STATUS_VALUES, Program
+from mahovik.verify.compare import Row
+
+SENTINEL = 12345.678  # exact in no way that matters: outputs are filled with it, and must still hold it
+
+Call = Callable[[str, Mapping[str, Any], float], tuple[int, dict[str, Any]]]
+"""Function name, inputs by argument name, number that its outputs hold beforehand; status and outputs."""
+
+_LIMITS = {
+    "position": (1e6,) * 3,
+    "V": (1e4,) * 3 + (1e5,) * 3,
+    "phi": (1e7,),
+    "phi_dot": (1e5,),
+    "phi_ddot": (1e9,),
+    "wrench": (1e9,),
+    "angles": (1e7,),
+}
+_NEVER = ("prepare",)  # takes parameters, not a state
+
+
+def refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Row:
+    """Every function of a state with one bad number at a time. `inputs` is a good state by argument name."""
+    row = Row("", "bad inputs refused, outputs untouched", verdict="ok")
+    for function in program.functions:
+        names = {a.name for a in function.arguments if a.direction == "in"}
+        if not function.public or function.name in _NEVER or not names & {"x", "angles"}:
+            continue
+        for where, value, bad, expected in bad_inputs({n: v for n, v in inputs.items() if n in names}):
+            if where.startswith("attitude") and "angles" in names:
+                continue  # not read
+            status, outputs = call(function.name, bad, SENTINEL)
+            row.states += 1
+            words = f"{function.name}: {where} = {value:g}"
+            if status != STATUS_VALUES[expected]:
+                row.verdict, row.state, row.reason = "FAILED", words, f"status {status}, expected {expected}"
+            elif not all(number == SENTINEL for number in _numbers(outputs)):
+                row.verdict, row.state, row.reason = "FAILED", words, "refused, but outputs were written"
+    return row
+
+
+def bad_inputs(inputs: Mapping[str, Any]) -> Iterator[tuple[str, float, dict[str, Any], str]]:
+    """Copies of the inputs with one bad number each: where, the number, the inputs, the status that is due."""
+    paths = [("x", name) for name in inputs.get("x", {})] + [(name,) for name in inputs if name in _LIMITS]
+    for path in paths:
+        name = path[-1]
+        count = len(_at(inputs, path))
+        if name == "attitude":
+            yield _with(inputs, path, None, 1.01)
+            yield _with(inputs, path, None, 0.99)
+        for index in range(count):
+            bad = [math.nan, math.inf, -math.inf]
+            limits = _LIMITS.get(name)
+            if limits is not None:
+                limit = limits[index % len(limits)] * (1 + 1e-6)
+                bad += [limit, -limit]
+            for value in bad:
+                yield _with(inputs, path, index, value)
+
+
+def _with(
+    inputs: Mapping[str, Any], path: tuple[str, ...], index: int | None, value: float
+) -> tuple[str, float, dict[str, Any], str]:
+    """One number replaced; without index, all of them multiplied."""
+    changed = dict(inputs)
+    if path[0] == "x":
+        changed["x"] = dict(inputs["x"])
+    old = list(_at(inputs, path))
+    new = [x * value for x in old] if index is None else [*old[:index], value, *old[index + 1 :]]
+    holder = changed["x"] if path[0] == "x" else changed
+    holder[path[-1]] = new
+    where = path[-1] + ("" if index is None else f"[{index}]")
+    return where, value, changed, "RANGE" if math.isfinite(value) else "NOT_FINITE"
+
+
+def _at(inputs: Mapping[str, Any], path: tuple[str, ...]) -> Any:
+    found: Any = inputs
+    for name in path:
+        found = found[name]
+    return found
+
+
+def _numbers(value: Any) -> Iterator[float]:
+    if isinstance(value, Mapping):
+        for each in value.values():
+            yield from _numbers(each)
+    elif isinstance(value, list | tuple):
+        for each in value:
+            yield from _numbers(each)
+    else:
+        yield value

@@ -1,0 +1,121 @@
+"""The verdict of a verification: its data, as JSON and as JUnit XML."""
+
+from __future__ import annotations
+
+import json
+import math
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass
+from typing import Any
+
+from mahovik.verify.compare import Row
+from mahovik.verify.evaluate import state_line
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was compared, of which stand, and how it came out."""
+
+    stand: str
+    structure: str
+    physics: str
+    judged: str
+    seed: int
+    states: int
+    tolerance: float
+    rows: tuple[Row, ...]
+    error: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Something was compared, and nothing failed."""
+        return not self.error and any(row.verdict == "ok" for row in self.rows) and not self.failures
+
+    @property
+    def failures(self) -> tuple[Row, ...]:
+        """Rows that failed."""
+        return tuple(row for row in self.rows if row.failed)
+
+
+def conclusion(report: Report) -> str:
+    """The verdict in one line."""
+    if report.error:
+        return f"FAILED: {report.error}"
+    if report.failures:
+        return f"FAILED: {', '.join(dict.fromkeys(row.quantity for row in report.failures))}"
+    if not report.passed:
+        return "FAILED: nothing was compared"
+    worst = max(row.worst for row in report.rows if row.verdict == "ok")
+    return f"passed: worst {worst:.1e} of the natural scale, {report.tolerance:.0e} accepted"
+
+
+def as_json(report: Report) -> str:
+    """The table for programs. A difference that is no number (missing, refused, not finite) is null."""
+    rows = [
+        {
+            "want": row.want,
+            "quantity": row.quantity,
+            "states": row.states,
+            "worst": row.worst if math.isfinite(row.worst) else None,
+            "state": row.state,
+            "verdict": row.verdict,
+            "reason": row.reason,
+        }
+        for row in report.rows
+    ]
+    found: dict[str, Any] = {
+        "stand": report.stand,
+        "structure": report.structure,
+        "physics": report.physics,
+        "judged": report.judged,
+        "seed": report.seed,
+        "states": report.states,
+        "tolerance": report.tolerance,
+        "passed": report.passed,
+        "conclusion": conclusion(report),
+        "rows": rows,
+    }
+    return json.dumps(found, indent=1, allow_nan=False)
+
+
+def as_junit(report: Report) -> str:
+    """The table for continuous integration: a test case a row."""
+    suite = ET.Element("testsuite", name=f"mahovik verify {report.stand}")
+    skipped = 0
+    for row in report.rows:
+        name = f"{row.want}: {row.quantity}" if row.want else row.quantity
+        case = ET.SubElement(suite, "testcase", classname=f"mahovik.{report.stand}", name=name)
+        words = f"{row.verdict}, {row.states} states, worst {row.worst:.3g} at {row.state or '-'}"
+        if row.failed:
+            failure = ET.SubElement(case, "failure", message=_printable(f"{words} {row.reason}".strip()))
+            failure.text = _printable(state_line(row.request) if row.request else row.reason)
+        elif row.verdict != "ok":
+            skipped += 1
+            ET.SubElement(case, "skipped", message=_printable(f"{row.verdict} {row.reason}".strip()))
+    errors = 0
+    if report.error or not report.rows:
+        errors = 1
+        case = ET.SubElement(suite, "testcase", classname=f"mahovik.{report.stand}", name="run")
+        ET.SubElement(case, "error", message=_printable(report.error or "nothing was compared"))
+    counts = {
+        "tests": len(suite),
+        "failures": len(report.failures),
+        "errors": errors,
+        "skipped": skipped,
+    }
+    for name, number in counts.items():
+        suite.set(name, str(number))
+    ET.indent(suite)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, encoding="unicode") + "\n"
+
+
+def worst_lines(report: Report) -> str:
+    """States as `eval` takes them: the worst of every quantity that failed, or of all where none did; worst first."""
+    rows = [row for row in report.failures or report.rows if row.request is not None]
+    rows.sort(key=lambda row: -row.worst)
+    return "".join(f"{line}\n" for line in dict.fromkeys(state_line(row.request) for row in rows if row.request))
+
+
+def _printable(text: str) -> str:
+    """Text that XML can hold: a foreign program may print anything."""
+    return "".join(c if c in "\t\n" or (c >= " " and c.isprintable()) else "?" for c in text)

@@ -1,0 +1,39 @@
+"""The natural scale of every quantity: what its difference to the reference is measured against.
+
+A quantity is a sum of products. Its scale is the same sum with every term by its magnitude, so that it says how
+large the numbers are that rounding acted on: a component that is small because large terms cancel is not asked
+for digits that no program can have. Rotations mix components, so a vector that is turned counts by its length,
+and what a linear system is solved for goes through the magnitudes of the inverse. See docs/verification.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from mahovik.reference import Pieces
+from mahovik.stand.model import Stand
+from mahovik.stand.state import State
+from mahovik.verify.scales.direct import forward, generalized, matrices, momentum
+from mahovik.verify.scales.inverse import coupled, inverse
+from mahovik.verify.scales.magnitudes import Magnitudes
+from mahovik.verify.scales.mounts import mounts, points, torque
+
+Scales = dict[str, Any]
+
+WANT_SCALES: Mapping[str, Callable[[Magnitudes], Scales]] = {
+    "matrices": matrices,
+    "momentum": momentum,
+    "forward": forward,
+    "generalized": generalized,
+    "torque": torque,
+    "mounts": mounts,
+    "points": points,
+    "coupled": coupled,
+    "inverse": inverse,
+}
+
+
+def scales(stand: Stand, state: State, at: Pieces, want: str) -> Scales:
+    """Scales of what `want` gives, in the same shapes; None for what must be equal (a status, a rank)."""
+    return WANT_SCALES[want](Magnitudes(stand, state, at))
