@@ -102,31 +102,41 @@ def _verify_c(stand: Stand, seed: int, states: int, against: str | None, real: s
 
 def _finish(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
     """Print, write what was asked for, and end with the verdict as exit status."""
-    from mahovik.verify.files import write
     from mahovik.verify.report import as_json as json_text
-    from mahovik.verify.report import as_junit, conclusion, worst_lines
 
-    if junit is not None:
-        write(Path(junit), as_junit(found))
-    lines = worst_lines(found)
-    target = Path(worst) if worst is not None else Path(f"{found.stand}-worst.jsonl")
-    written = bool(lines) and (worst is not None or not found.passed)
-    if written:
-        write(target, lines)
     if as_json:
         click.echo(json_text(found))
     else:
-        _print(found, conclusion(found))
-    if written:
-        click.echo(f"worst states: {click.format_filename(target)}", err=as_json)
+        _print(found)
     if found.error:
         click.echo(f"error: {found.error}", err=True)
+    try:
+        _write(found, as_json, junit, worst)
+    except UsageError as error:
+        if found.passed:
+            raise
+        click.echo(f"error: {error}", err=True)  # the verdict counts for more
     if not found.passed:
         raise SystemExit(1)
 
 
-def _print(found: Report, conclusion: str) -> None:
+def _write(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
+    from mahovik.verify.files import write
+    from mahovik.verify.report import as_junit, worst_lines
+
+    if junit is not None:
+        write(Path(junit), as_junit(found))
+    lines = worst_lines(found)
+    if lines and (worst is not None or not found.passed):
+        target = Path(worst) if worst is not None else Path(f"{found.stand}-worst.jsonl")
+        write(target, lines)
+        click.echo(f"worst states: {click.format_filename(target)}", err=as_json)
+
+
+def _print(found: Report) -> None:
     from rich.text import Text
+
+    from mahovik.verify.report import conclusion
 
     out = console()
     head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
@@ -146,5 +156,6 @@ def _print(found: Report, conclusion: str) -> None:
             Text(row.state),
             verdict,
         )
-    out.print(rows)
-    out.print(Text(conclusion, "bold green" if found.passed else "bold red"))
+    if found.rows:
+        out.print(rows)
+    out.print(Text("FAILED" if found.error else conclusion(found), "bold green" if found.passed else "bold red"))

@@ -45,7 +45,8 @@ class Row:
         """Count one state."""
         self.states += 1
         if difference > self.worst or self.request is None:
-            self.worst, self.state, self.request, self.reason = difference, str(request.id), request, reason
+            self.worst, self.request, self.reason = difference, request, reason
+            self.state = str(request.id).partition(",")[0]
 
 
 class Judge:

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
-import os
 import shlex
-import signal
-import subprocess
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -16,6 +12,7 @@ from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.backends import WANTS
 from mahovik.verify.compare import TOLERANCE, Judge, Row
+from mahovik.verify.converse import converse
 from mahovik.verify.draw import draw
 from mahovik.verify.evaluate import state_line
 from mahovik.verify.harness import askable, report
@@ -43,7 +40,7 @@ def verify_program(
     requests = _requests(states, wants or WANTS)
     lines = [state_line(request) for request in requests]
     try:
-        output = run(_words(command, stand_file), "".join(f"{line}\n" for line in lines), timeout)
+        output = converse(_words(command, stand_file), lines, timeout)
         found = read_results(output, requests)
     except CheckFailed as error:
         return report(stand, command, seed, len(states), tolerance, (), str(error))
@@ -68,44 +65,9 @@ def _words(command: str, stand_file: str) -> list[str]:
     return words
 
 
-def run(words: Sequence[str], text: str, timeout: float) -> bytes:
-    """Standard output of a program that reads `text`. Raises CheckFailed, UsageError where it cannot be started."""
-    try:
-        process = subprocess.Popen(
-            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
-        )
-    except (OSError, ValueError) as error:
-        raise UsageError(f"--with {words[0]}: cannot be started: {getattr(error, 'strerror', None) or error}") from None
-    with process:
-        try:
-            output, complaint = process.communicate(text.encode(), timeout)
-        except subprocess.TimeoutExpired:
-            raise CheckFailed(f"{words[0]} gave no complete answer in {timeout:g} s") from None
-        finally:
-            _stop(process)
-    if process.returncode not in (0, 1):  # 1: some states failed, which their lines say
-        last = complaint.decode("utf-8", "replace").strip().splitlines()[-1:]
-        how = f"signal {-process.returncode}" if process.returncode < 0 else f"status {process.returncode}"
-        raise CheckFailed(f"{words[0]} ended with {how}" + (f": {last[0][:200]}" if last else ""))
-    if not output.strip() and complaint.strip():
-        raise CheckFailed(
-            f"{words[0]} gave nothing: {complaint.decode('utf-8', 'replace').strip().splitlines()[-1][:200]}"
-        )
-    return output
-
-
-def _stop(process: subprocess.Popen[bytes]) -> None:
-    """End a program that is still there, with all that it started."""
-    if process.poll() is None:
-        with contextlib.suppress(OSError):
-            os.killpg(process.pid, signal.SIGKILL)
-        process.kill()
-
-
-def read_results(output: bytes, requests: Sequence[Request]) -> list[Mapping[str, Any]]:
+def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Mapping[str, Any]]:
     """A result for every request, in order. Raises CheckFailed."""
     found: list[Mapping[str, Any]] = []
-    lines = [line for line in output.split(b"\n") if line.strip()]
     for number, (line, request) in enumerate(zip(lines, requests, strict=False), start=1):
         try:
             result = json.loads(line)
