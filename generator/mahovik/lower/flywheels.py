@@ -69,12 +69,13 @@ def start_sums(lib: Library) -> Function:
 def add_flywheel(lib: Library) -> Function:
     """One row at its phase."""
     row = Argument("row", lib.layout.row)
-    phi = Argument("phi", Kind.REAL, unit="rad")
+    sine = Argument("s", Kind.REAL, purpose="sin phi")
+    cosine = Argument("c", Kind.REAL, purpose="cos phi")
     phi_dot = Argument("phi_dot", Kind.REAL, unit="rad/s")
     phi_ddot = Argument("phi_ddot", Kind.REAL, unit="rad/s2")
     sums = Argument("sum", lib.layout.sums, (), "inout")
     body = Body()
-    given = sine_and_cosine(lib, body, phi.place)
+    given: dict[str, Expr] = {"s": sine.place, "c": cosine.place}
     given |= {"phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
     weights = let_weights(body, given, tuple(_COMMENTS))
     binding = weights | columns_of(row.place)
@@ -92,7 +93,7 @@ def add_flywheel(lib: Library) -> Function:
     return Function(
         "add_flywheel",
         "Adds what one flywheel's row gives at its phase to the sums.",
-        (row, phi, phi_dot, phi_ddot, sums),
+        (row, sine, cosine, phi_dot, phi_ddot, sums),
         body.statements,
         equation="(2), (5), (6)",
     )

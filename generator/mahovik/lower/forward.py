@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.derive import wrench as derived
+from mahovik.lower.flywheels import sine_and_cosine
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body
@@ -17,12 +18,18 @@ STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
 
 @dataclass(frozen=True)
 class Scene:
-    """What the equations are evaluated with: C (where needed), V relative to the stream, stream in E1, sums."""
+    """What the equations are evaluated with; None where the stand has no need of it.
+
+    C attitude; V relative to the stream; stream and g (gravity) in E1; sums over all bodies; axial: moments of the
+    flywheels' own wrenches about their axes.
+    """
 
     C: Place | None
     V: Place
     stream: Place | None
+    g: Place | None
     sums: Place
+    axial: Place | None
 
 
 def check_inputs(
@@ -37,10 +44,10 @@ def check_inputs(
         lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_WRENCH"].expression)
 
 
-def scene(lib: Library, body: Body, stand: Place, x: Place, phi_ddot: Place | None, attitude: bool = False) -> Scene:
-    """Attitude, twist relative to the stream, and the sums over all bodies. `attitude`: C even where (8) needs none."""
+def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = False) -> Scene:
+    """Attitude, twist relative to the stream, gravity, and places for sums. `attitude`: C even where (8) needs none."""
     layout = lib.layout
-    C = stream = None
+    C = stream = g = axial = None
     V = x.V
     if layout.attitude_needed or attitude:
         C = body.local("C", (9,), comment="attitude")
@@ -52,13 +59,26 @@ def scene(lib: Library, body: Body, stand: Place, x: Place, phi_ddot: Place | No
         V = body.local("V", (6,), comment="V relative to the stream: the fluid's frame is inertial as well")
         for i in range(6):
             body.set(V[i], x.V[i] - stream[i] if i < 3 else x.V[i])
+    if layout.weight:
+        assert C is not None
+        g = body.local("g", (3,), comment="gravity in E1")
+        body.call(lib["rotate_back"], C, stand.gravity, g)
+    if layout.own_turning:
+        axial = body.local("axial", (layout.count,), comment="moments of own wrenches about the spin axes")
     sums = body.local("sum", (), layout.sums)
+    return Scene(C, V, stream, g, sums, axial)
+
+
+def sum_up(lib: Library, body: Body, stand: Place, x: Place, sums: Place, phi_ddot: Place | None) -> None:
+    """Sums over all bodies; without phi_ddot those of constant speeds."""
+    layout = lib.layout
     body.call(lib["start_sums"], stand, sums)
     if layout.flywheels:
         with body.loop("s", layout.count) as s:
             acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
-            body.call(lib["add_flywheel"], stand.flywheel[s], x.phi[s], x.phi_dot[s], acceleration, sums)
-    return Scene(C, V, stream, sums)
+            turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+            row = stand.flywheel[s]
+            body.call(lib["add_flywheel"], row, turn["s"], turn["c"], x.phi_dot[s], acceleration, sums)
 
 
 def external_wrench(
@@ -69,12 +89,20 @@ def external_wrench(
         for element in F:
             body.set(element, real(0))
         return
-    named = {"stand": stand, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "F": F}
+    named = {"stand": stand, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "g": seen.g, "F": F}
+    named["axial"] = seen.axial
     passed = lib.passed("external", **named, **{w.name: w.place for w in wrench})
     if lib["external"].returns is None:
         body.call(lib["external"], *passed)
     else:
         lib.check(body, "external", *passed)
+
+
+def drift_of(body: Body, x: Place, stream: Place) -> Place:
+    """omega x C^T u: V_r* = V* + (omega x C^T u, 0)."""
+    drift = body.local("drift", (3,), comment="omega x C^T u")
+    assign(body, list(drift), derived.turning_velocity(), {"omega": list(x.V)[3:], "O": stream})
+    return drift
 
 
 def forward(lib: Library) -> Function:
@@ -84,7 +112,8 @@ def forward(lib: Library) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
     check_inputs(lib, body, x, phi_ddot, wrench)
-    seen = scene(lib, body, stand.place, x.place, phi_ddot[0].place if phi_ddot else None)
+    seen = scene(lib, body, stand.place, x.place)
+    sum_up(lib, body, stand.place, x.place, seen.sums, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="wrench (7); then what K V* must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     result = body.local("result", (6,))
@@ -94,9 +123,7 @@ def forward(lib: Library) -> Function:
     lib.check(body, "solve_carrier", stand.place, seen.sums, F, result)
     if seen.stream is not None:
         body.note("V* = V_r* - (omega x C^T u, 0)")
-        omega = list(x.place.V)[3:]
-        drift = body.local("drift", (3,), comment="omega x C^T u")
-        assign(body, list(drift), derived.turning_velocity(), {"omega": omega, "O": seen.stream})
+        drift = drift_of(body, x.place, seen.stream)
         for i in range(3):
             body.set(result[i], result[i] - drift[i])
     body.copy_array(V_dot.place, result)
@@ -120,7 +147,8 @@ def wrench_function(lib: Library) -> Function:
     F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "total external wrench on the carrier, in E1 about O1")
     body = Body()
     check_inputs(lib, body, x, (), wrench)
-    seen = scene(lib, body, stand.place, x.place, None)
+    seen = scene(lib, body, stand.place, x.place)
+    sum_up(lib, body, stand.place, x.place, seen.sums, None)
     result = body.local("result", (6,))
     external_wrench(lib, body, stand.place, x.place, seen, wrench, result)
     body.copy_array(F.place, result)

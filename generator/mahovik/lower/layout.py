@@ -222,6 +222,7 @@ class Layout:
             Field("t_c", REAL, (3,), "kg m2", "cos phi"),
             Field("t_s", REAL, (3,), "kg m2", "sin phi"),
             Field("spin", REAL, (), "kg m2", "Theta_ff: inertia about the spin axis"),
+            Field("spin_inverse", REAL, (), "1/(kg m2)", ""),
         ]
         if self.flywheel_buoyancy:
             fields += [
@@ -348,6 +349,23 @@ class Layout:
             Field("g_rel", REAL, (3,), "N m", "d/dt of its moment part"),
         )
         return Struct("sums", "Sums over all bodies at one state.", fields)
+
+    @cached_property
+    def coupling(self) -> Struct:
+        fields = (
+            Field("I", REAL, (6,), "kg m, kg m2", "column of I (9)"),
+            Field("bias", REAL, (), "N m", "drive torque at V* = 0, phi'' = 0"),
+        )
+        return Struct("coupling", "How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias.", fields)
+
+    @cached_property
+    def schur(self) -> Struct:
+        fields = (
+            Field("A", REAL, (6,), "kg", "force by v*: 11 22 33 12 13 23"),
+            Field("B", REAL, (9,), "kg m", "moment by v*, row by row"),
+            Field("D", REAL, (6,), "kg m2", "moment by omega*: 11 22 33 12 13 23"),
+        )
+        return Struct("schur", "K with free flywheels eliminated: K - sum I I^T / Theta_ff.", fields)
 
     @cached_property
     def matrices(self) -> Struct:

@@ -9,7 +9,7 @@ from mahovik.derive import carrier as derived
 from mahovik.derive.screw import cross
 from mahovik.derive.symbols import vector
 from mahovik.lower.flywheels import columns_of, sine_and_cosine
-from mahovik.lower.forward import STATE_STATUSES, check_inputs, external_wrench, scene
+from mahovik.lower.forward import STATE_STATUSES, check_inputs, external_wrench, scene, sum_up
 from mahovik.lower.library import Library
 from mahovik.lower.solve import carrier_binding, parts_of_twist
 from mahovik.lower.symbolic import assign, translate
@@ -47,7 +47,8 @@ def matrices(lib: Library) -> Function:
     out = Argument("out", layout.matrices, (), "out", purpose="K, K_dot, M, I, J, F")
     body = Body()
     check_inputs(lib, body, x, (), wrench)
-    seen = scene(lib, body, stand.place, x.place, None)
+    seen = scene(lib, body, stand.place, x.place)
+    sum_up(lib, body, stand.place, x.place, seen.sums, None)
     F = body.local("F", (6,))
     external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
     body.copy_array(out.place.F, F)
@@ -95,7 +96,8 @@ def momentum(lib: Library) -> Function:
     out = Argument("out", layout.momentum, (), "out", purpose="Z, Z0, energy, mass centre")
     body = Body()
     check_inputs(lib, body, x)
-    seen = scene(lib, body, stand.place, x.place, None, attitude=True)
+    seen = scene(lib, body, stand.place, x.place, attitude=True)
+    sum_up(lib, body, stand.place, x.place, seen.sums, None)
     C, V, sums = seen.C, seen.V, seen.sums
     assert C is not None
     Z = body.local("Z", (6,), comment="momentum screw (2)")

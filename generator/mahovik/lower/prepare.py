@@ -358,6 +358,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
             if name == "0":
                 work.add(w.body.mass)
         body.set(row.spin, w.body.inertia[0])
+        body.set(row.spin_inverse, 1 / w.body.inertia[0])
         work.displaced(w.body, row)
 
 

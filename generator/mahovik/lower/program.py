@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik import routines
-from mahovik.lower import checks, flywheels, forward, generalized, laws, matrices, prepare, rotation, solve, wrenches
+from mahovik.lower import checks, drive, flywheels, forward, generalized, laws, matrices, prepare, rotation, solve, wrenches
 from mahovik.lower.layout import Layout
 from mahovik.lower.library import Library
 from mahovik.program.function import Program
@@ -44,6 +44,12 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(matrices.velocity_matrix(lib))
     lib.add(matrices.matrices(lib))
     lib.add(matrices.momentum(lib))
+    if layout.flywheels:
+        lib.add(drive.couple(lib))
+        lib.add(drive.torque(lib))
+        lib.add(drive.eliminate(lib))
+        lib.add(drive.solve_schur(lib))
+        lib.add(drive.coupled(lib))
     lib.add(generalized.quaternion(lib))
     lib.add(generalized.products(lib))
     lib.add(generalized.attitude(lib))
@@ -100,6 +106,8 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         layout.momentum,
         layout.generalized,
         layout.sums,
+        layout.coupling,
+        layout.schur,
     ):
         visit(struct)
     return tuple(found)

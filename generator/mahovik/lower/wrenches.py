@@ -22,7 +22,9 @@ def external(lib: Library) -> Function:
     sums = Argument("sum", layout.sums, purpose="first moment mu: the weight acts along it")
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
+    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
     F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "in E1 about O1")
+    axial = axial_argument(lib)
     wrench = lib.wrench_arguments()
     body = Body()
     if layout.legs:
@@ -30,17 +32,14 @@ def external(lib: Library) -> Function:
     for element in F.place:
         body.set(element, real(0))
     if layout.weight:
-        _weight(lib, body, stand.place, x.place, sums.place, C.place, F.place)
+        _weight(lib, body, stand.place, x.place, sums.place, g.place, F.place)
     if layout.carrier_damped:
         _damp(lib, body, stand.place, stand.place.damper, V.place, F.place)
     if layout.carrier_input:
         for i in range(6):
             body.add(F.place[i], wrench[0].place[i])
     if layout.own:
-        with body.loop("k", len(layout.own)) as k:
-            everything = {"stand": stand.place, "frame": stand.place.frame[k], "x": x.place, "V": V.place, "F": F.place}
-            everything |= {w.name: w.place for w in wrench}
-            body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
+        own_wrenches(lib, body, stand.place, x.place, V.place, wrench, F.place, axial.place)
     if layout.suspended:
         body.call(lib["suspend"], stand.place.suspension, x.place, C.place, F.place)
     if layout.legs:
@@ -50,7 +49,7 @@ def external(lib: Library) -> Function:
     return Function(
         "external",
         "Total external wrench of " + _kinds(lib) + ", from checked inputs.",
-        (stand, x, sums, C, V, *wrench, F),
+        (stand, x, sums, C, V, g, *wrench, F, axial),
         body.statements,
         equation="(7)",
         returns=Kind.STATUS if layout.legs else None,
@@ -71,11 +70,29 @@ def _kinds(lib: Library) -> str:
     return ", ".join(name for name, there in kinds.items() if there) or "no kind at all"
 
 
-def _weight(lib: Library, body: Body, stand: Place, x: Place, sums: Place, C: Place, F: Place) -> None:
+def axial_argument(lib: Library) -> Argument:
+    """Moments of own wrenches about the spin axes, where flywheels have such wrenches."""
+    purpose = "moments about the spin axes; 0 where a flywheel has no wrench of its own"
+    return Argument("axial", Kind.REAL, (lib.layout.count,), "out", "N m", purpose)
+
+
+def own_wrenches(
+    lib: Library, body: Body, stand: Place, x: Place, V: Place, wrench: tuple[Argument, ...], F: Place, axial: Place | None
+) -> None:
+    """Adds the wrenches of all bodies that have some in their own frame to F; their axial moments to `axial`."""
+    if lib.layout.own_turning:
+        assert axial is not None
+        with body.loop("s", lib.layout.count) as s:
+            body.set(axial[s], real(0))
+    with body.loop("k", len(lib.layout.own)) as k:
+        everything = {"stand": stand, "frame": stand.frame[k], "x": x, "V": V, "F": F, "axial": axial}
+        everything |= {w.name: w.place for w in wrench}
+        body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
+
+
+def _weight(lib: Library, body: Body, stand: Place, x: Place, sums: Place, g: Place, F: Place) -> None:
     """Weight of every body at its mass centre, less the Archimedes force."""
     layout = lib.layout
-    g = body.local("g", (3,), comment="gravity in E1")
-    body.call(lib["rotate_back"], C, stand.gravity, g)
     binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": stand.mass}
     if layout.buoyancy:
         binding["weight_mass"] = stand.weight_mass
@@ -104,6 +121,7 @@ def own_wrench(lib: Library) -> Function:
     frame = Argument("frame", layout.frame)
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
     F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; is added to")
+    axial = axial_argument(lib)
     wrench = lib.wrench_arguments()
     body = Body()
     origin = frame.place.origin
@@ -121,6 +139,9 @@ def own_wrench(lib: Library) -> Function:
     if layout.own_inputs:
         with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
             body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
+    if layout.own_turning:
+        with body.when(frame.place.flywheel >= 0):
+            body.set(axial.place[frame.place.flywheel], P[3])
     force = body.local("force", (3,), comment="in E1")
     moment = body.local("moment", (3,), comment="in E1, about the body's origin")
     _turn(body, axes, list(P)[:3], force)
@@ -129,7 +150,7 @@ def own_wrench(lib: Library) -> Function:
     return Function(
         "own_wrench",
         "Adds the wrench of one instrument or flywheel that acts in its own frame.",
-        (stand, frame, x, V, *wrench, F),
+        (stand, frame, x, V, *wrench, F, axial),
         body.statements,
         equation="(7)",
     )

@@ -1,0 +1,263 @@
+"""torque: what the drives must give for a motion; coupled: the motion that given drive torques make."""
+
+from __future__ import annotations
+
+from mahovik.derive import accumulate as derived_rows
+from mahovik.derive import carrier as derived_carrier
+from mahovik.derive import drive as derived
+from mahovik.derive.symbols import SYMMETRIC, vector
+from mahovik.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene
+from mahovik.lower.library import Library
+from mahovik.lower.solve import parts_of_twist
+from mahovik.lower.symbolic import assign, translate
+from mahovik.lower.wrenches import own_wrenches
+from mahovik.program.build import Body
+from mahovik.program.expression import Expr, Not, Place, Status, both, equal, integer, real
+from mahovik.program.function import Argument, Function
+from mahovik.program.types import Kind
+
+
+def couple(lib: Library) -> Function:
+    """I_s and the bias torque of one flywheel."""
+    layout = lib.layout
+    row = Argument("row", layout.row)
+    s = Argument("s", Kind.REAL, purpose="sin phi")
+    c = Argument("c", Kind.REAL, purpose="cos phi")
+    V = Argument("V", Kind.REAL, (6,))
+    swing = Argument("swing", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, less gravity")
+    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
+    out = Argument("out", layout.coupling, (), "out")
+    body = Body()
+    binding: dict[str, Expr] = {"s": s.place, "c": c.place}
+    for name in ("c2", "s2"):
+        binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
+    everything = binding | columns_of(row.place)
+    assign(body, list(out.place.I), derived_rows.columns().I, everything)
+    mu_p, J_p = derived.phase_derivatives()
+    assert list(mu_p) == list(derived_rows.columns().I[:3])
+    slope = body.local("J_p", (6,), comment="dJ / dphi")
+    assign(body, list(slope), J_p, everything)
+    turned = body.local("turned", (3,), comment="J' omega")
+    everything |= parts_of_twist(V.place) | {"J_p": slope, "turned": turned, "swing": swing.place}
+    everything |= {"mu_p": list(out.place.I)[:3], "g": g.place}
+    assign(body, list(turned), derived.turned_spin(), everything)
+    if layout.flywheel_buoyancy:
+        sunk = body.local("displaced_p", (3,), comment="derivative of the displaced first moment")
+        for i in range(3):
+            body.set(sunk[i], row.place.displaced_s[i] * c.place - row.place.displaced_c[i] * s.place)
+        everything["displaced_p"] = sunk
+    body.set(out.place.bias, translate(derived.bias_torque(layout.flywheel_buoyancy), everything))
+    return Function(
+        "couple",
+        "Column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0.",
+        (row, s, c, V, swing, g, out),
+        body.statements,
+        equation="(9)",
+    )
+
+
+def _swing(lib: Library, body: Body, seen: Scene) -> Place:
+    swing = body.local("swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v")
+    bound = parts_of_twist(seen.V) | ({"g": seen.g} if seen.g is not None else {})
+    assign(body, list(swing), derived.swing(lib.layout.weight), bound)
+    return swing
+
+
+def _couple(lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, swing: Place, out: Place) -> dict[str, Expr]:
+    turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+    named = {"row": stand.flywheel[s], **turn, "V": seen.V, "swing": swing, "g": seen.g, "out": out}
+    body.call(lib["couple"], *lib.passed("couple", **named))
+    return turn
+
+
+def _along(column: Place, V_dot: Place) -> Expr:
+    """I_s . V*."""
+    return translate(vector("column", 6).dot(vector("V_dot", 6)), {"column": column, "V_dot": V_dot})
+
+
+def torque(lib: Library) -> Function:
+    """tau for given V*, phi''."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
+    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
+    tau = Argument("tau", Kind.REAL, (layout.count,), "out", "N m", "drive torques, mount on flywheel, about the spin axis")
+    body = Body()
+    check_inputs(lib, body, x, phi_ddot, wrench)
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    seen = scene(lib, body, stand.place, x.place)
+    moving = V_dot.place
+    if seen.stream is not None:
+        drift = drift_of(body, x.place, seen.stream)
+        moving = body.local("V_r_dot", (6,), comment="V_r* = V* + (omega x C^T u, 0)")
+        for i in range(6):
+            body.set(moving[i], V_dot.place[i] + drift[i] if i < 3 else V_dot.place[i])
+    if layout.own_turning:
+        scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
+        for element in scratch:
+            body.set(element, real(0))
+        own_wrenches(lib, body, stand.place, x.place, seen.V, wrench, scratch, seen.axial)
+    swing = _swing(lib, body, seen)
+    coupling = body.local("drive", (), layout.coupling)
+    with body.loop("s", layout.count) as s:
+        _couple(lib, body, stand.place, x.place, s, seen, swing, coupling)
+        spin = stand.place.flywheel[s].spin * phi_ddot[0].place[s]
+        total = _along(coupling.I, moving) + spin + coupling.bias
+        body.set(tau.place[s], total if seen.axial is None else total - seen.axial[s])
+    body.ret(Status("OK"))
+    return Function(
+        "torque",
+        "Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).",
+        (stand, x, V_dot, *phi_ddot, *wrench, tau),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=STATE_STATUSES,
+        public=True,
+    )
+
+
+def eliminate(lib: Library) -> Function:
+    """One free flywheel eliminated from the coupled equations."""
+    layout = lib.layout
+    column = Argument("I", Kind.REAL, (6,))
+    inverse = Argument("spin_inverse", Kind.REAL, unit="1/(kg m2)")
+    rate = Argument("rate", Kind.REAL, unit="rad/s2", purpose="its acceleration at V* = 0")
+    schur = Argument("K", layout.schur, (), "inout")
+    F = Argument("F", Kind.REAL, (6,), "inout")
+    body = Body()
+    i, K = column.place, schur.place
+    scaled = body.local("scaled", (6,), comment="I / Theta_ff")
+    for k in range(6):
+        body.set(scaled[k], i[k] * inverse.place)
+    for k, (a, b) in enumerate(SYMMETRIC):
+        body.add(K.A[k], -(i[a] * scaled[b]))
+    for a in range(3):
+        for b in range(3):
+            body.add(K.B[3 * a + b], -(i[3 + a] * scaled[b]))
+    for k, (a, b) in enumerate(SYMMETRIC):
+        body.add(K.D[k], -(i[3 + a] * scaled[3 + b]))
+    for k in range(6):
+        body.add(F.place[k], -(i[k] * rate.place))
+    return Function(
+        "eliminate",
+        "Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate.",
+        (column, inverse, rate, schur, F),
+        body.statements,
+    )
+
+
+def solve_schur(lib: Library) -> Function:
+    """6x6 solve by blocks of 3x3."""
+    schur = Argument("K", lib.layout.schur)
+    F = Argument("F", Kind.REAL, (6,))
+    y = Argument("y", Kind.REAL, (6,), "out", purpose="must not overlap F")
+    body = Body()
+    lib.begin(body)
+    K = schur.place
+    adjugate, determinant = derived_carrier.inverse_of_symmetric()
+    names = ("11", "22", "33", "12", "13", "23")
+    cofactor: list[Expr] = [body.let(f"c{n}", translate(e, {"A": K.A})) for n, e in zip(names, adjugate, strict=True)]
+    d = body.let("det", translate(determinant, {"A": K.A, "cofactor": cofactor}))
+    lib.guard(body, Not(both(both(K.A[0] > 0, cofactor[2] > 0), d > 0)), "NOT_POSITIVE_DEFINITE")
+    r = body.let("r", 1 / d)
+    inverse = body.local("A_inverse", (6,))
+    for k in range(6):
+        body.set(inverse[k], cofactor[k] * r)
+    U = body.local("U", (9,), comment="A^-1 B^T")
+    S = body.local("S", (6,), comment="D - B A^-1 B^T")
+    n = body.local("moment", (3,), comment="n - B A^-1 f")
+    omega_dot = body.local("omega_dot", (3,))
+    six = list(F.place)
+    binding = {"A_inverse": inverse, "B": K.B, "U": U, "J": K.D, "f": six[:3], "n": six[3:], "omega_dot": omega_dot}
+    assign(body, list(U), derived_carrier.schur_coupling(True), binding)
+    assign(body, list(S), derived_carrier.reduced_inertia(True), binding)
+    assign(body, list(n), derived_carrier.reduced_moment(True), binding)
+    lib.check(body, "solve3", S, n, omega_dot)
+    out = list(y.place)
+    assign(body, out[:3], derived_carrier.linear_part(True), binding)
+    for target, value in zip(out[3:], omega_dot, strict=True):
+        body.set(target, value)
+    body.ret(Status("OK"))
+    return Function(
+        "solve_schur",
+        "Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3.",
+        (schur, F, y),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def coupled(lib: Library) -> Function:
+    """V*, phi'' for given tau."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    tau = Argument("tau", Kind.REAL, (layout.count,), unit="N m", purpose="drive torques, mount on flywheel")
+    locked = Argument("locked", Kind.INT, (layout.count,), purpose="not 0: phi'' = 0 is held by a lock; its tau is not read")
+    wrench = lib.wrench_arguments()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
+    phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
+    body = Body()
+    check_inputs(lib, body, x, (), wrench)
+    lib.check(body, "within", tau.place, layout.count, lib.limits["MAX_WRENCH"].expression)
+    seen = scene(lib, body, stand.place, x.place)
+    drives = body.local("drive", (layout.count,), layout.coupling)
+    swing = _swing(lib, body, seen)
+    body.call(lib["start_sums"], stand.place, seen.sums)
+    with body.loop("s", layout.count) as s:
+        turn = _couple(lib, body, stand.place, x.place, s, seen, swing, drives[s])
+        speed = x.place.phi_dot[s]
+        body.call(lib["add_flywheel"], stand.place.flywheel[s], turn["s"], turn["c"], speed, real(0), seen.sums)
+    F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
+    Z = body.local("Z", (6,), comment="momentum screw (2)")
+    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
+    _start_schur(lib, body, stand.place, seen.sums, K)
+    rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
+    with body.loop("s", layout.count) as s:
+        body.set(rate[s], real(0))
+        with body.when(equal(locked.place[s], integer(0))):
+            demand = tau.place[s] - drives[s].bias
+            if seen.axial is not None:
+                demand = demand + seen.axial[s]
+            body.set(rate[s], demand * stand.place.flywheel[s].spin_inverse)
+            body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inverse, rate[s], K, F)
+    result = body.local("result", (6,))
+    lib.check(body, "solve_schur", K, F, result)
+    with body.loop("s", layout.count) as s:
+        body.set(phi_ddot.place[s], real(0))
+        with body.when(equal(locked.place[s], integer(0))):
+            back = _along(drives[s].I, result) * stand.place.flywheel[s].spin_inverse
+            body.set(phi_ddot.place[s], rate[s] - back)
+    if seen.stream is not None:
+        body.note("V* = V_r* - (omega x C^T u, 0)")
+        drift = drift_of(body, x.place, seen.stream)
+        for i in range(3):
+            body.set(result[i], result[i] - drift[i])
+    body.copy_array(V_dot.place, result)
+    body.ret(Status("OK"))
+    return Function(
+        "coupled",
+        "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first.",
+        (stand, x, tau, locked, *wrench, V_dot, phi_ddot),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+        public=True,
+    )
+
+
+def _start_schur(lib: Library, body: Body, stand: Place, sums: Place, K: Place) -> None:
+    """K of (2) by blocks."""
+    if lib.layout.added_mass:
+        body.copy_array(K.A, stand.A)
+        binding = {"mu": sums.mu, "G": stand.G}
+    else:
+        for k in range(6):
+            body.set(K.A[k], stand.mass if k < 3 else real(0))
+        binding = {"mu": sums.mu}
+    assign(body, list(K.B), derived_carrier.coupling_block(lib.layout.added_mass), binding)
+    body.copy_array(K.D, sums.J)
