@@ -97,14 +97,14 @@ def torque(lib: Library) -> Function:
         scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
         for element in scratch:
             body.set(element, real(0))
-        own_wrenches(lib, body, stand.place, x.place, seen.V, wrench, scratch, seen.axial)
+        own_wrenches(lib, body, stand.place, x.place, seen.V, wrench, scratch, seen.own)
     swing = _swing(lib, body, seen)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
         _couple(lib, body, stand.place, x.place, s, seen, swing, coupling)
         spin = stand.place.flywheel[s].spin * phi_ddot[0].place[s]
         total = _along(coupling.I, moving) + spin + coupling.bias
-        body.set(tau.place[s], total if seen.axial is None else total - seen.axial[s])
+        body.set(tau.place[s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
     body.ret(Status("OK"))
     return Function(
         "torque",
@@ -221,8 +221,8 @@ def coupled(lib: Library) -> Function:
         body.set(rate[s], real(0))
         with body.when(equal(locked.place[s], integer(0))):
             demand = tau.place[s] - drives[s].bias
-            if seen.axial is not None:
-                demand = demand + seen.axial[s]
+            if seen.own is not None:
+                demand = demand + seen.own[s * integer(6) + 3]
             body.set(rate[s], demand * stand.place.flywheel[s].spin_inverse)
             body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inverse, rate[s], K, F)
     result = body.local("result", (6,))

@@ -20,8 +20,8 @@ STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
 class Scene:
     """What the equations are evaluated with; None where the stand has no need of it.
 
-    C attitude; V relative to the stream; stream and g (gravity) in E1; sums over all bodies; axial: moments of the
-    flywheels' own wrenches about their axes.
+    C attitude; V relative to the stream; stream and g (gravity) in E1; sums over all bodies; own: wrenches of the
+    flywheels of their own, six numbers each.
     """
 
     C: Place | None
@@ -29,7 +29,7 @@ class Scene:
     stream: Place | None
     g: Place | None
     sums: Place
-    axial: Place | None
+    own: Place | None
 
 
 def check_inputs(
@@ -47,7 +47,7 @@ def check_inputs(
 def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = False) -> Scene:
     """Attitude, twist relative to the stream, gravity, and places for sums. `attitude`: C even where (8) needs none."""
     layout = lib.layout
-    C = stream = g = axial = None
+    C = stream = g = own = None
     V = x.V
     if layout.attitude_needed or attitude:
         C = body.local("C", (9,), comment="attitude")
@@ -64,9 +64,9 @@ def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = Fal
         g = body.local("g", (3,), comment="gravity in E1")
         body.call(lib["rotate_back"], C, stand.gravity, g)
     if layout.own_turning:
-        axial = body.local("axial", (layout.count,), comment="moments of own wrenches about the spin axes")
+        own = body.local("own", (6 * int(layout.count),), comment="own wrenches of the flywheels, six numbers each")
     sums = body.local("sum", (), layout.sums)
-    return Scene(C, V, stream, g, sums, axial)
+    return Scene(C, V, stream, g, sums, own)
 
 
 def sum_up(lib: Library, body: Body, stand: Place, x: Place, sums: Place, phi_ddot: Place | None) -> None:
@@ -90,7 +90,7 @@ def external_wrench(
             body.set(element, real(0))
         return
     named = {"stand": stand, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "g": seen.g, "F": F}
-    named["axial"] = seen.axial
+    named["own"] = seen.own
     passed = lib.passed("external", **named, **{w.name: w.place for w in wrench})
     if lib["external"].returns is None:
         body.call(lib["external"], *passed)

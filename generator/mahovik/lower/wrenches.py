@@ -24,7 +24,7 @@ def external(lib: Library) -> Function:
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
     F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "in E1 about O1")
-    axial = axial_argument(lib)
+    own = own_argument(lib)
     wrench = lib.wrench_arguments()
     body = Body()
     if layout.legs:
@@ -39,7 +39,7 @@ def external(lib: Library) -> Function:
         for i in range(6):
             body.add(F.place[i], wrench[0].place[i])
     if layout.own:
-        own_wrenches(lib, body, stand.place, x.place, V.place, wrench, F.place, axial.place)
+        own_wrenches(lib, body, stand.place, x.place, V.place, wrench, F.place, own.place)
     if layout.suspended:
         body.call(lib["suspend"], stand.place.suspension, x.place, C.place, F.place)
     if layout.legs:
@@ -49,7 +49,7 @@ def external(lib: Library) -> Function:
     return Function(
         "external",
         "Total external wrench of " + _kinds(lib) + ", from checked inputs.",
-        (stand, x, sums, C, V, g, *wrench, F, axial),
+        (stand, x, sums, C, V, g, *wrench, F, own),
         body.statements,
         equation="(7)",
         returns=Kind.STATUS if layout.legs else None,
@@ -70,22 +70,22 @@ def _kinds(lib: Library) -> str:
     return ", ".join(name for name, there in kinds.items() if there) or "no kind at all"
 
 
-def axial_argument(lib: Library) -> Argument:
-    """Moments of own wrenches about the spin axes, where flywheels have such wrenches."""
-    purpose = "moments about the spin axes; 0 where a flywheel has no wrench of its own"
-    return Argument("axial", Kind.REAL, (lib.layout.count,), "out", "N m", purpose)
+def own_argument(lib: Library) -> Argument:
+    """Own wrenches of the flywheels, where any has such: six numbers each in Es about Os."""
+    purpose = "wrenches of the flywheels of their own, six numbers each, in Es about Os"
+    return Argument("own", Kind.REAL, (6 * int(lib.layout.count),), "out", "N, N m", purpose)
 
 
 def own_wrenches(
-    lib: Library, body: Body, stand: Place, x: Place, V: Place, wrench: tuple[Argument, ...], F: Place, axial: Place | None
+    lib: Library, body: Body, stand: Place, x: Place, V: Place, wrench: tuple[Argument, ...], F: Place, own: Place | None
 ) -> None:
-    """Adds the wrenches of all bodies that have some in their own frame to F; their axial moments to `axial`."""
+    """Adds the wrenches of all bodies that have some in their own frame to F; of the flywheels also to `own`."""
     if lib.layout.own_turning:
-        assert axial is not None
-        with body.loop("s", lib.layout.count) as s:
-            body.set(axial[s], real(0))
+        assert own is not None
+        with body.loop("i", 6 * int(lib.layout.count)) as i:
+            body.set(own[i], real(0))
     with body.loop("k", len(lib.layout.own)) as k:
-        everything = {"stand": stand, "frame": stand.frame[k], "x": x, "V": V, "F": F, "axial": axial}
+        everything = {"stand": stand, "frame": stand.frame[k], "x": x, "V": V, "F": F, "own": own}
         everything |= {w.name: w.place for w in wrench}
         body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
 
@@ -121,7 +121,7 @@ def own_wrench(lib: Library) -> Function:
     frame = Argument("frame", layout.frame)
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
     F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; is added to")
-    axial = axial_argument(lib)
+    own = own_argument(lib)
     wrench = lib.wrench_arguments()
     body = Body()
     origin = frame.place.origin
@@ -140,8 +140,8 @@ def own_wrench(lib: Library) -> Function:
         with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
             body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
     if layout.own_turning:
-        with body.when(frame.place.flywheel >= 0):
-            body.set(axial.place[frame.place.flywheel], P[3])
+        with body.when(frame.place.flywheel >= 0), body.loop("i", 6) as i:
+            body.set(own.place[frame.place.flywheel * integer(6) + i], P[i])
     force = body.local("force", (3,), comment="in E1")
     moment = body.local("moment", (3,), comment="in E1, about the body's origin")
     _turn(body, axes, list(P)[:3], force)
@@ -150,7 +150,7 @@ def own_wrench(lib: Library) -> Function:
     return Function(
         "own_wrench",
         "Adds the wrench of one instrument or flywheel that acts in its own frame.",
-        (stand, frame, x, V, *wrench, F, axial),
+        (stand, frame, x, V, *wrench, F, own),
         body.statements,
         equation="(7)",
     )
@@ -166,12 +166,12 @@ def _own_damping(
     """Twist of the body relative to the fluid in its own frame, L^T V_r + f phi', and its damping."""
     six = list(V)
     velocity = body.local("velocity", (3,), comment="of the body's origin, in E1")
-    own = body.local("own", (6,), comment="twist of the body, in its own frame")
+    twist = body.local("twist", (6,), comment="of the body, in its own frame")
     assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": frame.origin})
     back = derived.rotated_back()
-    assign(body, list(own)[:3], back, {"C": axes, "a": velocity})
-    assign(body, list(own)[3:], back, {"C": axes, "a": six[3:]})
+    assign(body, list(twist)[:3], back, {"C": axes, "a": velocity})
+    assign(body, list(twist)[3:], back, {"C": axes, "a": six[3:]})
     if lib.layout.own_turning:
         with body.when(frame.flywheel >= 0):
-            body.add(own[3], x.phi_dot[frame.flywheel], "L^T V + f phi'")
-    _damp(lib, body, stand, frame.damper, own, P)
+            body.add(twist[3], x.phi_dot[frame.flywheel], "L^T V + f phi'")
+    _damp(lib, body, stand, frame.damper, twist, P)
