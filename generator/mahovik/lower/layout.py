@@ -146,6 +146,15 @@ class Layout:
         """Any external wrench at all."""
         return self.weight or self.damped or bool(self.inputs) or self.suspended or bool(self.legs)
 
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Instruments and points, which `measure` reads."""
+        return (*self.structure.instruments, *self.structure.points)
+
+    @property
+    def sensor_count(self) -> NamedCount:
+        return NamedCount("SENSORS", len(self.sensors), "instruments and points, which measure reads")
+
     # -- structs ---------------------------------------------------------------------------------------------------
 
     @cached_property
@@ -199,6 +208,36 @@ class Layout:
         return Struct("flywheel", "A flywheel and how it is mounted.", tuple(fields))
 
     @cached_property
+    def point_parameters(self) -> Struct:
+        fields = [
+            Field("position", REAL, (3,), "m", "in the frame of the mount"),
+            Field("axis", REAL, (3,), "", "first axis in the frame of the mount, any length"),
+            Field("zero", REAL, (3,), "", "its part across the first axis is the second axis"),
+        ]
+        if self.instruments:
+            fields.append(Field("mount", INT, (), "", "number of the instrument that bears it; -1: the carrier"))
+        return Struct("point", "A sensor or a place of interest.", tuple(fields))
+
+    @cached_property
+    def sensor(self) -> Struct:
+        fields = (
+            Field("origin", REAL, (3,), "m", "in E1"),
+            Field("axes", REAL, (9,), "", "own axes to E1, row by row"),
+        )
+        return Struct("sensor", "Pose of an instrument or a point.", fields)
+
+    @cached_property
+    def reading(self) -> Struct:
+        fields = (
+            Field("position", REAL, (3,), "m", "in E0"),
+            Field("C", REAL, (3, 3), "", "own axes to E0"),
+            Field("twist", REAL, (6,), "m/s, rad/s", "relative to E0, in own axes: a gyro reads the last three"),
+            Field("specific_force", REAL, (3,), "m/s2", "acceleration less gravity, in own axes: an accelerometer"),
+            Field("angular_acceleration", REAL, (3,), "rad/s2", "in own axes"),
+        )
+        return Struct("reading", "Motion at an instrument or a point.", fields)
+
+    @cached_property
     def parameters(self) -> Struct:
         fields = [Field("carrier", self.body)]
         if self.added_mass:
@@ -207,6 +246,8 @@ class Layout:
             fields.append(Field("instrument", self.instrument_parameters, (self.instruments,)))
         if self.flywheels:
             fields.append(Field("flywheel", self.flywheel_parameters, (self.count,)))
+        if self.structure.points:
+            fields.append(Field("point", self.point_parameters, (len(self.structure.points),)))
         return Struct("parameters", "What prepare makes the table of: masses, inertias and mountings.", tuple(fields))
 
     @cached_property
@@ -314,6 +355,8 @@ class Layout:
             fields.append(Field("flywheel", self.row, (self.count,)))
         if self.own:
             fields.append(Field("frame", self.frame, (len(self.own),)))
+        if self.sensors:
+            fields.append(Field("sensor", self.sensor, (self.sensor_count,)))
         fields += self._laws
         return Struct(
             "table", "The stand as the equations need it. Made by prepare, but for the laws at the end.", tuple(fields)

@@ -18,7 +18,7 @@ from mahovik.lower.symbolic import assign, translate
 from mahovik.program.build import Body, call
 from mahovik.program.expression import Expr, Not, Place, Status, both, integer, real
 from mahovik.program.function import Argument, Function
-from mahovik.program.types import Kind
+from mahovik.program.types import Kind, Struct
 
 
 def frame_of_axes(lib: Library) -> Function:
@@ -188,6 +188,8 @@ def prepare(lib: Library) -> Function:
         body.copy_array(out.displaced_moment, totals.displaced)
     if layout.own:
         _frames(lib, work, p, out)
+    if layout.sensors:
+        _sensors(lib, work, p, out)
     body.ret(Status("OK"))
     return Function(
         "prepare",
@@ -291,10 +293,19 @@ def _instruments(lib: Library, work: _Work, p: Place) -> None:
 
 def place_flywheel(lib: Library) -> Function:
     """Origin and mounting axes of a flywheel in E1, through the instrument that bears it."""
+    return _placed(lib, "place_flywheel", lib.layout.flywheel_parameters, "Origin and axes (at phi = 0) of a flywheel in E1.")
+
+
+def place_point(lib: Library) -> Function:
+    """Origin and axes of a point in E1, through the instrument that bears it."""
+    return _placed(lib, "place_point", lib.layout.point_parameters, "Origin and axes of a point in E1.")
+
+
+def _placed(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
     p = Argument("parameters", lib.layout.parameters)
-    w = Argument("w", lib.layout.flywheel_parameters)
+    w = Argument("w", struct)
     O = Argument("O", Kind.REAL, (3,), "out", "m", "Os in E1")
-    R = Argument("R", Kind.REAL, (9,), "out", purpose="axes of Es in E1 at phi = 0")
+    R = Argument("R", Kind.REAL, (9,), "out", purpose="its axes in E1")
     body = Body()
     lib.begin(body)
     lib.check(body, "within", w.place.position, 3, lib.limits["MAX_PARAMETER"].expression)
@@ -308,7 +319,7 @@ def place_flywheel(lib: Library) -> Function:
             body.note("Ls = Lp L_s in p")
             q = p.place.instrument[mount]
             Rp = body.local("Rp", (9,), comment="axes of the instrument in E1")
-            Rs = body.local("Rs", (9,), comment="axes of the flywheel in the instrument")
+            Rs = body.local("Rs", (9,), comment="own axes in the instrument")
             at = body.local("at", (3,))
             lib.check(body, "frame_of_axes", q.axis, q.zero, Rp)
             body.copy_array(Rs, R.place)
@@ -321,8 +332,8 @@ def place_flywheel(lib: Library) -> Function:
                 body.set(O.place[i], q.position[i] + at[i])
     body.ret(Status("OK"))
     return Function(
-        "place_flywheel",
-        "Origin and axes (at phi = 0) of a flywheel in E1.",
+        name,
+        purpose,
         (p, w, O, R),
         body.statements,
         returns=Kind.STATUS,
@@ -362,9 +373,26 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
         work.displaced(w.body, row)
 
 
-def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work) -> None:
+def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work, function: str = "place_flywheel") -> None:
     named = {"parameters": p, "w": w, "O": work.origin, "R": work.R}
-    body.call(lib["place_flywheel"], *lib.passed("place_flywheel", **named))
+    body.call(lib[function], *lib.passed(function, **named))
+
+
+def _sensors(lib: Library, work: _Work, p: Place, out: Place) -> None:
+    """Poses of instruments, then points."""
+    layout, body = lib.layout, work.body
+    body.note("poses of instruments and points")
+    if layout.instruments:
+        with body.loop("k", layout.instruments) as k:
+            work.place_instrument(p.instrument[k])
+            body.copy_array(out.sensor[k].origin, work.origin)
+            body.copy_array(out.sensor[k].axes, work.R)
+    if layout.structure.points:
+        with body.loop("k", len(layout.structure.points)) as k:
+            _place(lib, body, p, p.point[k], work, "place_point")
+            sensor = out.sensor[k + layout.instruments] if layout.instruments else out.sensor[k]
+            body.copy_array(sensor.origin, work.origin)
+            body.copy_array(sensor.axes, work.R)
 
 
 def translation_block(lib: Library) -> Function:
@@ -407,9 +435,10 @@ def check_parameters(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     total = body.local("mass")
-    if layout.flywheels:
+    points = len(layout.structure.points)
+    if layout.flywheels or points:
         O = body.local("O", (3,))
-    if layout.instruments or layout.flywheels:
+    if layout.instruments or layout.flywheels or points:
         R = body.local("R", (9,))
     lib.check(body, "check_body", p.carrier)
     body.set(total, p.carrier.mass)
@@ -428,6 +457,10 @@ def check_parameters(lib: Library) -> Function:
             named = {"parameters": p, "w": w, "O": O, "R": R}
             lib.check(body, "place_flywheel", *lib.passed("place_flywheel", **named))
             body.add(total, w.body.mass)
+    if points:
+        with body.loop("k", points) as k:
+            named = {"parameters": p, "w": p.point[k], "O": O, "R": R}
+            lib.check(body, "place_point", *lib.passed("place_point", **named))
     lib.guard(body, Not(total > 0), "NOT_POSITIVE_DEFINITE")
     if layout.added_mass:
         A = body.local("A", (6,))
@@ -436,7 +469,7 @@ def check_parameters(lib: Library) -> Function:
             lib.check(body, "within", p.added_mass[i], 6, bound)
         lib.check(body, "translation_block", p, total, A, inverse)
     body.ret(Status("OK"))
-    mounts = ("BAD_ARGUMENT",) if layout.instruments and layout.flywheels else ()
+    mounts = ("BAD_ARGUMENT",) if layout.instruments and (layout.flywheels or points) else ()
     return Function(
         "check_parameters",
         "Are the parameters finite, in range, their axes directions, and the masses positive?",

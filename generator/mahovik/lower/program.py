@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik import routines
-from mahovik.lower import checks, drive, flywheels, forward, generalized, laws, matrices, prepare, rotation, solve, wrenches
+from mahovik.lower import checks, drive, flywheels, forward, generalized, laws, matrices, measure, prepare, rotation, solve, wrenches
 from mahovik.lower.layout import Layout
 from mahovik.lower.library import Library
 from mahovik.program.function import Program
@@ -50,6 +50,9 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(drive.eliminate(lib))
         lib.add(drive.solve_schur(lib))
         lib.add(drive.coupled(lib))
+    if layout.sensors:
+        lib.add(measure.sense(lib))
+        lib.add(measure.measure(lib))
     lib.add(generalized.quaternion(lib))
     lib.add(generalized.products(lib))
     lib.add(generalized.attitude(lib))
@@ -58,11 +61,13 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(prepare.check_body(lib))
     if layout.flywheels:
         lib.add(prepare.place_flywheel(lib))
+    if layout.structure.points:
+        lib.add(prepare.place_point(lib))
     if layout.added_mass:
         lib.add(prepare.translation_block(lib))
     lib.add(prepare.check_parameters(lib))
     lib.add(prepare.prepare(lib))
-    counts = tuple(c for c in (layout.count, layout.input_count) if c.value)
+    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count) if c.value)
     functions = reachable(lib.functions)
     program = Program(layout.structure.name, precision, counts, _structs(layout), functions)
     validate(program)
@@ -105,6 +110,7 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         layout.matrices,
         layout.momentum,
         layout.generalized,
+        layout.reading,
         layout.sums,
         layout.coupling,
         layout.schur,

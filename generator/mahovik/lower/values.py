@@ -22,7 +22,7 @@ from mahovik.program.function import STATUS_VALUES, Argument, Function, Program
 from mahovik.program.interpret import Interpreter
 from mahovik.program.types import Kind, Precision
 from mahovik.stand.model import Body as StandBody
-from mahovik.stand.model import Damping, Flywheel, Instrument, MountingAngles, Stand
+from mahovik.stand.model import Damping, Flywheel, Instrument, MountingAngles, Point, Stand
 
 
 def conversions(precision: Precision) -> Program:
@@ -88,6 +88,8 @@ class Values:
             found["instrument"] = [self._instrument(p) for p in stand.instruments]
         if stand.flywheels:
             found["flywheel"] = [self._flywheel(s) for s in stand.flywheels]
+        if stand.points:
+            found["point"] = [self._point(p) for p in stand.points]
         return found
 
     def _body(self, b: StandBody) -> dict[str, Any]:
@@ -113,11 +115,15 @@ class Values:
             axes = self._axes((mounting.psi, mounting.theta, mounting.zero))
         else:
             axes = {"axis": list(mounting.axis), "zero": list(mounting.zero)}
-        found = {"body": self._body(s), "position": list(s.position), **axes}
-        if self._stand.instruments:
-            names = [p.name for p in self._stand.instruments]
-            found["mount"] = -1 if s.mount == "carrier" else names.index(s.mount)
-        return found
+        return {"body": self._body(s), "position": list(s.position), **axes, **self._mount(s.mount)}
+
+    def _point(self, p: Point) -> dict[str, Any]:
+        return {"position": list(p.position), **self._axes(p.angles), **self._mount(p.mount)}
+
+    def _mount(self, name: str) -> dict[str, int]:
+        """Number of the instrument of that name, -1 for the carrier; nothing where there are no instruments."""
+        names = [p.name for p in self._stand.instruments]
+        return {"mount": names.index(name) if name in names else -1} if names else {}
 
     def _table(self) -> dict[str, Any]:
         """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
