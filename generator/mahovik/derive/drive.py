@@ -11,7 +11,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.derive.flywheel import Generic
-from mahovik.derive.screw import L, Phi, Theta, cross, e_bracket, elementary, f
+from mahovik.derive.screw import L, Phi, Theta, bracket, cross, e_bracket, elementary, f
 from mahovik.derive.symbols import symmetric, vector
 
 V_dot = vector("v_dot").col_join(vector("omega_dot"))
@@ -58,3 +58,34 @@ def phase_derivatives() -> tuple[sp.Matrix, sp.Matrix]:
     return mu.diff(phi).subs(names), J.diff(phi).subs(names)
 
 
+def own_twist_rate() -> sp.Matrix:
+    """V_s* = [C1]^T U* - phi' [<e>] [C1]^T U + f phi''; the turned twists by the symbols turned, turned_rate."""
+    return vector("turned_rate", 6) - sp.Symbol("phi_dot") * e_bracket() * vector("turned", 6) + f * phi_ddot
+
+
+def turned_twist() -> sp.Matrix:
+    """[C1]^T of six numbers `U`, with c, s of the phase."""
+    return _turned_back() * vector("U", 6)
+
+
+def own_momentum() -> sp.Matrix:
+    """Z_s = Theta V_s with the flywheel's m, b, J."""
+    return Theta(sp.Symbol("m"), vector("b"), symmetric("J")) * vector("V_s", 6)
+
+
+def own_rate() -> sp.Matrix:
+    """Theta V_s* + Phi(V_s) Z_s."""
+    return Theta(sp.Symbol("m"), vector("b"), symmetric("J")) * vector("V_s_dot", 6) + Phi(vector("V_s", 6)) * vector(
+        "Z_s", 6
+    )
+
+
+def turned_forward() -> sp.Matrix:
+    """diag(C1, C1) of six numbers `W`: to the axes at phi = 0, which do not turn."""
+    return _turned_back().T * vector("W", 6)
+
+
+def _turned_back() -> sp.Matrix:
+    c, s = sp.symbols("c s")
+    C1 = sp.Matrix([[1, 0, 0], [0, c, -s], [0, s, c]])
+    return bracket(C1).T

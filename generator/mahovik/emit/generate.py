@@ -45,6 +45,10 @@ _STATUS_MEANING = {
 }
 
 
+_INTERNAL = frozenset(("sums", "coupling", "schur"))
+"""Structs of the source alone."""
+
+
 @dataclass(frozen=True)
 class Generated:
     """A stand's program with its numbers and C text by file name."""
@@ -88,27 +92,26 @@ class _Printer:
         """The header: the manual of the generated code."""
         public = [f for f in self._program.functions if f.public]
         functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
-        internal = {"sums"}
-        structs = [struct_lines(s, self._names) for s in self._program.structs if s.name not in internal]
+        structs = [struct_lines(s, self._names) for s in self._program.structs if s.name not in _INTERNAL]
         return template("stand.h.j2").render(
             **self._common(),
             limits=self._limits(),
             statuses=self._statuses(),
             enums=self._enums(),
             structs=structs,
+            externs=self._externs(),
             functions=functions,
         )
 
     def source(self) -> str:
         """The source: routines, internal functions, public functions, tables."""
-        internal = [struct_lines(s, self._names) for s in self._program.structs if s.name == "sums"]
+        internal = [struct_lines(s, self._names) for s in self._program.structs if s.name in _INTERNAL]
         return template("stand.c.j2").render(
             **self._common(),
             bits=any(isinstance(e, BitCast) for f in self._program.functions for e in expressions(f.body)),
             internal=internal,
             functions=[self._function(f) for f in self._program.functions],
-            table=self._table(self._layout.table, self._values.table),
-            parameters=self._table(self._layout.parameters, self._values.parameters),
+            tables=self._tables(),
         )
 
     def _common(self) -> dict[str, Any]:
@@ -155,6 +158,10 @@ class _Printer:
             entries = self._names.enumerators(names, taken, "WRENCH_")
             count = layout.input_count
             found.append(self._enum(entries, count.name, len(names), f"{count.comment}: six numbers each"))
+        if layout.sensors:
+            entries = self._names.enumerators(list(layout.sensors), taken, "SENSOR_")
+            count = layout.sensor_count
+            found.append(self._enum(entries, count.name, len(layout.sensors), count.comment))
         return found
 
     def _enum(self, entries: list[str], count: str, value: int, comment: str) -> list[str]:
@@ -173,11 +180,40 @@ class _Printer:
             "body": self._statements.block(f.body, "    "),
         }
 
+    def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:
+        """Constant tables: name without prefix, type, value, meaning."""
+        layout, values = self._layout, self._values
+        found = [
+            ("default_parameters", layout.parameters, values.parameters, "of the stand file"),
+            ("default", layout.table, values.table, "what prepare makes of them"),
+        ]
+        if values.mounting is not None:
+            found.append(("default_mounts", layout.mount_table, values.mounting, "what prepare_mounts makes of them"))
+        return found
+
+    def _externs(self) -> list[tuple[str, str]]:
+        """Declarations of the constant tables with their comments."""
+        return [
+            (f"extern const {self._names.type(struct)} {self._names.function(name)};", meaning)
+            for name, struct, _, meaning in self._constants()
+        ]
+
+    def _tables(self) -> list[dict[str, Any]]:
+        """Definitions of the constant tables."""
+        return [
+            {
+                "declaration": f"const {self._names.type(struct)} {self._names.function(name)}",
+                "lines": self._table(struct, value),
+            }
+            for name, struct, value, _ in self._constants()
+        ]
+
     def _table(self, struct: Struct, value: dict[str, Any]) -> list[str]:
         stand = self._stand
         labels = {
             "flywheel": [s.name for s in stand.flywheels],
             "instrument": [p.name for p in stand.instruments],
+            "sensor": list(self._layout.sensors),
             "frame": [stand.bodies[o.index].name for o in self._layout.own],
         }
         return initialiser(struct, value, self._program.precision, labels)

@@ -58,13 +58,17 @@ def couple(lib: Library) -> Function:
 
 
 def _swing(lib: Library, body: Body, seen: Scene) -> Place:
-    swing = body.local("swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v")
+    swing = body.local(
+        "swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v"
+    )
     bound = parts_of_twist(seen.V) | ({"g": seen.g} if seen.g is not None else {})
     assign(body, list(swing), derived.swing(lib.layout.weight), bound)
     return swing
 
 
-def _couple(lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, swing: Place, out: Place) -> dict[str, Expr]:
+def _couple(
+    lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, swing: Place, out: Place
+) -> dict[str, Expr]:
     turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
     named = {"row": stand.flywheel[s], **turn, "V": seen.V, "swing": swing, "g": seen.g, "out": out}
     body.call(lib["couple"], *lib.passed("couple", **named))
@@ -82,7 +86,9 @@ def torque(lib: Library) -> Function:
     stand, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    tau = Argument("tau", Kind.REAL, (layout.count,), "out", "N m", "drive torques, mount on flywheel, about the spin axis")
+    tau = Argument(
+        "tau", Kind.REAL, (layout.count,), "out", "N m", "drive torques, mount on flywheel, about the spin axis"
+    )
     body = Body()
     check_inputs(lib, body, x, phi_ddot, wrench)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
@@ -194,7 +200,9 @@ def coupled(lib: Library) -> Function:
     layout = lib.layout
     stand, x = lib.table_argument(), lib.state_argument()
     tau = Argument("tau", Kind.REAL, (layout.count,), unit="N m", purpose="drive torques, mount on flywheel")
-    locked = Argument("locked", Kind.INT, (layout.count,), purpose="not 0: phi'' = 0 is held by a lock; its tau is not read")
+    locked = Argument(
+        "locked", Kind.INT, (layout.count,), purpose="not 0: phi'' = 0 is held by a lock; its tau is not read"
+    )
     wrench = lib.wrench_arguments()
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")

@@ -7,62 +7,16 @@ from typing import Any
 
 import sympy as sp
 
-from mahovik.derive import carrier as derived_carrier
 from mahovik.derive import flywheel as derived
 from mahovik.derive import wrench as derived_wrench
 from mahovik.derive.symbols import SYMMETRIC, matrix, symmetric, vector
 from mahovik.lower.layout import Layout
 from mahovik.lower.library import Library
-from mahovik.lower.limits import SMALL_SQUARE
-from mahovik.lower.symbolic import assign, translate
-from mahovik.program.build import Body, call
-from mahovik.program.expression import Expr, Not, Place, Status, both, integer, real
+from mahovik.lower.symbolic import assign
+from mahovik.program.build import Body
+from mahovik.program.expression import Expr, Place, Status, real
 from mahovik.program.function import Argument, Function
-from mahovik.program.types import Kind, Struct
-
-
-def frame_of_axes(lib: Library) -> Function:
-    """Axes from two directions: first along `axis`, second along the part of `zero` across it, third by the cross."""
-    axis = Argument("axis", Kind.REAL, (3,), purpose="any length")
-    zero = Argument("zero", Kind.REAL, (3,), purpose="any length, not along axis")
-    R = Argument("R", Kind.REAL, (9,), "out", purpose="columns are the axes, row by row")
-    body = Body()
-    lib.begin(body)
-    bound = lib.limits["MAX_PARAMETER"].expression
-    lib.check(body, "within", axis.place, 3, bound)
-    lib.check(body, "within", zero.place, 3, bound)
-    e1 = body.local("e1", (3,))
-    e2 = body.local("e2", (3,))
-    _unit(lib, body, axis.place, e1, "axis2")
-    a, b = e1, zero.place
-    along = body.let("along", a[0] * b[0] + a[1] * b[1] + a[2] * b[2], "of zero along the axis")
-    across = body.local("across", (3,))
-    for i in range(3):
-        body.set(across[i], b[i] - along * a[i])
-    _unit(lib, body, across, e2, "across2")
-    third = (e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0])
-    for i in range(3):
-        body.set(R.place[3 * i], e1[i])
-        body.set(R.place[3 * i + 1], e2[i])
-        body.set(R.place[3 * i + 2], third[i])
-    body.ret(Status("OK"))
-    return Function(
-        "frame_of_axes",
-        "Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it.",
-        (axis, zero, R),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
-    )
-
-
-def _unit(lib: Library, body: Body, a: Place, out: Place, name: str) -> None:
-    """out = a / |a|; RANGE where a has no direction."""
-    square = body.let(name, a[0] * a[0] + a[1] * a[1] + a[2] * a[2])
-    lib.guard(body, Not(square > SMALL_SQUARE), "RANGE")
-    inverse = body.let(f"{name}_root", 1 / call(lib["sqrt"], square))
-    for i in range(3):
-        body.set(out[i], a[i] * inverse)
+from mahovik.program.types import Kind
 
 
 def carry(lib: Library) -> Function:
@@ -97,32 +51,6 @@ def carry(lib: Library) -> Function:
         (m, b, J_own, O, R, mu, J, t),
         body.statements,
         equation="(2)",
-    )
-
-
-def check_body(lib: Library) -> Function:
-    """Mass properties finite, and the mass not negative."""
-    b = Argument("body", lib.layout.body)
-    body = Body()
-    lib.begin(body)
-    bound = lib.limits["MAX_PARAMETER"].expression
-    scalars = [b.place.mass] + ([b.place.displaced_mass] if lib.layout.buoyancy else [])
-    arrays = [b.place.center_of_mass, b.place.inertia] + ([b.place.displaced_center] if lib.layout.buoyancy else [])
-    masses = body.local("masses", (len(scalars),))
-    for target, value in zip(masses, scalars, strict=True):
-        body.set(target, value)
-    lib.check(body, "within", masses, len(scalars), bound)
-    for array in arrays:
-        lib.check(body, "within", array, len(array), bound)
-    lib.guard(body, b.place.mass < 0, "RANGE")
-    body.ret(Status("OK"))
-    return Function(
-        "check_body",
-        "Are the mass properties finite and the mass not negative?",
-        (b,),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
     )
 
 
@@ -291,56 +219,6 @@ def _instruments(lib: Library, work: _Work, p: Place) -> None:
         work.fixed(q.body)
 
 
-def place_flywheel(lib: Library) -> Function:
-    """Origin and mounting axes of a flywheel in E1, through the instrument that bears it."""
-    return _placed(lib, "place_flywheel", lib.layout.flywheel_parameters, "Origin and axes (at phi = 0) of a flywheel in E1.")
-
-
-def place_point(lib: Library) -> Function:
-    """Origin and axes of a point in E1, through the instrument that bears it."""
-    return _placed(lib, "place_point", lib.layout.point_parameters, "Origin and axes of a point in E1.")
-
-
-def _placed(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
-    p = Argument("parameters", lib.layout.parameters)
-    w = Argument("w", struct)
-    O = Argument("O", Kind.REAL, (3,), "out", "m", "Os in E1")
-    R = Argument("R", Kind.REAL, (9,), "out", purpose="its axes in E1")
-    body = Body()
-    lib.begin(body)
-    lib.check(body, "within", w.place.position, 3, lib.limits["MAX_PARAMETER"].expression)
-    lib.check(body, "frame_of_axes", w.place.axis, w.place.zero, R.place)
-    body.copy_array(O.place, w.place.position)
-    count = lib.layout.instruments
-    if count:
-        mount = w.place.mount
-        lib.guard(body, Not(both(mount >= -1, mount < integer(count))), "BAD_ARGUMENT")
-        with body.when(mount >= 0):
-            body.note("Ls = Lp L_s in p")
-            q = p.place.instrument[mount]
-            Rp = body.local("Rp", (9,), comment="axes of the instrument in E1")
-            Rs = body.local("Rs", (9,), comment="own axes in the instrument")
-            at = body.local("at", (3,))
-            lib.check(body, "frame_of_axes", q.axis, q.zero, Rp)
-            body.copy_array(Rs, R.place)
-            for i in range(3):
-                for j in range(3):
-                    product = Rp[3 * i] * Rs[j] + Rp[3 * i + 1] * Rs[3 + j] + Rp[3 * i + 2] * Rs[6 + j]
-                    body.set(R.place[3 * i + j], product)
-            assign(body, list(at), derived_wrench.rotated(), {"C": Rp, "a": w.place.position})
-            for i in range(3):
-                body.set(O.place[i], q.position[i] + at[i])
-    body.ret(Status("OK"))
-    return Function(
-        name,
-        purpose,
-        (p, w, O, R),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"),
-    )
-
-
 def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
     """Every flywheel: its constant part to the totals, its harmonics to its row."""
     body = work.body
@@ -393,91 +271,6 @@ def _sensors(lib: Library, work: _Work, p: Place, out: Place) -> None:
             sensor = out.sensor[k + layout.instruments] if layout.instruments else out.sensor[k]
             body.copy_array(sensor.origin, work.origin)
             body.copy_array(sensor.axes, work.R)
-
-
-def translation_block(lib: Library) -> Function:
-    """A = m E + Lambda_11 and its inverse."""
-    p = Argument("parameters", lib.layout.parameters)
-    mass = Argument("mass", Kind.REAL, unit="kg")
-    A = Argument("A", Kind.REAL, (6,), "out", "kg")
-    inverse = Argument("A_inverse", Kind.REAL, (6,), "out", "1/kg")
-    body = Body()
-    for k, (i, j) in enumerate(SYMMETRIC):
-        own = p.place.added_mass[i][j]
-        body.set(A.place[k], mass.place + own if i == j else own)
-    adjugate, determinant = derived_carrier.inverse_of_symmetric()
-    names = ("11", "22", "33", "12", "13", "23")
-    cofactor = [body.let(f"c{n}", translate(e, {"A": A.place})) for n, e in zip(names, adjugate, strict=True)]
-    d = body.let("det", translate(determinant, {"A": A.place, "cofactor": cofactor}))
-    positive = both(both(A.place[0] > 0, cofactor[2] > 0), d > 0)
-    lib.guard(body, Not(positive), "NOT_POSITIVE_DEFINITE")
-    r = body.let("r", 1 / d)
-    for k in range(6):
-        body.set(inverse.place[k], cofactor[k] * r)
-    body.ret(Status("OK"))
-    return Function(
-        "translation_block",
-        "Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse.",
-        (p, mass, A, inverse),
-        body.statements,
-        equation="(2)",
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
-    )
-
-
-def check_parameters(lib: Library) -> Function:
-    """Everything that can be wrong with parameters, before anything is written."""
-    layout = lib.layout
-    parameters = Argument("parameters", layout.parameters)
-    p = parameters.place
-    bound = lib.limits["MAX_PARAMETER"].expression
-    body = Body()
-    lib.begin(body)
-    total = body.local("mass")
-    points = len(layout.structure.points)
-    if layout.flywheels or points:
-        O = body.local("O", (3,))
-    if layout.instruments or layout.flywheels or points:
-        R = body.local("R", (9,))
-    lib.check(body, "check_body", p.carrier)
-    body.set(total, p.carrier.mass)
-    if layout.instruments:
-        with body.loop("k", layout.instruments) as k:
-            q = p.instrument[k]
-            lib.check(body, "check_body", q.body)
-            lib.check(body, "within", q.position, 3, bound)
-            lib.check(body, "frame_of_axes", q.axis, q.zero, R)
-            body.add(total, q.body.mass)
-    if layout.flywheels:
-        with body.loop("s", layout.count) as s:
-            w = p.flywheel[s]
-            lib.check(body, "check_body", w.body)
-            lib.guard(body, Not(w.body.inertia[0] > 0), "NOT_POSITIVE_DEFINITE")
-            named = {"parameters": p, "w": w, "O": O, "R": R}
-            lib.check(body, "place_flywheel", *lib.passed("place_flywheel", **named))
-            body.add(total, w.body.mass)
-    if points:
-        with body.loop("k", points) as k:
-            named = {"parameters": p, "w": p.point[k], "O": O, "R": R}
-            lib.check(body, "place_point", *lib.passed("place_point", **named))
-    lib.guard(body, Not(total > 0), "NOT_POSITIVE_DEFINITE")
-    if layout.added_mass:
-        A = body.local("A", (6,))
-        inverse = body.local("A_inverse", (6,))
-        with body.loop("i", 6) as i:
-            lib.check(body, "within", p.added_mass[i], 6, bound)
-        lib.check(body, "translation_block", p, total, A, inverse)
-    body.ret(Status("OK"))
-    mounts = ("BAD_ARGUMENT",) if layout.instruments and (layout.flywheels or points) else ()
-    return Function(
-        "check_parameters",
-        "Are the parameters finite, in range, their axes directions, and the masses positive?",
-        (parameters,),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE", *mounts),
-    )
 
 
 def _frames(lib: Library, work: _Work, p: Place, out: Place) -> None:

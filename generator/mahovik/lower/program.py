@@ -3,7 +3,23 @@
 from __future__ import annotations
 
 from mahovik import routines
-from mahovik.lower import checks, drive, flywheels, forward, generalized, laws, matrices, measure, prepare, rotation, solve, wrenches
+from mahovik.lower import (
+    checks,
+    drive,
+    flywheels,
+    forward,
+    generalized,
+    laws,
+    matrices,
+    measure,
+    mounts,
+    parameters,
+    placement,
+    prepare,
+    rotation,
+    solve,
+    wrenches,
+)
 from mahovik.lower.layout import Layout
 from mahovik.lower.library import Library
 from mahovik.program.function import Program
@@ -56,17 +72,22 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(generalized.quaternion(lib))
     lib.add(generalized.products(lib))
     lib.add(generalized.attitude(lib))
-    lib.add(prepare.frame_of_axes(lib))
+    lib.add(placement.frame_of_axes(lib))
     lib.add(prepare.carry(lib))
-    lib.add(prepare.check_body(lib))
+    lib.add(parameters.check_body(lib))
     if layout.flywheels:
-        lib.add(prepare.place_flywheel(lib))
+        lib.add(placement.place_flywheel(lib))
     if layout.structure.points:
-        lib.add(prepare.place_point(lib))
+        lib.add(placement.place_point(lib))
     if layout.added_mass:
-        lib.add(prepare.translation_block(lib))
-    lib.add(prepare.check_parameters(lib))
+        lib.add(parameters.translation_block(lib))
+    lib.add(parameters.check_parameters(lib))
     lib.add(prepare.prepare(lib))
+    if layout.flywheels:
+        lib.add(mounts.carry_twist(lib))
+        lib.add(mounts.mount_wrench(lib))
+        lib.add(mounts.mounts(lib))
+        lib.add(mounts.prepare_mounts(lib))
     counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count) if c.value)
     functions = reachable(lib.functions)
     program = Program(layout.structure.name, precision, counts, _structs(layout), functions)
@@ -110,10 +131,10 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         layout.matrices,
         layout.momentum,
         layout.generalized,
-        layout.reading,
+        *((layout.mount_table,) if layout.flywheels else ()),
+        *((layout.reading,) if layout.sensors else ()),
         layout.sums,
-        layout.coupling,
-        layout.schur,
+        *((layout.coupling, layout.schur) if layout.flywheels else ()),
     ):
         visit(struct)
     return tuple(found)

@@ -75,6 +75,7 @@ class Values:
         self._program = Interpreter(program)
         self.parameters = self._parameters()
         self.table = self._table()
+        self.mounting = self._mounting() if layout.flywheels else None
 
     def _parameters(self) -> dict[str, Any]:
         layout, stand = self._layout, self._stand
@@ -134,6 +135,11 @@ class Values:
             raise StandError([f"stand {self._stand.name}: its masses and inertias are refused by prepare: {name}"])
         table: dict[str, Any] = outputs["stand"]
         return table
+
+    def _mounting(self) -> dict[str, Any]:
+        """prepare_mounts on the same parameters."""
+        found: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
+        return found
 
     def _laws(self) -> Any:
         """A table whose laws are filled in, the rest zero."""

@@ -77,7 +77,14 @@ def own_argument(lib: Library) -> Argument:
 
 
 def own_wrenches(
-    lib: Library, body: Body, stand: Place, x: Place, V: Place, wrench: tuple[Argument, ...], F: Place, own: Place | None
+    lib: Library,
+    body: Body,
+    stand: Place,
+    x: Place,
+    V: Place,
+    wrench: tuple[Argument, ...],
+    F: Place,
+    own: Place | None,
 ) -> None:
     """Adds the wrenches of all bodies that have some in their own frame to F; of the flywheels also to `own`."""
     if lib.layout.own_turning:

@@ -15,7 +15,7 @@ from mahovik.program.walk import expressions, inside
 
 
 def pruned(function: Function) -> Function:
-    """The function without dead locals; a function of our own also loses arguments it has no use for."""
+    """The function without dead locals and without arguments that it has no use for."""
     body = function.body
     while True:
         alive = {id(p.root) for p in _read(body)} | {id(a.variable) for a in function.arguments}
@@ -24,7 +24,7 @@ def pruned(function: Function) -> Function:
             break
         body = shorter
     used = {id(e.root) for e in expressions(body) if isinstance(e, Place)}
-    kept = tuple(a for a in function.arguments if function.public or id(a.variable) in used)
+    kept = tuple(a for a in function.arguments if id(a.variable) in used)
     return replace(function, arguments=kept, body=body)
 
 
