@@ -7,7 +7,7 @@ from mahovik.derive import carrier as derived_carrier
 from mahovik.derive import drive as derived
 from mahovik.derive.symbols import SYMMETRIC, vector
 from mahovik.lower.flywheels import columns_of, sine_and_cosine
-from mahovik.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene
+from mahovik.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, from_stream, scene
 from mahovik.lower.library import Library
 from mahovik.lower.solve import parts_of_twist
 from mahovik.lower.symbolic import assign, translate
@@ -195,20 +195,28 @@ def solve_schur(lib: Library) -> Function:
     )
 
 
-def coupled(lib: Library) -> Function:
-    """V*, phi'' for given tau."""
-    layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
-    tau = Argument("tau", Kind.REAL, (layout.count,), unit="N m", purpose="drive torques, mount on flywheel")
-    locked = Argument(
-        "locked", Kind.INT, (layout.count,), purpose="not 0: phi'' = 0 is held by a lock; its tau is not read"
+def _coupled_arguments(lib: Library) -> tuple[Argument, ...]:
+    """stand, x, tau, locked, run-time wrenches, V_dot, phi_ddot."""
+    count = lib.layout.count
+    held = "not 0: a lock holds phi'' = 0; its tau is not read"
+    return (
+        lib.table_argument(),
+        lib.state_argument(),
+        Argument("tau", Kind.REAL, (count,), unit="N m", purpose="drive torques, mount on flywheel"),
+        Argument("locked", Kind.INT, (count,), purpose=held),
+        *lib.wrench_arguments(),
+        Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V"),
+        Argument("phi_ddot", Kind.REAL, (count,), "out", "rad/s2", "flywheel accelerations"),
     )
-    wrench = lib.wrench_arguments()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
-    phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
+
+
+def move(lib: Library) -> Function:
+    """V*, phi'' for given tau, from checked inputs."""
+    layout = lib.layout
+    arguments = _coupled_arguments(lib)
+    stand, x, tau, locked, *wrench, V_dot, phi_ddot = arguments
     body = Body()
-    check_inputs(lib, body, x, (), wrench)
-    lib.check(body, "within", tau.place, layout.count, lib.limits["MAX_WRENCH"].expression)
+    lib.begin(body)
     seen = scene(lib, body, stand.place, x.place)
     drives = body.local("drive", (layout.count,), layout.coupling)
     swing = _swing(lib, body, seen)
@@ -219,7 +227,7 @@ def coupled(lib: Library) -> Function:
         body.call(lib["add_flywheel"], stand.place.flywheel[s], turn["s"], turn["c"], speed, real(0), seen.sums)
     F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
-    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
+    external_wrench(lib, body, stand.place, x.place, seen, tuple(wrench), F)
     body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
@@ -233,24 +241,50 @@ def coupled(lib: Library) -> Function:
                 demand = demand + seen.own[s * integer(6) + 3]
             body.set(rate[s], demand * stand.place.flywheel[s].spin_inverse)
             body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inverse, rate[s], K, F)
-    result = body.local("result", (6,))
-    lib.check(body, "solve_schur", K, F, result)
+    lib.check(body, "solve_schur", K, F, V_dot.place)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], real(0))
         with body.when(equal(locked.place[s], integer(0))):
-            back = _along(drives[s].I, result) * stand.place.flywheel[s].spin_inverse
+            back = _along(drives[s].I, V_dot.place) * stand.place.flywheel[s].spin_inverse
             body.set(phi_ddot.place[s], rate[s] - back)
-    if seen.stream is not None:
-        body.note("V* = V_r* - (omega x C^T u, 0)")
-        drift = drift_of(body, x.place, seen.stream)
-        for i in range(3):
-            body.set(result[i], result[i] - drift[i])
-    body.copy_array(V_dot.place, result)
+    from_stream(body, x.place, seen, V_dot.place)
+    body.ret(Status("OK"))
+    return Function(
+        "move",
+        "V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK.",
+        arguments,
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
+    """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
+    by_name = {a.name: a for a in arguments}
+    wrench = tuple(a for a in arguments if a.name == "wrench")
+    check_inputs(lib, body, by_name["x"], (), wrench)
+    lib.check(body, "within", by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression)
+
+
+def coupled(lib: Library) -> Function:
+    """V*, phi'' for given tau."""
+    layout = lib.layout
+    arguments = _coupled_arguments(lib)
+    V_dot, phi_ddot = arguments[-2:]
+    body = Body()
+    check_drive(lib, body, arguments)
+    motion = body.local("V_result", (6,))
+    spins = body.local("phi_result", (layout.count,))
+    lib.check(body, "move", *(a.place for a in arguments[:-2]), motion, spins)
+    body.copy_array(V_dot.place, motion)
+    with body.loop("s", layout.count) as s:
+        body.set(phi_ddot.place[s], spins[s])
     body.ret(Status("OK"))
     return Function(
         "coupled",
         "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first.",
-        (stand, x, tau, locked, *wrench, V_dot, phi_ddot),
+        arguments,
         body.statements,
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),

@@ -105,6 +105,44 @@ def drift_of(body: Body, x: Place, stream: Place) -> Place:
     return drift
 
 
+def accelerate(lib: Library) -> Function:
+    """V* for given phi'' by (8), from checked inputs."""
+    stand, x = lib.table_argument(), lib.state_argument()
+    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
+    body = Body()
+    lib.begin(body)
+    seen = scene(lib, body, stand.place, x.place)
+    sum_up(lib, body, stand.place, x.place, seen.sums, phi_ddot[0].place if phi_ddot else None)
+    F = body.local("F", (6,), comment="wrench (7); then what K V* must equal")
+    Z = body.local("Z", (6,), comment="momentum screw (2)")
+    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    lib.check(body, "solve_carrier", stand.place, seen.sums, F, V_dot.place)
+    from_stream(body, x.place, seen, V_dot.place)
+    body.ret(Status("OK"))
+    return Function(
+        "accelerate",
+        "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK.",
+        (stand, x, *phi_ddot, *wrench, V_dot),
+        body.statements,
+        equation="(8)",
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def from_stream(body: Body, x: Place, seen: Scene, V_dot: Place) -> None:
+    """V* = V_r* - (omega x C^T u, 0), where there is a stream."""
+    if seen.stream is None:
+        return
+    body.note("V* = V_r* - (omega x C^T u, 0)")
+    drift = drift_of(body, x, seen.stream)
+    for i in range(3):
+        body.set(V_dot[i], V_dot[i] - drift[i])
+
+
 def forward(lib: Library) -> Function:
     """V* for given phi'' by (8)."""
     stand, x = lib.table_argument(), lib.state_argument()
@@ -112,20 +150,9 @@ def forward(lib: Library) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
     check_inputs(lib, body, x, phi_ddot, wrench)
-    seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen.sums, phi_ddot[0].place if phi_ddot else None)
-    F = body.local("F", (6,), comment="wrench (7); then what K V* must equal")
-    Z = body.local("Z", (6,), comment="momentum screw (2)")
     result = body.local("result", (6,))
-    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
-    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
-    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
-    lib.check(body, "solve_carrier", stand.place, seen.sums, F, result)
-    if seen.stream is not None:
-        body.note("V* = V_r* - (omega x C^T u, 0)")
-        drift = drift_of(body, x.place, seen.stream)
-        for i in range(3):
-            body.set(result[i], result[i] - drift[i])
+    inputs = [a.place for a in (*phi_ddot, *wrench)]
+    lib.check(body, "accelerate", stand.place, x.place, *inputs, result)
     body.copy_array(V_dot.place, result)
     body.ret(Status("OK"))
     return Function(

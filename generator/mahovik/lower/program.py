@@ -18,6 +18,7 @@ from mahovik.lower import (
     prepare,
     rotation,
     solve,
+    step,
     wrenches,
 )
 from mahovik.lower.layout import Layout
@@ -42,6 +43,7 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(routines.sincos(precision))
     lib.add(routines.square_root(precision))
     lib.add(routines.atan2(precision))
+    lib.add(routines.wrap(precision))
     lib.add(checks.within(lib))
     lib.add(checks.check_state(lib))
     lib.add(rotation.rotation())
@@ -54,6 +56,7 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(solve.subtract_rates(lib))
     lib.add(solve.solve3(lib))
     lib.add(solve.solve_carrier(lib))
+    lib.add(forward.accelerate(lib))
     lib.add(forward.forward(lib))
     if layout.wrenches:
         lib.add(forward.wrench_function(lib))
@@ -65,7 +68,9 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(drive.torque(lib))
         lib.add(drive.eliminate(lib))
         lib.add(drive.solve_schur(lib))
+        lib.add(drive.move(lib))
         lib.add(drive.coupled(lib))
+    step.add_all(lib)
     if layout.sensors:
         lib.add(measure.sense(lib))
         lib.add(measure.measure(lib))

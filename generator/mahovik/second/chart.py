@@ -33,8 +33,11 @@ class Chart:
         return along(expression, self.q, self.q_dot)
 
     def second_rate(self, expression: Expr) -> Expr:
-        """d/dt of an expression in q and q', along (q', q''); of the same shape."""
-        return along(expression, ca.vertcat(self.q, self.q_dot), ca.vertcat(self.q_dot, self.q_ddot))
+        """d/dt of an expression in q and q', along (q', q''); of the same shape.
+
+        The parts by q' and by q'' are formed apart: where the first cancels in itself, it leaves the second intact.
+        """
+        return self.rate(expression) + along(expression, self.q_dot, self.q_ddot)
 
     def here(self, expression: Expr) -> Expr:
         """The expression at the present pose, delta = 0 and xi = 0."""

@@ -30,9 +30,11 @@ def measured() -> Expr:
     chart = Chart()
     origin, fixed, place, gravity = (ca.SX.sym(name, 3, n) for name, n in zip("ofpg", (1, 3, 1, 1), strict=True))
     C = ca.SX.sym("C", 3, 3)
-    position = place + C @ (chart.delta + turn(chart.xi) @ origin)
-    axes = C @ turn(chart.xi) @ fixed
-    velocity, omega = chart.rate(position), angular_velocity(axes, chart.rate(axes))
+    turned = turn(chart.xi)
+    position, axes = place + C @ (chart.delta + turned @ origin), C @ turned @ fixed
+    velocity = chart.rate(position)
+    # of the carrier, then turned: the terms quadratic in omega cancel to the last bit on axes that coincide with E1
+    omega = fixed.T @ angular_velocity(turned, chart.rate(turned))
     acceleration = chart.second_rate(velocity)
     found = [
         position,
