@@ -45,7 +45,7 @@ _STATUS_MEANING = {
 }
 
 
-_INTERNAL = frozenset(("sums", "coupling", "schur"))
+_INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work"))
 """Structs of the source alone."""
 
 

@@ -7,7 +7,7 @@ from functools import cached_property
 from mahovik.lower.table import Tables
 from mahovik.program.types import Field, Kind, Struct
 
-REAL = Kind.REAL
+REAL, INT = Kind.REAL, Kind.INT
 
 
 class Layout(Tables):
@@ -63,6 +63,44 @@ class Layout(Tables):
             Field("D", REAL, (6,), "kg m2", "moment by omega*: 11 22 33 12 13 23"),
         )
         return Struct("schur", "K with free flywheels eliminated: K - sum I I^T / Theta_ff.", fields)
+
+    @cached_property
+    def inverse_options(self) -> Struct:
+        fields = (
+            Field("weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'', 1 by default; greater than 0"),
+            Field("limit", REAL, (self.count,), "rad/s2", "magnitude of each phi''; greater than 0"),
+            Field("near", REAL, (), "", "NEAR_SINGULAR below this part of the largest singular value, 0..1"),
+            Field("damping", REAL, (), "", "part of the largest singular value that damps those near zero, 0..1; 0: none"),
+        )
+        return Struct("inverse_options", "How inverse chooses among flywheels, and near singularity.", fields)
+
+    @cached_property
+    def inverse_work(self) -> Struct:
+        fields = (
+            Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9)"),
+            Field("W", REAL, (6, self.count), "", "scaled: G^-1 I D^-1; then with orthogonal rows"),
+            Field("U", REAL, (6, 6), "", "rotations of the rows"),
+            Field("G", REAL, (6, 6), "", "Cholesky factor of K, lower triangle"),
+            Field("b", REAL, (6,), "N, N m", "what the flywheels must give"),
+            Field("r", REAL, (6,), "", "scaled: G^-1 b; then U^T r"),
+            Field("sigma", REAL, (6,), "", "singular values"),
+            Field("scale", REAL, (self.count,), "", "D^-1"),
+        )
+        return Struct("inverse_work", "Scratch of inverse.", fields)
+
+    @cached_property
+    def inverse_result(self) -> Struct:
+        least = min(6, int(self.count))
+        fields = (
+            Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
+            Field("residual", REAL, (6,), "N, N m", "F - K V* - M V - J phi' - I phi''"),
+            Field("sigma", REAL, (least,), "", "singular values of the scaled I, descending"),
+            Field("rank", INT, (), "", "of them that count"),
+            Field("damping", REAL, (), "", "largest damping applied; 0: none"),
+            Field("limited", INT, (self.count,), "", "1 where the limit of a flywheel was reached"),
+            Field("hardest", REAL, (6,), "", "wrench of unit size in the norm of K^-1 that is hardest to give"),
+        )
+        return Struct("inverse_result", "Answer of inverse, and how good it is.", fields)
 
     @cached_property
     def matrices(self) -> Struct:

@@ -9,6 +9,7 @@ from mahovik.lower import (
     flywheels,
     forward,
     generalized,
+    inverse,
     laws,
     matrices,
     measure,
@@ -71,6 +72,12 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(drive.move(lib))
         lib.add(drive.coupled(lib))
     step.add_all(lib)
+    if layout.flywheels:
+        square_root = lib["sqrt"]
+        lib.add(routines.orthogonalise(layout.inverse_work, layout.count, square_root, precision.name))
+        lib.add(inverse.factor(lib))
+        lib.add(inverse.demand(lib))
+        lib.add(inverse.inverse(lib))
     if layout.sensors:
         lib.add(measure.sense(lib))
         lib.add(measure.measure(lib))
@@ -139,7 +146,8 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         *((layout.mount_table,) if layout.flywheels else ()),
         *((layout.reading,) if layout.sensors else ()),
         layout.sums,
-        *((layout.coupling, layout.schur) if layout.flywheels else ()),
+        *((layout.coupling, layout.schur, layout.inverse_work) if layout.flywheels else ()),
+        *((layout.inverse_options, layout.inverse_result) if layout.flywheels else ()),
     ):
         visit(struct)
     return tuple(found)

@@ -1,0 +1,285 @@
+"""inverse (12): flywheel accelerations for a wanted motion of the carrier, with diagnostics, and a cheap variant.
+
+K = G G^T, W = G^-1 I D^-1, r = G^-1 b with b = F - K V* - M V - J phi' and D^2 = diag(weight Theta_ff): least |r - W y|,
+then least |y|; phi'' = D^-1 y. The singular values of W are those of K^-1/2 I Theta_ff^-1/2 where all weights are 1.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik.derive import accumulate as derived_rows
+from mahovik.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.lower.forward import STATE_STATUSES, check_inputs, drift_of, external_wrench, scene
+from mahovik.lower.library import Library
+from mahovik.lower.matrices import fill
+from mahovik.lower.solve import carrier_binding
+from mahovik.lower.symbolic import assign
+from mahovik.derive import carrier as derived_carrier
+from mahovik.program.build import Body, call
+from mahovik.program.expression import Convert, Expr, Not, Place, Status, both, integer, magnitude, real, select
+from mahovik.program.function import STATUS_VALUES, Argument, Function
+from mahovik.program.types import Kind
+
+RANK_TOLERANCE = {"double": 1e-9, "float": 1e-5}
+"""Singular values below this part of the largest count as zero (stand.md)."""
+
+UNREACHABLE_ABOVE = {"double": 1e-9, "float": 1e-4}
+"""Scaled residual over scaled demand above which the target is out of reach (stand.md)."""
+
+
+def factor(lib: Library) -> Function:
+    """Cholesky factor of K."""
+    work = Argument("work", lib.layout.inverse_work, (), "inout", purpose="in: G holds K; out: lower triangle G, K = G G^T")
+    G = work.place.G
+    body = Body()
+    lib.begin(body)
+    with body.loop("j", 6) as j:
+        pivot = body.local("pivot")
+        body.set(pivot, G[j][j])
+        with body.loop("k", j) as k:
+            body.add(pivot, -(G[j][k] * G[j][k]))
+        lib.guard(body, Not(pivot > 0), "NOT_POSITIVE_DEFINITE")
+        root = body.let("root", call(lib["sqrt"], pivot))
+        body.set(G[j][j], root)
+        with body.loop("i", 6, start=j + 1) as i:
+            rest = body.local("rest")
+            body.set(rest, G[i][j])
+            with body.loop("k", j) as k:
+                body.add(rest, -(G[i][k] * G[j][k]))
+            body.set(G[i][j], rest / root)
+    body.ret(Status("OK"))
+    return Function(
+        "factor",
+        "Cholesky factor of the mass matrix, in place: K = G G^T.",
+        (work,),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def demand(lib: Library) -> Function:
+    """Everything of (12) at a state: K factored, I, b, W, r."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
+    weight = Argument("weight", Kind.REAL, (layout.count,), purpose="of the flywheels in the norm, greater than 0")
+    wrench = lib.wrench_arguments()
+    work = Argument("work", layout.inverse_work, (), "out")
+    w = work.place
+    body = Body()
+    lib.begin(body)
+    seen = scene(lib, body, stand.place, x.place)
+    moving = _relative(lib, body, x.place, V_dot.place, seen.stream)
+    body.call(lib["start_sums"], stand.place, seen.sums)
+    column = body.local("column", (6,), comment="I_s")
+    with body.loop("s", layout.count) as s:
+        turn = sine_and_cosine(lib, body, x.place.phi[s], "_phi")
+        row = stand.place.flywheel[s]
+        body.call(lib["add_flywheel"], row, turn["s"], turn["c"], x.place.phi_dot[s], real(0), seen.sums)
+        assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
+        with body.loop("i", 6) as i:
+            body.set(w.I[i][s], column[i])
+    F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
+    Z = body.local("Z", (6,), comment="momentum screw (2)")
+    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    K_rows: dict[str, Any] = carrier_binding(lib, stand.place, seen.sums)
+    fill(body, w.G, derived_carrier.mass_matrix(layout.added_mass), K_rows)
+    body.note("b = F - K V*: what the flywheels must give")
+    with body.loop("i", 6) as i:
+        total: Expr = F[i]
+        for j in range(6):
+            total = total - w.G[i][j] * moving[j]
+        body.set(w.b[i], total)
+        body.set(w.r[i], total)
+    lib.check(body, "factor", w)
+    with body.loop("s", layout.count) as s:
+        theta = stand.place.flywheel[s].spin * weight.place[s]
+        body.set(w.scale[s], 1 / call(lib["sqrt"], theta))
+        with body.loop("i", 6) as i:
+            body.set(w.W[i][s], w.I[i][s] * w.scale[s])
+    body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution")
+    with body.loop("i", 6) as i:
+        with body.loop("k", i) as k:
+            with body.loop("s", layout.count) as s:
+                body.add(w.W[i][s], -(w.G[i][k] * w.W[k][s]))
+            body.add(w.r[i], -(w.G[i][k] * w.r[k]))
+        inverse = body.let("inverse", 1 / w.G[i][i])
+        with body.loop("s", layout.count) as s:
+            body.set(w.W[i][s], w.W[i][s] * inverse)
+        body.set(w.r[i], w.r[i] * inverse)
+    body.ret(Status("OK"))
+    return Function(
+        "demand",
+        "What (12) asks of the flywheels at a state: I, b, and both scaled to W, r.",
+        (stand, x, V_dot, weight, *wrench, work),
+        body.statements,
+        equation="(12)",
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def _relative(lib: Library, body: Body, x: Place, V_dot: Place, stream: Place | None) -> Place:
+    """V_r* = V* + (omega x C^T u, 0)."""
+    if stream is None:
+        return V_dot
+    drift = drift_of(body, x, stream)
+    moving = body.local("V_r_dot", (6,), comment="V_r* = V* + (omega x C^T u, 0)")
+    for i in range(6):
+        body.set(moving[i], V_dot[i] + drift[i] if i < 3 else V_dot[i])
+    return moving
+
+
+def _check(lib: Library, body: Body, x: Argument, V_dot: Argument, options: Place, wrench: tuple[Argument, ...]) -> None:
+    """Inputs of both variants, and the options."""
+    largest = lib.limits["LARGEST"].expression
+    check_inputs(lib, body, x, (), wrench)
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_PARAMETER"].expression)
+    lib.check(body, "within", options.limit, lib.layout.count, largest)
+    for name in ("near", "damping"):
+        value = options.member(name)
+        lib.guard(body, Not(both(value >= 0, value <= 1)), "BAD_ARGUMENT")
+    with body.loop("s", lib.layout.count) as s:
+        lib.guard(body, Not(both(options.weight[s] > real(1e-9), options.limit[s] > 0)), "BAD_ARGUMENT")
+
+
+def inverse(lib: Library) -> Function:
+    """phi'' for a wanted V*, with diagnostics."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
+    options = Argument("options", layout.inverse_options, purpose="weights, limits, damping; the default is in the source")
+    wrench = lib.wrench_arguments()
+    out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and how good it is")
+    o, p = out.place, options.place
+    precision = layout.precision.name
+    body = Body()
+    _check(lib, body, x, V_dot, p, wrench)
+    work = body.local("work", (), layout.inverse_work)
+    inputs = [w.place for w in wrench]
+    lib.check(body, "demand", stand.place, x.place, V_dot.place, p.weight, *inputs, work)
+    wanted = body.local("wanted")
+    body.set(wanted, real(0))
+    with body.loop("i", 6) as i:
+        body.add(wanted, work.r[i] * work.r[i])
+    body.call(lib["orthogonalise"], work)
+    _sort(body, work)
+    first = work.sigma[0]
+    flags = body.local("flags", (), Kind.INT)
+    rank = body.local("rank", (), Kind.INT)
+    damped = body.local("damping")
+    body.set(flags, integer(0))
+    body.set(rank, integer(0))
+    body.set(damped, real(0))
+    with body.loop("s", layout.count) as s:
+        body.set(o.phi_ddot[s], real(0))
+    body.note("y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero")
+    with body.loop("i", 6) as i, body.when(work.sigma[i] > RANK_TOLERANCE[precision] * first):
+        body.set(rank, rank + 1)
+        ratio = body.let("ratio", work.sigma[i] / first)
+        share = body.local("lambda")
+        body.set(share, real(0))
+        with body.when(ratio < p.near):
+            body.set(flags, _flag(flags, "NEAR_SINGULAR"))
+            with body.when(p.damping > 0):
+                body.set(flags, _flag(flags, "DAMPED"))
+                body.set(share, p.damping * first * (1 - ratio / p.near))
+                body.set(damped, select(share > damped, share, damped))
+        part = body.let("part", work.r[i] / (work.sigma[i] * work.sigma[i] + share * share))
+        with body.loop("s", layout.count) as s:
+            body.add(o.phi_ddot[s], part * work.W[i][s])
+    _limit(lib, body, o, p, work, flags)
+    with body.when(rank < min(6, int(layout.count))):
+        body.set(flags, _flag(flags, "RANK_DEFICIENT"))
+    _residual(lib, body, o, work, wanted, flags)
+    body.set(o.rank, rank)
+    body.set(o.damping, damped)
+    with body.loop("i", min(6, int(layout.count))) as i:
+        body.set(o.sigma[i], work.sigma[i])
+    body.ret(Convert(flags, Kind.STATUS))
+    return Function(
+        "inverse",
+        "Flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'. Least residual in "
+        "the norm of K^-1, then least weighted phi''.",
+        (stand, x, V_dot, options, *wrench, out),
+        body.statements,
+        equation="(12)",
+        returns=Kind.STATUS,
+        statuses=(
+            *STATE_STATUSES,
+            "NOT_POSITIVE_DEFINITE",
+            "BAD_ARGUMENT",
+            "NEAR_SINGULAR",
+            "DAMPED",
+            "LIMITED",
+            "UNREACHABLE",
+            "RANK_DEFICIENT",
+        ),
+        notes=("Positive statuses are bits that may come together.",),
+        public=True,
+    )
+
+
+def _flag(flags: Place, name: str) -> Expr:
+    """flags with the bit of a status."""
+    return flags | STATUS_VALUES[name]
+
+
+def _sort(body: Body, work: Place) -> None:
+    """Descending singular values: the order of the rows, by exchanging neighbours a fixed number of times."""
+    body.note("descending singular values, by exchanging neighbours")
+    with body.loop("pass", 5), body.loop("i", 5) as i, body.when(work.sigma[i] < work.sigma[i + 1]):
+        for member in ("sigma", "r"):
+            values = work.member(member)
+            kept = body.let(f"kept_{member}", values[i])
+            body.set(values[i], values[i + 1])
+            body.set(values[i + 1], kept)
+        for member, length, by_column in (("W", work.W.shape[1], False), ("U", 6, True)):
+            m = work.member(member)
+            with body.loop("j", length) as j:
+                one, two = (m[j][i], m[j][i + 1]) if by_column else (m[i][j], m[i + 1][j])
+                kept = body.let("kept", one)
+                body.set(one, two)
+                body.set(two, kept)
+
+
+def _limit(lib: Library, body: Body, o: Place, p: Place, work: Place, flags: Place) -> None:
+    """phi'' = D^-1 y, cut to its limits; the mask says whose."""
+    with body.loop("s", lib.layout.count) as s:
+        free = body.let("free", o.phi_ddot[s] * work.scale[s])
+        over = body.let("over", magnitude(free) - p.limit[s])
+        body.set(o.phi_ddot[s], free)
+        body.set(o.limited[s], integer(0))
+        with body.when(over > 0):
+            body.set(o.phi_ddot[s], select(free < 0, -p.limit[s], p.limit[s]))
+            body.set(o.limited[s], integer(1))
+            body.set(flags, _flag(flags, "LIMITED"))
+
+
+def _residual(lib: Library, body: Body, o: Place, work: Place, wanted: Place, flags: Place) -> None:
+    """b - I phi'', its scaled size against the demand, and the direction hardest to reach."""
+    left = body.local("left")
+    z = body.local("z", (6,), comment="G^-1 residual")
+    body.set(left, real(0))
+    with body.loop("i", 6) as i:
+        body.set(o.residual[i], work.b[i])
+        with body.loop("s", lib.layout.count) as s:
+            body.add(o.residual[i], -(work.I[i][s] * o.phi_ddot[s]))
+    with body.loop("i", 6) as i:
+        body.set(z[i], o.residual[i])
+        with body.loop("k", i) as k:
+            body.add(z[i], -(work.G[i][k] * z[k]))
+        body.set(z[i], z[i] / work.G[i][i])
+        body.add(left, z[i] * z[i])
+        body.note("G u of the least singular value")
+        body.set(o.hardest[i], real(0))
+        with body.loop("k", i + 1) as k:
+            body.add(o.hardest[i], work.G[i][k] * work.U[k][5])
+    tolerance = UNREACHABLE_ABOVE[lib.layout.precision.name]
+    with body.when(left > tolerance * tolerance * wanted):
+        body.set(flags, _flag(flags, "UNREACHABLE"))
