@@ -79,6 +79,8 @@ class Expressions:
                 return self._names.constant(e.name), _PRIMARY
             case Place():
                 return self.place(e), _PRIMARY
+            case Negate() if self._narrow(e.operand):
+                return f"-{self._widened(e.operand)}", _UNARY
             case Negate():
                 return f"-{self._inside(e.operand, _UNARY + 1)}", _UNARY
             case Not():
@@ -117,7 +119,22 @@ class Expressions:
 
     def _binary(self, e: Binary | Logic) -> tuple[str, int]:
         level = _LEVEL[e.operator]
-        return f"{self._side(e, e.left, level)} {e.operator} {self._side(e, e.right, level + 1)}", level
+        left = self._side(e, e.left, level)
+        if self._narrow(e.left) and (e.operator in ("<<", ">>") or self._narrow(e.right)):
+            left = self._widened(e.left)
+        return f"{left} {e.operator} {self._side(e, e.right, level + 1)}", level
+
+    def _narrow(self, e: Expr) -> bool:
+        """Would C compute this word with fewer bits? A small literal is an `unsigned int`."""
+        match e:
+            case Const():
+                return e.kind is Kind.WORD and self._precision.width > 32 and int(e.value) < 1 << 32
+            case Select():
+                return self._narrow(e.yes) and self._narrow(e.no)
+        return False
+
+    def _widened(self, e: Expr) -> str:
+        return f"({self._names.type(Kind.WORD)}){self._inside(e, _UNARY)}"
 
     def _side(self, parent: Binary | Logic, e: Expr, least: int) -> str:
         """An operand; unlike operators other than + - * / get parentheses, as gcc's -Wparentheses wants."""

@@ -152,6 +152,7 @@ class _Printer:
         if layout.flywheels:
             names = list(layout.structure.flywheels)
             entries = self._names.enumerators(names, taken)
+            taken |= {entry.removeprefix(self._names.constant("")) for entry in entries}
             found.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
         if layout.inputs:
             names = list(layout.inputs)

@@ -135,7 +135,12 @@ def _runtime(precision: Precision) -> dict[str, Any]:
         for name, value in vars(source).items():
             setattr(target, name, copy_value(value))
 
+    def quotient(a: int, b: int) -> int:
+        """Towards zero, as in C; `//` of Python is towards minus infinity."""
+        return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
+
     return {
+        "quotient": quotient,
         "bits_of": lambda x: int(scalar(x).view(word)),
         "real_of_bits": lambda w: word(w).view(scalar),
         "scalar": scalar,
@@ -225,10 +230,12 @@ class _Transpiler:
             case Place():
                 return self._place(e)
             case Negate():
-                return f"(-{self._expr(e.operand)})"
+                text = f"(-{self._expr(e.operand)})"
+                return f"({text} & {self._mask})" if e.kind is Kind.WORD else text
+            case Binary() if e.operator == "/" and e.kind is Kind.INT:
+                return f"quotient({self._expr(e.left)}, {self._expr(e.right)})"
             case Binary():
-                operator = "//" if e.operator == "/" and e.kind is Kind.INT else e.operator
-                text = f"({self._expr(e.left)} {operator} {self._expr(e.right)})"
+                text = f"({self._expr(e.left)} {e.operator} {self._expr(e.right)})"
                 return f"({text} & {self._mask})" if e.kind is Kind.WORD else text
             case Compare():
                 return f"({self._expr(e.left)} {e.operator} {self._expr(e.right)})"

@@ -56,10 +56,10 @@ class CBackend(ProgramBackend):
         self._precision_name = precision_name
         self._folder = folder
         self.generated = generate_all(stand, precision_name)
-        self._scratch = tempfile.TemporaryDirectory(prefix="mahovik-")
-        scratch = Path(self._scratch.name)
-        place = _given(folder, stand) if folder is not None else _written(self.generated.files, scratch)
-        self.library = Library(place / f"{stand.name}.h", place / f"{stand.name}.c", scratch, stand.name)
+        # once loaded, the library needs its file no more
+        with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
+            place = _given(folder, stand) if folder is not None else _written(self.generated.files, Path(scratch))
+            self.library = Library(place / f"{stand.name}.h", place / f"{stand.name}.c", Path(scratch), stand.name)
         program = self.generated.program
 
         def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:

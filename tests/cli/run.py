@@ -1,0 +1,46 @@
+"""The command line in this process and in its own."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from click.testing import CliRunner, Result
+
+from mahovik.cli import main
+from mahovik.stands import path
+
+BENCH8, DEMO3, AUV6 = (str(path(name)) for name in ("bench8", "demo3", "auv6"))
+
+
+def run(*arguments: str, stdin: str | bytes = "") -> Result:
+    """In this process. An exception that is no exit is a traceback: it is raised."""
+    result = CliRunner().invoke(main, list(arguments), input=stdin)
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    assert "Traceback" not in result.output
+    return result
+
+
+def refused(*arguments: str, status: int = 2, stdin: str | bytes = "") -> str:
+    """What is said on standard error; nothing is on standard output."""
+    result = run(*arguments, stdin=stdin)
+    assert result.exit_code == status, result.output
+    return result.stderr
+
+
+def process(*arguments: str, stdin: str = "", cwd: Path | None = None, **env: str) -> subprocess.CompletedProcess[str]:
+    """In its own process, as a user has it."""
+    options: dict[str, Any] = {"capture_output": True, "text": True, "cwd": cwd, "timeout": 120}
+    done = subprocess.run(
+        [sys.executable, "-c", "from mahovik.cli import main; main()", *arguments],
+        input=stdin,
+        check=False,
+        env={**os.environ, **env},
+        **options,
+    )
+    assert "Traceback" not in done.stderr
+    return done

@@ -1,0 +1,222 @@
+"""new, check, generate, derive, and the group itself."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import stat
+import time
+from pathlib import Path
+
+import pytest
+
+from cli.run import AUV6, BENCH8, DEMO3, process, refused, run
+from mahovik import __version__, stands
+from mahovik.emit.generate import generate
+from mahovik.stand import identities, load
+
+COMMANDS = ("new", "check", "derive", "generate", "verify", "eval")
+
+
+def test_help_names_every_command_and_the_exit_statuses() -> None:
+    result = run("--help")
+    assert result.exit_code == 0
+    assert all(f"\n  {command} " in result.output for command in COMMANDS)
+    assert "Exit status: 0 good" in result.output
+    for command in COMMANDS:
+        assert run(command, "--help").exit_code == 0
+
+
+def test_help_imports_nothing_heavy() -> None:
+    done = process("--help", PYTHONPROFILEIMPORTTIME="1")
+    assert done.returncode == 0
+    for heavy in ("numpy", "sympy", "pydantic", "rich", "cffi", "jinja2"):
+        assert f"| {heavy}\n" not in done.stderr
+        assert f" {heavy}\n" not in done.stderr
+
+
+def test_help_answers_at_once() -> None:
+    def seconds() -> float:
+        start = time.perf_counter()
+        process("--help")
+        return time.perf_counter() - start
+
+    assert min(seconds() for _ in range(5)) < 0.5  # 0.07 on an idle machine; tests share theirs
+
+
+def test_version() -> None:
+    assert run("--version").output == f"mahovik, version {__version__}\n"
+
+
+@pytest.mark.parametrize(
+    ("word", "hint"),
+    [("chek", 'did you mean "check"?'), ("evaluate", 'did you mean "eval"?'), ("qqq", "expected one of")],
+)
+def test_a_misspelt_command(word: str, hint: str) -> None:
+    assert f'no such command "{word}"' in refused(word)
+    assert hint in refused(word)
+
+
+def test_a_misspelt_option() -> None:
+    assert "--sped" in refused("check", DEMO3, "--sped", "1")
+
+
+def test_no_command_is_a_usage_error() -> None:
+    assert run().exit_code == 2
+
+
+def test_new_copies_a_stand_with_its_motions(tmp_path: Path) -> None:
+    for name in stands.names():
+        result = run("new", name, "-o", str(tmp_path))
+        assert result.exit_code == 0
+        assert len(result.output.splitlines()) == 1 + len(stands.motions(name))
+        assert load(tmp_path / f"{name}.toml") == load(stands.path(name))
+        for motion in stands.motions(name):
+            assert (tmp_path / motion.name).read_text() == motion.read_text()
+
+
+def test_new_under_another_name(tmp_path: Path) -> None:
+    assert run("new", "bench8", "-o", str(tmp_path / "deep" / "mine.toml")).exit_code == 0
+    assert sorted(p.name for p in (tmp_path / "deep").iterdir()) == ["mine.motion.json", "mine.toml"]
+
+
+def test_new_overwrites_nothing(tmp_path: Path) -> None:
+    (tmp_path / "bench8.motion.json").write_text("mine")
+    assert "is there already, nothing was written" in refused("new", "bench8", "-o", str(tmp_path))
+    assert [p.name for p in tmp_path.iterdir()] == ["bench8.motion.json"]
+    assert (tmp_path / "bench8.motion.json").read_text() == "mine"
+
+
+def test_new_lists_and_refuses_unknown_names() -> None:
+    listed = run("new", "--list")
+    assert [line.split()[0] for line in listed.output.splitlines()] == list(stands.names())
+    assert 'no example stand "bench9"' in refused("new", "bench9")
+    assert "which example?" in refused("new")
+
+
+def test_check_prints_figures() -> None:
+    text = run("check", BENCH8).output
+    names = identities(load(BENCH8))
+    assert f"structure {names.structure}, physics {names.physics}" in text
+    for words in ("carrier", "w8", "18.39", "static, g mm", "dynamic, g mm2", "reach of force: 3783.7 N"):
+        assert words in text
+    assert "warning" not in text
+
+
+def test_check_warns_where_the_singularity_is_a_heading() -> None:
+    assert "warning:" in run("check", AUV6).output
+    assert "it is a heading" in run("check", AUV6).output
+
+
+def test_check_as_json() -> None:
+    found = json.loads(run("check", AUV6, "--json").output)
+    assert found["mass"] == pytest.approx(50.0)
+    assert found["unbalance"][0]["speed"] == pytest.approx(100 * math.pi)
+    assert found["warnings"]
+
+
+@pytest.mark.parametrize(("text", "speed"), [("6000 rpm", 200 * math.pi), ("12.5", 12.5), ("-1 rad/s", 1.0)])
+def test_check_at_a_speed(text: str, speed: float) -> None:
+    found = json.loads(run("check", BENCH8, "--json", "--speed", text).output)
+    assert {row["speed"] for row in found["unbalance"]} == {pytest.approx(speed)}
+
+
+@pytest.mark.parametrize("text", ["fast", "3000 mm", "nan", "inf", "1e300 rpm", ""])
+def test_check_at_a_speed_that_is_none(text: str) -> None:
+    assert refused("check", BENCH8, "--speed", text).startswith("error: --speed: ")
+
+
+def test_tables_are_not_cut_when_piped() -> None:
+    done = process("check", BENCH8, COLUMNS="40", TERM="dumb")
+    assert done.returncode == 0
+    assert "…" not in done.stdout
+    assert max(map(len, done.stdout.splitlines())) > 100
+    assert "\x1b" not in done.stdout
+
+
+def test_generate_writes_a_header_and_a_source_and_needs_no_compiler(tmp_path: Path) -> None:
+    done = process("generate", DEMO3, cwd=tmp_path, PATH="")
+    assert done.returncode == 0
+    assert sorted(p.name for p in (tmp_path / "demo3").iterdir()) == ["demo3.c", "demo3.h"]
+    for name, text in generate(load(DEMO3)).items():
+        assert (tmp_path / "demo3" / name).read_bytes() == text.encode()
+        assert f"{name}   {text.count(chr(10))} lines" in done.stdout
+
+
+def test_generate_again_touches_nothing_that_is_the_same(tmp_path: Path) -> None:
+    run("generate", DEMO3, "-o", str(tmp_path))
+    before = {p.name: p.stat().st_mtime_ns for p in tmp_path.iterdir()}
+    (tmp_path / "demo3.h").write_text("old")
+    run("generate", DEMO3, "-o", str(tmp_path))
+    after = {p.name: p.stat().st_mtime_ns for p in tmp_path.iterdir()}
+    assert after["demo3.c"] == before["demo3.c"]
+    assert after["demo3.h"] != before["demo3.h"]
+    assert set(after) == {"demo3.c", "demo3.h"}
+    assert stat.S_IMODE((tmp_path / "demo3.h").stat().st_mode) & stat.S_IRUSR
+
+
+def test_generate_writes_all_or_nothing(tmp_path: Path) -> None:
+    (tmp_path / "demo3.h").mkdir()
+    assert "demo3.h: is a directory" in refused("generate", DEMO3, "-o", str(tmp_path))
+    assert [p.name for p in tmp_path.iterdir()] == ["demo3.h"]
+
+
+def test_generate_into_what_is_no_folder(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    assert "is a file, expected a folder" in refused("generate", DEMO3, "-o", str(tmp_path / "file"))
+    assert "error: " in refused("generate", DEMO3, "-o", str(tmp_path / "file" / "deeper"))
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+def test_generate_into_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    assert "Permission denied" in refused("generate", DEMO3, "-o", str(tmp_path))
+
+
+def test_generate_into_a_folder_that_cannot_be() -> None:
+    assert refused("generate", DEMO3, "-o", "/proc/none/here").startswith("error: /proc/none/here: cannot be made")
+
+
+def test_float_is_not_there_yet() -> None:
+    assert (
+        refused("generate", DEMO3, "--real", "float") == "error: --real float: float C is not there yet, only double\n"
+    )
+
+
+def test_derive_refuses_other_kinds_of_file() -> None:
+    assert "expected a name that ends in .html or .tex" in refused("derive", DEMO3, "-o", "x.pdf")
+
+
+@pytest.mark.parametrize(
+    "command", [("check",), ("derive",), ("generate",), ("verify",), ("eval", "--backend", "numpy")]
+)
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (None, "no such file"),
+        (b"", "required, but missing"),
+        (b"[[[", "not TOML"),
+        (b"\xff\xfe", "not UTF-8"),
+        (b"schema = 1\nname = 'a b'\n", "is not a C identifier"),
+    ],
+)
+def test_a_bad_stand_file(command: tuple[str, ...], content: bytes | None, words: str, tmp_path: Path) -> None:
+    file = tmp_path / "bad.toml"
+    if content is not None:
+        file.write_bytes(content)
+    said = refused(*command, str(file))
+    assert words in said
+    assert all(line.startswith("error: ") for line in said.splitlines())
+
+
+def test_a_folder_is_no_stand_file(tmp_path: Path) -> None:
+    assert "is a directory" in refused("check", str(tmp_path))
+
+
+def test_every_problem_of_a_stand_is_one_line(tmp_path: Path) -> None:
+    text = Path(DEMO3).read_text().replace("mass =", "mas =")
+    (tmp_path / "bad.toml").write_text(text)
+    lines = refused("check", str(tmp_path / "bad.toml")).splitlines()
+    assert len(lines) >= 4
+    assert all(line.startswith("error: bad.toml: ") for line in lines)

@@ -1,0 +1,100 @@
+"""eval as a process: pipes, conversation, exit statuses."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from typing import Any
+
+import pytest
+
+from cli.run import BENCH8, DEMO3, process, refused, run
+
+GOOD = '{"id": 1, "want": ["forward"]}\n'
+
+
+def lines(text: str) -> list[dict[str, Any]]:
+    return [json.loads(line, parse_constant=pytest.fail) for line in text.splitlines()]
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_good_states_are_status_0_and_a_bad_one_is_1(backend: str) -> None:
+    result = run("eval", DEMO3, "--backend", backend, stdin=GOOD)
+    assert result.exit_code == 0
+    assert set(lines(result.stdout)[0]) == {"id", "V_dot"}
+    mixed = run("eval", DEMO3, "--backend", backend, stdin=GOOD + "\nnope\n" + GOOD.replace("1", "2"))
+    assert mixed.exit_code == 1
+    assert [line["id"] for line in lines(mixed.stdout)] == [1, None, 2]
+    assert "1 of the states cannot be evaluated" in mixed.stderr
+
+
+def test_the_backends_agree_and_c_is_the_default() -> None:
+    state = '{"phi_dot": [10,20,30], "V": [1,2,3,0.1,0.2,0.3], "want": ["forward", "matrices", "momentum"]}\n'
+    (c,), (numpy,) = (lines(run("eval", DEMO3, *more, stdin=state).stdout) for more in ((), ("--backend", "numpy")))
+    assert c.keys() == numpy.keys()
+    assert c["V_dot"] == pytest.approx(numpy["V_dot"], rel=1e-10, abs=1e-12)
+
+
+def test_what_the_c_lacks_is_an_error_line() -> None:
+    result = run("eval", DEMO3, stdin='{"id": 5, "want": ["inverse"]}\n' + GOOD)
+    assert result.exit_code == 1
+    first, second = lines(result.stdout)
+    assert first["id"] == 5
+    assert 'no "inverse" yet' in first["error"]
+    assert "V_dot" in second
+
+
+def test_no_states_are_no_failure() -> None:
+    result = run("eval", DEMO3, "--backend", "numpy", stdin="\n\n")
+    assert (result.exit_code, result.stdout) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--backend", "casadi"), "the second derivation is not there yet"),
+        (("--backend", "numpy", "--real", "float"), "only --backend c has it"),
+        (("--real", "float"), "float C is not there yet"),
+        (("--backend", "matlab"), "'matlab' is not one of"),
+        (("--real", "half"), "'half' is not one of"),
+    ],
+)
+def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
+    assert words in refused("eval", DEMO3, *arguments, stdin=GOOD)
+
+
+def test_no_compiler_is_one_line_that_says_what_to_install() -> None:
+    done = process("eval", DEMO3, stdin=GOOD, PATH="", CC="")
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.startswith("error: no C compiler found")
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_conversation_is_answered_line_by_line() -> None:
+    command = [sys.executable, "-c", "from mahovik.cli import main; main()", "eval", DEMO3, "--backend", "numpy"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1) as program:
+        assert program.stdin is not None
+        assert program.stdout is not None
+        for number in range(3):
+            program.stdin.write(json.dumps({"id": number, "want": ["momentum"]}) + "\n")
+            program.stdin.flush()
+            assert json.loads(program.stdout.readline())["id"] == number
+        program.stdin.close()
+        assert program.wait(30) == 0
+
+
+def test_a_reader_that_leaves_ends_it_quietly() -> None:
+    script = (
+        'yes \'{"want": ["matrices"]}\' | head -500 | "$0" -c "from mahovik.cli import main; main()" "$@" | head -1'
+    )
+    done = subprocess.run(
+        ["sh", "-c", script, sys.executable, "eval", BENCH8, "--backend", "numpy"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert len(done.stdout.splitlines()) == 1
+    assert done.stderr == ""

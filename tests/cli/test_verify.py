@@ -1,0 +1,160 @@
+"""verify: the table, its files, and every way in which a foreign program can fail."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+from cli.run import DEMO3, process, refused, run
+from mahovik.emit.generate import generate
+from mahovik.stand import load
+
+PYTHON = shlex.quote(sys.executable)
+EVAL = f"{PYTHON} -c 'from mahovik.cli import main; main()' eval {{stand}}"
+
+
+def program(text: str) -> str:
+    return f"{PYTHON} -c {shlex.quote(text)}"
+
+
+def test_the_table_of_generated_c(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = run("verify", DEMO3, "--states", "12", "--junit", "report.xml", "-o", "worst.jsonl")
+    assert result.exit_code == 0
+    for words in ("V_dot", "interpreter = C, bit for bit", "outputs untouched", "passed: worst"):
+        assert words in result.stdout
+    assert ET.parse(tmp_path / "report.xml").getroot().get("failures") == "0"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["report.xml", "worst.jsonl"]
+    replayed = run("eval", DEMO3, stdin=(tmp_path / "worst.jsonl").read_text())
+    assert replayed.exit_code == 0
+
+
+def test_the_table_as_json_and_no_files_when_all_is_well(tmp_path: Path) -> None:
+    done = process("verify", DEMO3, "--states", "5", "--seed", "3", "--json", cwd=tmp_path)
+    assert done.returncode == 0
+    found = json.loads(done.stdout)
+    assert found["passed"] is True
+    assert (found["seed"], found["states"], found["tolerance"]) == (3, 5, 1e-12)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_broken_c_fails_and_leaves_a_state_that_replays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name, text in generate(load(DEMO3)).items():
+        Path(name).write_text(text.replace("sum->J[0] += ", "sum->J[0] -= ") if name.endswith(".c") else text)
+    result = run("verify", DEMO3, "--states", "12", "--against", ".", "--junit", "report.xml")
+    assert result.exit_code == 1
+    assert "FAILED: " in result.stdout
+    assert int(ET.parse("report.xml").getroot().get("failures") or 0) >= 1
+    lines = Path("demo3-worst.jsonl").read_text()
+    assert lines
+    assert run("eval", DEMO3, "--backend", "numpy", stdin=lines).exit_code == 0
+
+
+def test_a_failed_verdict_stands_where_its_files_cannot_be_written(tmp_path: Path) -> None:
+    result = run("verify", DEMO3, "--with", program("pass"), "--junit", str(tmp_path))
+    assert result.exit_code == 1
+    assert "is a directory" in result.stderr
+    assert "is a directory" in refused("verify", DEMO3, "--states", "2", "--junit", str(tmp_path))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--against", "no/such/folder"), "no such file"),
+        (("--against", ".", "--with", "cat"), "--with, --against: one of them"),
+        (("--want", "forward"), "--want goes with --with"),
+        (("--with", "cat", "--want", "frward"), 'unknown "frward", did you mean "forward"?'),
+        (("--with", ""), "no command"),
+        (("--with", "'unclosed"), "No closing quotation"),
+        (("--with", "no-such-program {stand}"), "cannot be started"),
+        (("--states", "0"), "--states"),
+        (("--seed", "-1"), "--seed"),
+        (("--real", "float"), "not there yet"),
+    ],
+)
+def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
+    assert words in refused("verify", DEMO3, *arguments)
+
+
+def test_no_compiler_and_a_compiler_that_is_none() -> None:
+    for env, words in (({"PATH": "", "CC": ""}, "no C compiler found"), ({"CC": "no-such-cc"}, "no such command")):
+        done = process("verify", DEMO3, **env)
+        assert done.returncode == 2
+        assert words in done.stderr
+        assert len(done.stderr.splitlines()) == 1
+
+
+def test_the_reference_itself_passes_as_a_program() -> None:
+    result = run("verify", DEMO3, "--states", "7", "--with", f"{EVAL} --backend numpy", "--json")
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    assert found["passed"]
+    wants = {row["want"] for row in found["rows"]}
+    assert wants == {
+        "matrices", "momentum", "forward", "torque", "mounts", "coupled", "inverse", "generalized", "points",
+    }  # fmt: skip
+    assert {row["worst"] for row in found["rows"]} == {0.0}
+
+
+def test_the_generated_c_as_a_program_says_what_it_does_not_offer() -> None:
+    found = json.loads(run("verify", DEMO3, "--states", "4", "--with", EVAL, "--json").stdout)
+    assert found["passed"]
+    missing = {row["want"] for row in found["rows"] if row["verdict"] == "not offered"}
+    assert {"torque", "coupled", "inverse", "mounts", "points"} >= missing
+    assert "forward" not in missing
+
+
+def test_a_want_that_is_demanded_must_be_offered() -> None:
+    answer = (
+        'import sys\nfor l in sys.stdin: import json; print(json.dumps({"id": json.loads(l)["id"], "error": "no"}))'
+    )
+    result = run("verify", DEMO3, "--states", "2", "--with", program(answer), "--want", "torque")
+    assert result.exit_code == 1
+    assert "MISSING" in result.stdout
+    unasked = run("verify", DEMO3, "--states", "2", "--with", program(answer))
+    assert unasked.exit_code == 1
+    assert "nothing was compared" in unasked.stdout
+
+
+ECHO = "import sys, json\nfor l in sys.stdin:\n    d = json.loads(l)\n    "
+
+BROKEN = {
+    "drops all": ("import sys; sys.stdin.read()", "gave nothing"),
+    "dies": ("1/0", "ZeroDivisionError"),
+    "is killed": ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", "ended with signal 9"),
+    "ends with a status of its own": (ECHO + 'print("{}")\nsys.exit(7)', "ended with status 7"),
+    "prints garbage": (ECHO + 'print("hello")', "is no JSON: 'hello"),
+    "prints numbers": (ECHO + "print(1)", "is no object"),
+    "loses the ids": (ECHO + 'print("{}")', "has the id null, expected"),
+    "stops half way": (ECHO + 'print(json.dumps({"id": d["id"]})); sys.exit(0)', "1 lines of output for"),
+    "never stops": ('while True: print("{}")', "gave more lines than"),
+    "hangs": ("import time; time.sleep(60)", "gave no complete answer in 1 s"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_a_program_that_fails_is_one_line_and_status_1(name: str) -> None:
+    text, words = BROKEN[name]
+    result = run(
+        "verify", DEMO3, "--states", "3", "--with", program(text), "--timeout", "1" if name == "hangs" else "60"
+    )
+    assert result.exit_code == 1
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert words in line
+    assert "FAILED" in result.stdout
+
+
+def test_results_without_their_quantities_fail() -> None:
+    result = run(
+        "verify", DEMO3, "--states", "3", "--with", program(ECHO + 'print(json.dumps({"id": d["id"]}))'), "--json"
+    )
+    assert result.exit_code == 1
+    rows = json.loads(result.stdout)["rows"]
+    assert {row["reason"] for row in rows} == {"missing"}

@@ -1,0 +1,121 @@
+"""The proof on which the emitted C rests: a row of harmonics gives exactly the literal K, K*, I, J of one flywheel.
+
+The flywheel is general: nine symbols of R (its mounting axes in E1), position, mass, first moment, six moments of
+inertia, phase and speed. The equalities hold modulo c^2 + s^2 = 1 and R in SO(3).
+"""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from derive import table
+from derive.exact import circle, orthogonal, remainders, rotation, trigonometric
+from mahovik.derive import accumulate, carrier, flywheel
+from mahovik.derive.screw import Phi, T, Theta, bracket, elementary
+from mahovik.derive.symbols import from_six, six_of, symmetric, vector
+
+W = flywheel.generic()
+CIRCLE = circle(sp.Symbol("c"), sp.Symbol("s"))
+SO3 = (*CIRCLE, *rotation(W.R))
+O3 = (*CIRCLE, *orthogonal(W.R))
+
+
+@pytest.fixture(scope="module")
+def literal() -> flywheel.Literal:
+    """The paper's terms, with c and s."""
+    found = flywheel.literal(W, carrier.V)
+    return flywheel.Literal(*(trigonometric(x, W.phi) for x in (found.K, found.K_dot, found.I, found.J)))
+
+
+@pytest.fixture(scope="module")
+def sums() -> accumulate.Sums:
+    """The table's sums of the same flywheel."""
+    return table.sums(W)
+
+
+@pytest.fixture(scope="module")
+def columns() -> accumulate.Columns:
+    """The table's column of I and its derivative by the phase."""
+    return table.columns(W)
+
+
+def of_sums(matrix: sp.Matrix, sums: accumulate.Sums) -> sp.Matrix:
+    """An expression of the carrier in the sums of one flywheel."""
+    known = {sp.Symbol("m"): W.m}
+    for name in ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel"):
+        known |= table.bind(name, getattr(sums, name))
+    return matrix.xreplace(known)
+
+
+def test_K(literal: flywheel.Literal, sums: accumulate.Sums) -> None:
+    """K of (2): Ls Theta_s Ls^T."""
+    assert remainders(literal.K - of_sums(carrier.mass_matrix(False), sums), SO3) == []
+
+
+def test_K_dot(literal: flywheel.Literal, sums: accumulate.Sums) -> None:
+    """K* of (6): Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi'."""
+    assert remainders(literal.K_dot - of_sums(carrier.mass_matrix_rate(), sums), SO3) == []
+
+
+def test_I(literal: flywheel.Literal, columns: accumulate.Columns) -> None:
+    """I_s of (9): Ls Theta_s f."""
+    assert remainders(literal.I - columns.I, SO3) == []
+
+
+def test_J(literal: flywheel.Literal, columns: accumulate.Columns) -> None:
+    """J_s of (9): (Phi Ls + Ls [<e>] phi') Theta_s f."""
+    table_form = Phi(carrier.V) * columns.I + columns.I_prime * W.phi_dot
+    assert remainders(literal.J - table_form, SO3) == []
+
+
+def test_orthogonality_alone_does_not_carry_K_dot(literal: flywheel.Literal, sums: accumulate.Sums) -> None:
+    """K* needs <R b> = R <b> R^T, which a reflection breaks: axes have to be right-handed, as `prepare` makes them."""
+    difference = literal.K_dot - of_sums(carrier.mass_matrix_rate(), sums)
+    assert remainders(difference, O3) != []
+    cofactors = (*CIRCLE, *(W.R.adjugate().T - W.R))
+    assert remainders(difference, cofactors) == []
+
+
+def test_literal_K_dot_is_the_derivative_of_K() -> None:
+    """(6) is d/dt of (2) at the phase's rate, for the factors as they are printed: R needs no property at all."""
+    found = flywheel.literal(W, carrier.V)
+    rate = found.K.diff(W.phi) * W.phi_dot
+    assert remainders(trigonometric(rate - found.K_dot, W.phi), CIRCLE) == []
+
+
+def test_spun_inertia_sums_to_the_turned_inertia() -> None:
+    """The harmonics put together again are [C1] Theta [C1]^T, entry by entry."""
+    parts = flywheel.spun_inertia(W)
+    phases = {"0": 1, "c": sp.cos(W.phi), "s": sp.sin(W.phi), "2c": sp.cos(2 * W.phi), "2s": sp.sin(2 * W.phi)}
+    total = sp.zeros(6)
+    for harmonic, part in parts.items():
+        total += phases[harmonic] * Theta(part.m, part.b, from_six(part.J))
+    C1 = bracket(elementary(1, W.phi))
+    difference = (total - C1 * Theta(W.m, W.b, W.J) * C1.T).applyfunc(sp.expand_trig)
+    assert remainders(trigonometric(difference, W.phi), CIRCLE) == []
+
+
+def test_first_moment_has_no_second_harmonic_and_spin_inertia_none() -> None:
+    """What the row leaves out is 0: mu and t of harmonics 2c, 2s; mass and inertia about the spin axis of all but 0."""
+    columns = table.row(W)
+    for harmonic, part in flywheel.spun_inertia(W).items():
+        assert part.m == (W.m if harmonic == "0" else 0)
+        assert part.J[0] == (W.J[0] if harmonic == "0" else 0)
+    left_out = [columns[sp.Symbol(f"{name}_{k}[{i}]")] for name in ("mu", "t") for k in ("2c", "2s") for i in range(3)]
+    assert remainders(left_out, SO3) == []
+
+
+def test_harmonics_refuse_what_the_table_cannot_hold() -> None:
+    """A third harmonic is an error, not a silent loss."""
+    with pytest.raises(ValueError, match="no Fourier polynomial of second order"):
+        flywheel.harmonics(sp.cos(W.phi) ** 3, W.phi)
+
+
+def test_inertia_about_the_origin_from_central() -> None:
+    """J about the origin: Theta(m, 0, J) carried by T(rc), with b = m rc."""
+    rc, J = vector("rc"), symmetric("J")
+    moved = T(rc) * Theta(W.m, sp.zeros(3, 1), J) * T(rc).T
+    named = flywheel.central_to_origin(W.m, W.m * rc, J)
+    assert remainders(six_of(moved[3:, 3:]) - named) == []
+    assert remainders(moved - Theta(W.m, W.m * rc, from_six(named))) == []

@@ -1,0 +1,134 @@
+"""Factors and wrenches of (7): each expression against the mechanics it stands for, exactly."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from derive import table
+from derive.exact import remainders, rotation, trigonometric
+from mahovik.derive import wrench as derived
+from mahovik.derive.attitude import quaternion_product, rotation_of_quaternion
+from mahovik.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
+from mahovik.derive.symbols import SYMMETRIC, from_six, matrix, six_of, symmetric, vector
+
+TIME = sp.Symbol("t")
+
+
+def cross_product(a: sp.Matrix, b: sp.Matrix) -> sp.Matrix:
+    """a x b by SymPy's own."""
+    return a.cross(b)
+
+
+def test_cross() -> None:
+    """<a> b = a x b."""
+    a, b = vector("a"), vector("b")
+    assert remainders(cross(a) * b - cross_product(a, b)) == []
+
+
+@pytest.mark.parametrize("axis", [1, 2, 3])
+def test_elementary_rotations_are_active_and_right_handed(axis: int) -> None:
+    """C' = <e> C and C(0) = E: this and nothing else is the rotation about e."""
+    phi = sp.Symbol("phi")
+    C = elementary(axis, phi)
+    e = sp.Matrix([1 if k == axis else 0 for k in (1, 2, 3)])
+    assert C.subs(phi, 0) == sp.eye(3)
+    assert remainders(trigonometric(C.diff(phi) - cross(e) * C, phi)) == []
+
+
+def test_L_carries_wrenches_to_the_parent_and_twists_back() -> None:
+    """L (f, n) = (C f, C n + O x C f); L^T (v, omega) = C^T (v + omega x O, omega)."""
+    O, C = vector("O"), matrix("C")
+    force, moment, v, omega = (vector(n) for n in ("f", "n", "v", "omega"))
+    wrench = (C * force).col_join(C * moment + cross_product(O, C * force))
+    twist = (C.T * (v + cross_product(omega, O))).col_join(C.T * omega)
+    assert remainders(L(O, C) * force.col_join(moment) - wrench) == []
+    assert remainders(L(O, C).T * v.col_join(omega) - twist) == []
+
+
+def test_Phi_is_the_rate_of_a_momentum_fixed_in_E1() -> None:
+    """Phi(V) (p, h) = (omega x p, v x p + omega x h)."""
+    v, omega, p, h = (vector(n) for n in ("v", "omega", "p", "h"))
+    wanted = cross_product(omega, p).col_join(cross_product(v, p) + cross_product(omega, h))
+    assert remainders(Phi(v.col_join(omega)) * p.col_join(h) - wanted) == []
+
+
+def test_rate_of_L_along_a_turning_flywheel() -> None:
+    """Ls* = Ls [<e>] phi', and f is the unit spin about the first axis: L^T f' = (O..., R e1)."""
+    O, R, phi = vector("O"), matrix("R"), sp.Symbol("phi")
+    Ls = L(O, R * elementary(1, phi))
+    assert remainders(trigonometric(Ls.diff(phi) - Ls * e_bracket(), phi)) == []
+    assert f == sp.Matrix([0, 0, 0, 1, 0, 0])
+    assert bracket(R) * f == sp.zeros(3, 1).col_join(R[:, 0])
+
+
+def test_six_numbers_of_a_symmetric_matrix() -> None:
+    """Order 11 22 33 12 13 23, there and back."""
+    J = symmetric("J")
+    assert remainders(J - J.T) == []
+    assert six_of(J) == vector("J", 6)
+    assert from_six(vector("J", 6)) == J
+    assert [J[i, j].name for i, j in SYMMETRIC] == [f"J[{k}]" for k in range(6)]
+
+
+def test_weight_acts_at_the_mass_centre_of_all_bodies() -> None:
+    """(m g, mu x g); buoyancy takes away the displaced mass at its centre."""
+    g, mu, displaced = vector("g"), vector("mu"), vector("displaced_moment")
+    plain = derived.weight(False)
+    assert remainders(plain - (sp.Symbol("m") * g).col_join(cross_product(mu, g))) == []
+    wanted = (sp.Symbol("weight_mass") * g).col_join(cross_product(mu, g) - cross_product(displaced, g))
+    assert remainders(derived.weight(True) - wanted) == []
+
+
+def test_transfer_of_points_is_the_paper_s_T() -> None:
+    """Velocity of a point, rotations there and back, moment of a force: parts of T [C] and its transpose."""
+    O, C, a = vector("O"), matrix("C"), vector("a")
+    twist = vector("v").col_join(vector("omega"))
+    assert remainders(derived.twist_at() - (T(O).T * twist)[:3, :]) == []
+    assert remainders(derived.turning_velocity() - cross_product(vector("omega"), O)) == []
+    assert remainders(derived.moment_of_force() - (T(O) * vector("f").col_join(sp.zeros(3, 1)))[3:, :]) == []
+    assert remainders(derived.rotated() - C * a) == []
+    assert remainders(derived.rotated_back() - C.T * a) == []
+
+
+def test_axes_of_a_turned_flywheel() -> None:
+    """R C1(phi)."""
+    phi = sp.Symbol("phi")
+    assert remainders(derived.turned_axes() - trigonometric(matrix("R") * elementary(1, phi), phi)) == []
+
+
+def test_relative_quaternion_is_the_rotation_from_equilibrium() -> None:
+    """C(q_rel) = C_eq^T C for unit quaternions."""
+    q, q_eq = vector("q", 4), vector("q_eq", 4)
+    units = (q.dot(q) - 1, q_eq.dot(q_eq) - 1)
+
+    def turn(of: sp.Matrix) -> sp.Matrix:
+        return rotation_of_quaternion().xreplace(table.bind("q", of) | {sp.Symbol("k"): sp.Integer(2)})
+
+    relative = derived.relative_quaternion()
+    assert remainders(turn(relative) - turn(q_eq).T * turn(q), units) == []
+    assert remainders(rotation(turn(relative)), units) == []
+    assert remainders(quaternion_product(q_eq, relative) - q, units) == []
+
+
+def test_leg_rate_is_the_derivative_of_its_length() -> None:
+    """length' = -direction . velocity, direction from the carrier's end to the ground; both terms of the tension."""
+    found = derived.leg()
+    ends = sp.Matrix([sp.Function(f"x{i}")(TIME) for i in range(3)])
+    ground, distance = vector("ground"), sp.Symbol("distance", positive=True)
+    span = ground - ends
+    square_rate = span.dot(span).diff(TIME)  # 2 length length'
+    moving = {ends[i].diff(TIME): sp.Symbol(f"velocity[{i}]") for i in range(3)}
+    along = {sp.Symbol(f"direction[{i}]"): span[i] / distance for i in range(3)}
+    difference = 2 * distance * found.rate.xreplace(along) - square_rate.subs(moving)
+    still = {ends[i]: sp.Symbol(f"end[{i}]") for i in range(3)}
+    assert remainders([sp.expand(difference.subs(still))]) == []
+    k, d, length = sp.symbols("stiffness damping length")
+    assert found.tension == k * (sp.Symbol("distance") - length) + d * sp.Symbol("rate")
+
+
+def test_row_times() -> None:
+    """One row of a 6x6 law."""
+    assert derived.row_times("row", "column") == sum(
+        sp.Symbol(f"row[{i}]") * sp.Symbol(f"column[{i}]") for i in range(6)
+    )

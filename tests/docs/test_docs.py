@@ -1,0 +1,287 @@
+"""What the pages say is so: links, commands, C, TOML, names of code, keys, statuses, ranges, order of imports."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from pydantic import BaseModel
+
+from docs.pages import PAGES, ROOT, Block, anchors, blocks, cells, links, prose, rows, tables
+from mahovik.derive import flywheel
+from mahovik.emit.generate import generate
+from mahovik.lower.limits import limits
+from mahovik.program.function import STATUS_VALUES
+from mahovik.program.types import DOUBLE
+from mahovik.stand import load, loads, schema
+from mahovik.toolchain.compiler import BITS, WARNINGS, find_compiler
+
+PACKAGE = ROOT / "generator" / "mahovik"
+ARCHITECTURE, MODEL, STAND_FILE, C_INTERFACE = (
+    ROOT / "docs" / f"{name}.md" for name in ("architecture", "model", "stand-file", "c-interface")
+)
+MORE_WARNINGS = ("-Wshadow", "-Wstrict-prototypes", "-Wdouble-promotion", "-Wcast-qual", "-Wundef", "-Wfloat-equal")
+
+pages = pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+
+
+# ---- pages ----
+
+
+@pages
+def test_relative_links_resolve(page: Path) -> None:
+    for target in links(page):
+        if re.match(r"[a-z]+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = (page.parent / path).resolve() if path else page
+        assert file.exists(), target
+        assert not anchor or anchor in anchors(file), target
+
+
+@pages
+def test_tables_are_rectangular(page: Path) -> None:
+    for table in tables(page):
+        for line in table:
+            assert len(cells(line)) == len(cells(table[0])), line
+
+
+@pages
+def test_no_measured_figures_are_typed(page: Path) -> None:
+    """What depends on a machine or on the last change is printed by a command, not typed."""
+    units = r"(ns|us|µs|ms|milliseconds|cycles|instructions|operations|lines|KB|MB|KiB|MiB|tests|% faster)"
+    found = re.search(rf"\b\d[\d.,]* ?{units}\b", prose(page))
+    assert found is None, found
+
+
+@pages
+def test_named_code_exists(page: Path) -> None:
+    """`stage/file.py` `name`, `name`: the file is in the package (or the repository) and defines the names."""
+    for path, names in re.findall(r"`((?:\w+/)+\w+\.py)`((?:,? `\w+`)*)", prose(page)):
+        file = next((base / path for base in (PACKAGE, ROOT) if (base / path).is_file()), None)
+        assert file is not None, path
+        defined = _defined(file)
+        for name in re.findall(r"`(\w+)`", names):
+            assert name in defined, f"{path} {name}"
+
+
+def _defined(file: Path) -> set[str]:
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    found = {n.name for n in ast.walk(tree) if isinstance(n, ast.FunctionDef | ast.ClassDef)}
+    targets = [t for n in ast.walk(tree) if isinstance(n, ast.Assign) for t in n.targets]
+    targets += [n.target for n in ast.walk(tree) if isinstance(n, ast.AnnAssign)]
+    return found | {t.id for t in targets if isinstance(t, ast.Name)}
+
+
+# ---- commands ----
+
+RUNNABLE = [b for page in PAGES for b in blocks(page) if b.language == "sh" and "mahovik new" in b.text.split("\n")[0]]
+"""A block that begins with `mahovik new` needs nothing but itself (and the page's main.c): it can be run."""
+
+
+def test_there_are_runnable_blocks() -> None:
+    assert {C_INTERFACE, STAND_FILE, ROOT / "README.md"} <= {b.page for b in RUNNABLE}
+
+
+def run_block(block: Block, folder: Path) -> str:
+    """Runs a block of commands in a folder; returns what it printed."""
+    for program in mains(block.page):
+        (folder / "main.c").write_text(program.text, encoding="utf-8")
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    commands = block.text.replace(".venv/bin/mahovik", "mahovik")
+    done = subprocess.run(
+        ["sh", "-e"],
+        input=commands,
+        cwd=folder,
+        env={**os.environ, "PATH": path},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def mains(page: Path) -> list[Block]:
+    """Whole programs in C on a page."""
+    return [b for b in blocks(page) if b.language == "c" and "int main(" in b.text]
+
+
+def _uses_missing_gcc(block: Block) -> bool:
+    return "gcc " in block.text and shutil.which("gcc") is None
+
+
+@pytest.mark.parametrize("block", RUNNABLE, ids=lambda b: b.name)
+def test_commands_run(block: Block, tmp_path: Path) -> None:
+    if _uses_missing_gcc(block):
+        pytest.skip("no gcc")
+    printed = run_block(block, tmp_path)
+    following = blocks(block.page)[block.number + 1 : block.number + 2]
+    if following and following[0].language == "text" and block.text.rstrip().split("\n")[-1] == "./main":
+        assert printed.endswith(following[0].text)
+
+
+# ---- C ----
+
+SNIPPETS = [
+    b for page in PAGES for b in blocks(page) if b.language == "c" and re.search(r'#include "(\w+)\.h"', b.text)
+]
+
+
+def emit(name: str, folder: Path) -> None:
+    """C of an example stand; auv6 with a run-time wrench on its carrier, as the page says."""
+    stand = load(PACKAGE / "stands" / f"{name}.toml")
+    if name == "auv6":
+        stand = replace(stand, carrier=replace(stand.carrier, wrench_input=True))
+    for file, text in generate(stand).items():
+        (folder / file).write_text(text, encoding="ascii")
+
+
+@pytest.mark.parametrize("block", SNIPPETS, ids=lambda b: b.name)
+def test_c_compiles_without_a_warning(block: Block, tmp_path: Path) -> None:
+    (name,) = re.findall(r'#include "(\w+)\.h"', block.text)
+    emit(name, tmp_path)
+    (tmp_path / "snippet.c").write_text(block.text, encoding="utf-8")
+    output = ["snippet.c", f"{name}.c", "-o", "main"] if "int main(" in block.text else ["-c", "snippet.c"]
+    _compile([*WARNINGS, *MORE_WARNINGS, *BITS, "-O2", *output], tmp_path)
+    if "int main(" in block.text:
+        printed = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout
+        (shown,) = (b.text for b in blocks(block.page)[block.number :][:3] if b.language == "text")
+        assert printed == shown
+
+
+def test_section_macros(tmp_path: Path) -> None:
+    """The macros of the page place functions and constants where they say."""
+    (line,) = (b.text for b in blocks(C_INTERFACE) if "BENCH8_CODE=" in b.text)
+    emit("bench8", tmp_path)
+    macros = re.findall(r"-D(\w+)='([^']*)'", line)
+    assert [name for name, _ in macros] == ["BENCH8_CODE", "BENCH8_CONST"]
+    flags = [f"-D{name}={value}" for name, value in macros]
+    _compile([*WARNINGS, *BITS, *flags, "-c", "bench8.c", "-o", "bench8.o"], tmp_path)
+    image = (tmp_path / "bench8.o").read_bytes()
+    assert b".fast_code" in image
+    assert b".fast_data" in image
+
+
+def _compile(arguments: list[str], folder: Path) -> None:
+    done = subprocess.run([*find_compiler(), *arguments], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_statuses_are_those_of_the_code() -> None:
+    listed = {cells[0].strip("`"): int(cells[1]) for cells in rows(C_INTERFACE, "name")}
+    assert listed == STATUS_VALUES
+
+
+def test_ranges_are_those_of_the_code() -> None:
+    listed = {cells[0].strip("`"): float(cells[1]) for cells in rows(C_INTERFACE, "macro")}
+    assert listed == {name: x.value for name, x in limits(DOUBLE).items() if name != "LARGEST"}
+
+
+def test_functions_are_those_of_the_code(tmp_path: Path) -> None:
+    emit("bench8", tmp_path)
+    header = (tmp_path / "bench8.h").read_text(encoding="ascii")
+    declared = set(re.findall(r"^bench8_status bench8_(\w+)\(", header, re.MULTILINE))
+    (table,) = (t for t in tables(C_INTERFACE) if cells(t[0])[1] == "gives")
+    assert declared == {cells(line)[0].strip("`") for line in table[2:]}
+
+
+# ---- model ----
+
+
+def test_harmonics_are_those_of_the_derivation() -> None:
+    """The table of harmonics in model.md is what derive/flywheel.py gives."""
+    w = flywheel.generic()
+    known = {f"b{i + 1}": w.b[i] for i in range(3)}
+    known |= {f"J{i + 1}{j + 1}": w.J[i, j] for i in range(3) for j in range(i, 3)}
+    derived = flywheel.spun_inertia(w)
+    listed = rows(MODEL, "harmonic")
+    assert len(listed) == len(flywheel.HARMONICS)
+    for line, name in zip(listed, flywheel.HARMONICS, strict=True):
+        moment, *inertia = (sp.sympify(cell.strip("`"), locals=known) for cell in line[1:])
+        assert sp.Matrix(moment or (0, 0, 0)) == derived[name].b
+        assert sp.Matrix(inertia).expand() == derived[name].J.expand()
+
+
+# ---- stand file ----
+
+
+@pytest.mark.parametrize("block", [b for b in blocks(STAND_FILE) if b.language == "toml"], ids=lambda b: b.name)
+def test_stand_files_load(block: Block) -> None:
+    assert loads(block.text).flywheels
+
+
+def test_units_are_known() -> None:
+    """Every quantity in quotes under *Numbers and units* can be read."""
+    from mahovik.stand import units
+
+    kinds = [x for x in vars(units).values() if isinstance(x, units.Dimension)]
+    section = prose(STAND_FILE).partition("## Numbers and units")[2].partition("\n## ")[0]
+    quantities = re.findall(r'"(\d[^"]*)"', section)
+    assert len(quantities) > 4
+    for quantity in quantities:
+        assert any(_reads(quantity, kind) for kind in kinds), quantity
+
+
+def _reads(quantity: str, kind: object) -> bool:
+    from mahovik.stand import units
+
+    try:
+        units.number(quantity, kind)  # type: ignore[arg-type]
+    except units.QuantityError:
+        return False
+    return True
+
+
+def test_every_key_is_documented() -> None:
+    models = [m for m in vars(schema).values() if isinstance(m, type) and issubclass(m, BaseModel)]
+    keys = {info.alias or name for model in models for name, info in model.model_fields.items()}
+    written = set(re.findall(r"\w+", " ".join(re.findall(r"`[^`]+`", prose(STAND_FILE)))))
+    assert keys - written == set()
+
+
+# ---- architecture ----
+
+
+def stages() -> list[str]:
+    """The stages in the order of the page, top first."""
+    return [line.split()[0] for line in blocks(ARCHITECTURE)[0].text.splitlines()]
+
+
+def test_every_stage_is_listed() -> None:
+    there = {p.name for p in PACKAGE.iterdir() if (p / "__init__.py").is_file()}
+    there |= {p.stem for p in PACKAGE.glob("*.py")} - {"__init__", "__main__"}
+    assert there - set(stages()) == set()
+
+
+def test_imports_only_point_down() -> None:
+    order = {name: depth for depth, name in enumerate(stages())}
+    for file in PACKAGE.rglob("*.py"):
+        stage = file.relative_to(PACKAGE).parts[0].removesuffix(".py")
+        for target in _imported(file) - {stage}:
+            where = f"{file.relative_to(PACKAGE)} imports {target}"
+            if stage in order and target in order:
+                assert order[stage] < order[target], where
+                assert {stage, target} != {"derive", "reference"}, where
+
+
+def _imported(file: Path) -> set[str]:
+    """Stages that a file imports, also inside functions."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module is not None:
+            names = [f"{node.module}.{alias.name}" for alias in node.names]
+        elif isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        else:
+            continue
+        found |= {name.split(".")[1] for name in names if name.startswith("mahovik.")}
+    return found

@@ -1,0 +1,110 @@
+"""Stands that the emitted C is tried on, and C of any stand and element type, made once a test run."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from mahovik import stands as examples
+from mahovik.emit.generate import _Printer, generate_all
+from mahovik.lower.layout import Layout
+from mahovik.lower.program import lower_layout
+from mahovik.lower.values import Values
+from mahovik.program.types import FLOAT
+from mahovik.stand import load
+from mahovik.stand.random import BARE, EVERYTHING, Features, random_stand
+from mahovik.stand.structure import structure
+
+WET = Features("aircraft", 1, True, True, True, False, 0, 1, False, False)
+HUNG = Features("euler", 1, True, False, False, True, 2, 0, True, True)
+STREAM_ONLY = Features("ship", 0, False, True, False, False, 0, 0, False, False)
+DRAWN = Features()
+
+GENERAL = {
+    "everything0": (0, EVERYTHING),
+    "everything1": (1, EVERYTHING),
+    "everything6": (6, EVERYTHING),
+    "bare0": (0, BARE),
+    "bare5": (5, BARE),
+    "bare64": (64, BARE),
+    "wet7": (7, WET),
+    "hung5": (5, HUNG),
+    "stream1": (1, STREAM_ONLY),
+    "drawn12": (12, DRAWN),
+}
+"""Random general stands: name to flywheels and features. The name is the stand's as well."""
+
+NAMES = (*examples.names(), *GENERAL)
+
+
+@cache
+def stand(name):
+    """An example stand, or one of GENERAL."""
+    if name in GENERAL:
+        flywheels, features = GENERAL[name]
+        return random_stand(np.random.default_rng(list(name.encode())), flywheels, features, name)
+    return load(examples.path(name))
+
+
+@cache
+def generated(name):
+    """Program, numbers and C of a stand by name."""
+    return generate_all(stand(name))
+
+
+def float_texts(given):
+    """The C of a stand with float as element type: `generate` does not offer it yet, the stages below can."""
+    layout = Layout(structure(given), FLOAT)
+    program = lower_layout(layout)
+    values = Values(given, layout, program)
+    printer = _Printer(given, layout, program, values)
+    return layout, program, values, {f"{given.name}.h": printer.header(), f"{given.name}.c": printer.source()}
+
+
+def write(files, folder):
+    """Writes files by name into a folder; returns the path of the source."""
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="ascii", newline="\n")
+    return folder / next(name for name in files if name.endswith(".c"))
+
+
+def other_numbers(given, rng):
+    """A stand of the same structure: every number is another one, and the bodies stay physical."""
+
+    def vec(values, size=0.02):
+        return tuple(float(x) for x in np.array(values) + rng.normal(size=len(values)) * size)
+
+    def scaled(rows, factor):
+        return rows and tuple(tuple(x * factor for x in row) for row in rows)
+
+    def body(old):
+        k = float(rng.uniform(1.1, 1.5))  # the same shape of another density
+        new = {"mass": old.mass * k, "inertia": scaled(old.inertia, k)}
+        if old.buoyancy is not None:
+            new["buoyancy"] = replace(
+                old.buoyancy, displaced_mass=old.buoyancy.displaced_mass * k, center=vec(old.buoyancy.center)
+            )
+        if old.damping is not None:
+            damping = old.damping
+            terms = tuple(replace(term, value=term.value * k) for term in damping.terms)
+            new["damping"] = replace(
+                damping, linear=scaled(damping.linear, k), quadratic=scaled(damping.quadratic, k), terms=terms
+            )
+        if getattr(old, "added_mass", None) is not None:
+            new["added_mass"] = scaled(old.added_mass, k)
+        return new
+
+    suspension = given.suspension
+    return replace(
+        given,
+        gravity=tuple(x * 1.25 for x in given.gravity),
+        stream=given.stream and vec(given.stream),
+        carrier=replace(given.carrier, **body(given.carrier)),
+        suspension=suspension
+        and replace(suspension, stiffness=scaled(suspension.stiffness, 1.5), position=vec(suspension.position)),
+        legs=tuple(replace(leg, ground=vec(leg.ground), length=leg.length * 1.1) for leg in given.legs),
+        instruments=tuple(
+            replace(p, **body(p), position=vec(p.position), angles=vec(p.angles, 0.5)) for p in given.instruments
+        ),
+        flywheels=tuple(replace(s, **body(s), position=vec(s.position)) for s in given.flywheels),
+    )

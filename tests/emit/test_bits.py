@@ -1,0 +1,89 @@
+"""The same bits from the interpreter and from every compiler at every optimisation, in double and float."""
+
+import math
+
+import numpy as np
+import pytest
+
+from emit.compiled import QUANTITIES, bits, compiled, compiled_float
+from mahovik.program.types import DOUBLE, FLOAT
+from mahovik.stand.random import EXTREMES, extreme_state, random_state
+from toolchain.tools import require
+
+NAME = "everything6"
+NAMES = (NAME, "everything0", "bare5", "hung5", "stream1", "auv6")
+
+
+def states(stand, count=4, phase_limit=DOUBLE.max_phase):
+    """Ordinary states and one of each extreme kind."""
+    rng = np.random.default_rng(11)
+    ordinary = [random_state(stand, rng) for _ in range(count)]
+    return ordinary + [extreme_state(stand, rng, kind, phase_limit) for kind in EXTREMES]
+
+
+def all_bits(call, c, chosen):
+    """Statuses and bits of every quantity at every state."""
+    found = {}
+    for number, state in enumerate(chosen):
+        for function in filter(c.has, QUANTITIES):
+            status, outputs = call(function, c.inputs(state))
+            found[number, function] = status, bits(outputs) if status >= 0 else None
+    return found
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_interpreter_is_c(name):
+    c = compiled(name)
+    chosen = states(c.stand, 2)
+    assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
+
+
+@pytest.mark.parametrize("name", (NAME, "bare5", "hung5"))
+def test_interpreter_is_c_in_float(name):
+    c = compiled_float(name)
+    chosen = states(c.stand, 2, FLOAT.max_phase)
+    assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
+
+
+@pytest.mark.parametrize(
+    ("compiler", "optimisation"),
+    [("gcc", "-O0"), ("gcc", "-Os"), ("gcc", "-O3"), ("clang", "-O2"), ("clang", "-O0")],
+)
+def test_compilers_agree(compiler, optimisation):
+    require(compiler, compiler)
+    reference, other = compiled(NAME), compiled(NAME, optimisation, compiler)
+    chosen = states(reference.stand)
+    assert all_bits(reference.c, reference, chosen) == all_bits(other.c, other, chosen)
+    assert bits(reference.table()) == bits(other.table())
+
+
+def test_ordinary_states_are_evaluated():
+    """Guard of the tests above: agreement on refusals alone would prove nothing."""
+    c = compiled(NAME)
+    found = all_bits(c.c, c, states(c.stand))
+    good = [key for key, (status, _) in found.items() if status == 0]
+    assert len(good) > 0.9 * len(found)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_compiled_tables_are_those_of_the_generator(name):
+    c = compiled(name)
+    assert bits(c.table()) == bits(c.values.table)
+    prepare = c.program.function("prepare")
+    status, outputs = c.library.run(
+        prepare, {"parameters": c.library.default("default_parameters"), "stand": c.table()}
+    )
+    assert status == 0
+    assert bits(outputs["stand"]) == bits(c.table())
+
+
+def test_float_follows_double():
+    """Float results are those of double but for its rounding: some thousand operations of 6e-8 on sums that cancel."""
+    double, single = compiled(NAME), compiled_float(NAME)
+    rng = np.random.default_rng(3)
+    for _ in range(5):
+        state = random_state(double.stand, rng)
+        want = np.array(double.c("forward", double.inputs(state))[1]["V_dot"])
+        got = np.array(single.c("forward", single.inputs(state))[1]["V_dot"])
+        assert np.abs(want - got).max() < 1e-3 * np.abs(want).max()
+        assert not math.isclose(np.abs(want - got).max(), 0.0)

@@ -1,0 +1,67 @@
+"""Tools that a test may need: absent, the test is skipped with the Debian package that has it; in CI it fails."""
+
+import os
+import shutil
+import subprocess
+from functools import cache
+
+import pytest
+
+FIRMWARE_WARNINGS = (
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Wundef",
+    "-Wcast-qual",
+    "-Wfloat-equal",
+    "-Wstrict-prototypes",
+    "-Wmissing-prototypes",
+    "-Werror",
+)
+"""What strict firmware projects compile with."""
+
+
+def require(tool, package):
+    """Path of a tool; without it the test is skipped, in CI it fails: there nothing is left out."""
+    found = shutil.which(tool)
+    if found is None:
+        _absent(f"no {tool}: apt-get install {package}")
+    return found
+
+
+def require_32_bit():
+    """gcc that builds for 32 bits; else as `require`."""
+    gcc = require("gcc", "gcc")
+    if not _builds_32_bit():
+        _absent("gcc -m32 has no 32-bit headers: apt-get install gcc-multilib")
+    return gcc
+
+
+def compile_c(compiler, source, *flags):
+    """Runs a compiler on one file with the strict warnings; asserts that it has no complaint."""
+    run(compiler, *FIRMWARE_WARNINGS, "-ffp-contract=off", *flags, source)
+
+
+def run(*command):
+    """Runs a command that must succeed in silence, and returns what it printed."""
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{' '.join(str(c) for c in command)}\n{done.stderr}"
+    assert done.stderr == ""
+    return done.stdout
+
+
+@cache
+def _builds_32_bit():
+    command = ["gcc", "-m32", "-fsyntax-only", "-x", "c", "-"]
+    text = "#include <stdint.h>\n#include <sys/types.h>\nuint64_t x;\n"
+    return subprocess.run(command, input=text, text=True, capture_output=True, check=False).returncode == 0
+
+
+def _absent(message):
+    if os.environ.get("CI"):
+        pytest.fail(message)
+    pytest.skip(message)

@@ -1,0 +1,1 @@
+"""The harness itself: does it pass what is right, and catch what is wrong?"""

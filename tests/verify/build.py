@@ -1,0 +1,115 @@
+"""Stands with everything, and their programs run by the interpreter, right or deliberately broken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from mahovik.emit.generate import Generated
+from mahovik.lower.layout import Layout
+from mahovik.lower.program import lower_layout
+from mahovik.lower.values import Values
+from mahovik.program.expression import Const, Expr, Negate
+from mahovik.program.function import Function, Program
+from mahovik.program.statement import Loop, Set, Statement, When
+from mahovik.program.types import DOUBLE
+from mahovik.stand.model import Sequence, Stand
+from mahovik.stand.random import EVERYTHING, random_stand
+from mahovik.stand.structure import structure
+from mahovik.verify.c_backend import InterpreterBackend
+from mahovik.verify.draw import draw
+from mahovik.verify.harness import judge
+
+
+@cache
+def everything(angles: Sequence = "ship") -> Stand:
+    """A stand with every kind of wrench and body; flywheel w1 is damped, floats, and takes a run-time wrench."""
+    features = replace(EVERYTHING, angles=angles)
+    for seed in range(1000):
+        stand = random_stand(np.random.default_rng(seed), 3, features)
+        first = stand.flywheels[0]
+        dampings = [body.damping for body in stand.bodies if body.damping is not None]
+        if (
+            first.damping is not None
+            and first.buoyancy is not None
+            and first.wrench_input
+            and first.inertia_about == "center_of_mass"
+            and any(wheel.mount != "carrier" for wheel in stand.flywheels)
+            and any(p.added_mass is not None for p in stand.instruments)
+            and all(any(getattr(d, kind) for d in dampings) for kind in ("linear", "quadratic", "terms"))
+        ):
+            return stand
+    raise AssertionError("no such stand in a thousand")
+
+
+def generated(
+    stand: Stand,
+    numbers_of: Stand | None = None,
+    rewrite: Callable[[Program], Program] | None = None,
+    table: Callable[[dict[str, Any]], None] | None = None,
+) -> Generated:
+    """The program of a stand, without C. `numbers_of`: another stand's numbers; `rewrite`, `table`: changes after."""
+    layout = Layout(structure(stand), DOUBLE)
+    program = lower_layout(layout)
+    values = Values(numbers_of or stand, layout, program)
+    if rewrite is not None:
+        program = rewrite(program)
+    if table is not None:
+        table(values.table)
+    return Generated(layout, program, values, {})
+
+
+def failing(stand: Stand, made: Generated, states: int = 12) -> set[str]:
+    """Names of the quantities that the harness finds wrong."""
+    rows = judge(stand, InterpreterBackend(made), draw(stand, 5, states, wrenches=False))
+    assert {"K", "V_dot", "q_ddot"} <= {row.quantity for row in rows}
+    return {row.quantity for row in rows if row.failed}
+
+
+def caught(stand: Stand, made: Generated, states: int = 8) -> bool:
+    """Whether the harness finds anything wrong: state after state, until it does."""
+    backend = InterpreterBackend(made)
+    drawn = draw(stand, 5, states, wrenches=False)[1:]  # the first is at rest, where little shows
+    return any(row.failed for state in drawn for row in judge(stand, backend, [state]))
+
+
+def signs(function: Function) -> int:
+    """How many assignments of a function can have their sign changed."""
+    return _flip(function.body, -1)[1]
+
+
+def flipped(program: Program, name: str, number: int) -> Program:
+    """The program with the sign of one assignment of one function changed."""
+    functions = tuple(
+        replace(function, body=_flip(function.body, number)[0]) if function.name == name else function
+        for function in program.functions
+    )
+    return replace(program, functions=functions)
+
+
+def _flip(body: tuple[Statement, ...], number: int, seen: int = 0) -> tuple[tuple[Statement, ...], int]:
+    """The body with assignment `number` negated, and how many there are up to its end."""
+    found: list[Statement] = []
+    for statement in body:
+        new = statement
+        if isinstance(statement, Loop):
+            inner, seen = _flip(statement.body, number, seen)
+            new = replace(statement, body=inner)
+        elif isinstance(statement, When):
+            inner, seen = _flip(statement.body, number, seen)
+            other, seen = _flip(statement.otherwise, number, seen)
+            new = replace(statement, body=inner, otherwise=other)
+        elif isinstance(statement, Set) and _is_real(statement.value):
+            if seen == number:
+                new = replace(statement, value=Negate(statement.value))
+            seen += 1
+        found.append(new)
+    return tuple(found), seen
+
+
+def _is_real(value: Expr) -> bool:
+    return value.kind.value == "real" and not (isinstance(value, Const) and value.value == 0)

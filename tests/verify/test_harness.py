@@ -1,0 +1,272 @@
+"""The harness as a whole: generated C, C that lies in a folder, and what it says of broken ones."""
+
+from __future__ import annotations
+
+import json
+import math
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.emit.generate import generate
+from mahovik.errors import CheckFailed, StateError, ToolchainError, UsageError
+from mahovik.stand import Stand, State, load, rest_state
+from mahovik.stands import path
+from mahovik.verify.backends import NumpyBackend
+from mahovik.verify.c_backend import CBackend
+from mahovik.verify.compare import Row, difference, same_bits
+from mahovik.verify.draw import draw
+from mahovik.verify.evaluate import state_line
+from mahovik.verify.harness import judge, verify_c
+from mahovik.verify.refusals import SENTINEL, refusals
+from mahovik.verify.report import as_json, as_junit, conclusion, worst_lines
+from mahovik.verify.states import read_line
+from verify.build import everything
+
+DEMO = load(path("demo3"))
+
+
+class Wrong(NumpyBackend):
+    """The reference with one result changed, or withheld."""
+
+    def __init__(self, stand: Stand, change: Any) -> None:
+        super().__init__(stand)
+        self._change = change
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        return self._change(super().evaluate(state, want))
+
+
+def rows_of(change: Any, wants: Sequence[str] = ("forward", "momentum")) -> dict[str, Row]:
+    return {row.quantity: row for row in judge(DEMO, Wrong(DEMO, change), draw(DEMO, 1, 9), wants)}
+
+
+def nudged(name: str, by: float) -> Any:
+    return lambda found: found | ({name: np.asarray(found[name]) * (1 + by)} if name in found else {})
+
+
+def test_a_stand_with_everything_passes_as_c() -> None:
+    found = verify_c(everything("euler"), count=40)
+    assert found.passed
+    assert {row.verdict for row in found.rows} == {"ok"}
+    assert max(row.worst for row in found.rows) < 1e-14
+    kinds = {row.quantity: row.states for row in found.rows}
+    assert kinds["interpreter = C, bit for bit"] == 40
+    assert kinds["bad inputs refused, outputs untouched"] > 500
+
+
+@pytest.mark.parametrize("count", [0, 1, 64])
+def test_any_number_of_flywheels(count: int) -> None:
+    wheel = load(path("bench8")).flywheels[0]
+    wheels = tuple(replace(wheel, name=f"w{k}", position=(0.01 * k, 0.2, -0.1)) for k in range(count))
+    stand = replace(load(path("bench8")), flywheels=wheels)
+    assert verify_c(stand, count=10).passed
+
+
+def test_the_same_seed_gives_the_same_states_and_another_seed_others() -> None:
+    stand = everything()
+    assert draw(stand, 7, 20) == draw(stand, 7, 20)
+    assert draw(stand, 7, 20)[:10] == draw(stand, 7, 10)
+    assert draw(stand, 7, 20)[1:] != draw(stand, 8, 20)[1:]
+    assert len({name for name, _ in draw(stand, 7, 20)}) == 20
+
+
+def test_a_difference_of_ten_tolerances_fails_and_of_a_tenth_does_not() -> None:
+    rows = rows_of(nudged("energy", 1e-11))
+    assert [row.quantity for row in rows.values() if row.failed] == ["energy"]
+    assert 2e-12 < rows["energy"].worst <= 1e-11  # the scale is the sum of magnitudes: larger than the energy
+    assert not any(row.failed for row in rows_of(nudged("energy", 1e-13)).values())
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (None, "missing"),
+        ([1.0] * 5, "shape [5], expected [6]"),
+        ([math.nan] * 6, "not finite"),
+        ("fast", "no array of numbers"),
+        ([[1.0], [1.0, 2.0]], "no array of numbers"),
+        ({"x": 1}, "no array of numbers"),
+        ([10**400] * 6, "no array of numbers"),
+    ],
+)
+def test_what_is_no_result_fails_with_a_reason(value: Any, words: str) -> None:
+    row = rows_of(lambda found: found | {"V_dot": value} if "V_dot" in found else found)["V_dot"]
+    assert row.failed
+    assert row.worst == math.inf
+    assert row.reason == words
+
+
+def test_a_refusal_where_the_reference_evaluates_is_a_failure() -> None:
+    def refuse(found: Mapping[str, Any]) -> Any:
+        raise StateError("too fast")
+
+    rows = rows_of(refuse)
+    assert all(row.failed and row.reason == "refused: too fast" for row in rows.values())
+    assert set(rows) == {"V_dot", "Z", "Z0", "energy", "center_of_mass"}
+
+
+def test_statuses_and_nested_results_are_compared() -> None:
+    assert difference("OK", "OK", None) == (0.0, "")
+    assert difference(5, 6, None) == (math.inf, "5 where the reference has 6")
+    nested = {"gyro": {"position": np.ones(3)}}
+    scale = {"gyro": {"position": np.full(3, 10.0)}}
+    off, where = difference({"gyro": {"position": [1.0, 1.0, 1.1]}}, nested, scale)
+    assert off == pytest.approx(0.01)
+    assert where == "gyro: position"[: len(where)]
+    assert difference({"gyro": {}}, nested, scale)[0] == math.inf
+    assert difference([], nested, scale) == (math.inf, "no object")
+    assert difference([], np.zeros((0,)), np.zeros(0)) == (0.0, "")
+
+
+def test_same_bits_tells_signs_of_zero_apart() -> None:
+    assert same_bits({"a": [[1.0, np.float64(2.0)]]}, {"a": [[1.0, 2.0]]})
+    assert same_bits([math.nan], [math.nan])
+    assert not same_bits([0.0], [-0.0])
+    assert not same_bits([1.0], [1.0, 2.0])
+    assert not same_bits({"a": 1.0}, {"b": 1.0})
+
+
+def written(folder: Path, stand: Stand, change: Any = lambda name, text: text) -> Path:
+    for name, text in generate(stand).items():
+        (folder / name).write_text(change(name, text), encoding="ascii")
+    return folder
+
+
+def test_c_that_lies_in_a_folder_passes_also_with_foreign_line_ends(tmp_path: Path) -> None:
+    crlf = written(tmp_path, DEMO, lambda name, text: text.replace("\n", "\r\n"))
+    found = verify_c(DEMO, count=10, against=crlf)
+    assert found.passed
+    assert {row.verdict for row in found.rows} == {"ok"}
+
+
+EMITTED = {
+    "rate of the first moment": ("sum->mu_dot[1] += ", "sum->mu_dot[1] -= ", {"K_dot"}),
+    "Theta_ff of the table": ("sum->mu[0] += ", "sum->mu[1] += ", {"K", "center_of_mass"}),
+    "one harmonic": ("row->J_2c[0] * c2", "row->J_2c[0] * c", {"K"}),
+}
+
+
+@pytest.mark.parametrize("name", EMITTED)
+def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> None:
+    old, new, expected = EMITTED[name]
+    stand = load(path("bench8"))
+
+    def change(file: str, text: str) -> str:
+        if file.endswith(".h"):
+            return text
+        assert old in text
+        return text.replace(old, new, 1)
+
+    found = verify_c(stand, count=10, against=written(tmp_path, stand, change))
+    assert not found.passed
+    assert expected <= {row.quantity for row in found.failures}
+    assert any(row.verdict == "not compared" for row in found.rows)
+    lines = worst_lines(found).splitlines()
+    assert lines
+    assert {read_line(stand, line).want[0] for line in lines} <= {"matrices", "momentum", "forward", "generalized"}
+
+
+def test_a_check_left_out_of_the_emitted_c_is_caught(tmp_path: Path) -> None:
+    def change(file: str, text: str) -> str:
+        return text if file.endswith(".h") else _without_range_of_speeds(text)
+
+    found = verify_c(DEMO, count=4, against=written(tmp_path, DEMO, change))
+    (row,) = (row for row in found.rows if row.quantity.startswith("bad inputs"))
+    assert row.failed
+    assert "phi_dot" in row.state
+    assert not found.passed
+
+
+def _without_range_of_speeds(text: str) -> str:
+    assert "x->phi_dot, DEMO3_N, DEMO3_MAX_SPEED" in text
+    return text.replace("x->phi_dot, DEMO3_N, DEMO3_MAX_SPEED", "x->phi_dot, 0, DEMO3_MAX_SPEED")
+
+
+def test_c_of_another_stand_or_none_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match=r"demo3\.h: no such file"):
+        verify_c(DEMO, against=tmp_path)
+    written(tmp_path, DEMO)
+    heavier = replace(DEMO, carrier=replace(DEMO.carrier, mass=DEMO.carrier.mass + 1))
+    with pytest.raises(CheckFailed, match="physics"):
+        verify_c(heavier, against=tmp_path)
+
+
+def test_a_warning_of_the_compiler_is_an_error(tmp_path: Path) -> None:
+    def change(file: str, text: str) -> str:
+        return text if file.endswith(".h") else text + "\nstatic int unused_function(int x) { return x; }\n"
+
+    with pytest.raises(ToolchainError, match="unused"):
+        verify_c(DEMO, against=written(tmp_path, DEMO, change))
+
+
+def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    original = CBackend.interpreter_evaluate
+
+    def off(self: CBackend, state: State, want: Sequence[str]) -> dict[str, Any]:
+        found = original(self, state, want)
+        if "V_dot" in found:
+            found["V_dot"][2] = float(np.nextafter(found["V_dot"][2], np.inf))
+        return found
+
+    monkeypatch.setattr(CBackend, "interpreter_evaluate", off)
+    found = verify_c(DEMO, count=4)
+    (row,) = found.failures
+    assert row.quantity == "interpreter = C, bit for bit"
+    assert row.reason == "forward differs"
+    assert read_line(DEMO, worst_lines(found)).state == rest_state(DEMO)
+
+
+def test_outputs_written_by_a_refusal_are_caught() -> None:
+    backend = CBackend(DEMO)
+    inputs = {**backend.arguments(rest_state(DEMO)), "angles": (0.0, 0.0, 0.0)}
+
+    def careless(name: str, given: Mapping[str, Any], fill: float) -> tuple[int, dict[str, Any]]:
+        status, outputs = backend.library.run(backend.program.function(name), given, fill)
+        return status, {"V_dot": [SENTINEL, 0.0]} if name == "forward" else outputs
+
+    row = refusals(backend.program, inputs, careless)
+    assert row.verdict == "FAILED"
+    assert row.reason == "refused, but outputs were written"
+    assert row.state.startswith("forward: ")
+
+
+def test_reports_as_json_and_junit() -> None:
+    found = verify_c(DEMO, count=4)
+    table = json.loads(as_json(found), parse_constant=pytest.fail)
+    assert table["passed"] is True
+    assert table["stand"] == "demo3"
+    assert [row["quantity"] for row in table["rows"]] == [row.quantity for row in found.rows]
+    suite = ET.fromstring(as_junit(found))
+    assert suite.get("tests") == str(len(found.rows))
+    assert suite.get("failures") == suite.get("errors") == "0"
+
+    bad = Row("forward", "V_dot", 3, math.inf, "random 1", None, "FAILED", "\x00\x1b & <missing>")
+    broken = replace(found, rows=(bad,))
+    assert json.loads(as_json(broken), parse_constant=pytest.fail)["rows"][0]["worst"] is None
+    (case,) = ET.fromstring(as_junit(broken)).iter("failure")
+    assert "?? & <missing>" in str(case.get("message"))
+    assert conclusion(broken) == "FAILED: V_dot"
+
+    empty = replace(found, rows=())
+    assert not empty.passed
+    assert ET.fromstring(as_junit(empty)).get("errors") == "1"
+
+
+def test_nothing_but_not_offered_is_no_pass() -> None:
+    found = replace(verify_c(DEMO, count=1), rows=(Row("torque", "torque", verdict="not offered"),))
+    assert not found.passed
+    assert conclusion(found) == "FAILED: nothing was compared"
+
+
+def test_the_worst_state_replays() -> None:
+    rows = judge(DEMO, Wrong(DEMO, nudged("V_dot", 1e-6)), draw(DEMO, 2, 12), ["forward"])
+    (row,) = rows
+    assert row.request is not None
+    again = read_line(DEMO, state_line(row.request))
+    assert again == row.request

@@ -1,0 +1,88 @@
+"""Natural scales: shaped as their quantities, never below them, and blind to the choice of units."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from mahovik import reference
+from mahovik.errors import StateError
+from mahovik.stand import Stand
+from mahovik.stand.random import EVERYTHING, random_stand, random_state
+from mahovik.verify.draw import draw
+from mahovik.verify.harness import askable
+from mahovik.verify.scales import WANT_SCALES, scales
+from strategies import stands
+
+ROUNDING = 1 + 1e-9  # of the scale's own sums; the bound itself is exact
+
+
+def pairs(found: dict[str, Any], natural: dict[str, Any]) -> list[tuple[str, Any, Any]]:
+    flat = []
+    for name, value in found.items():
+        if isinstance(value, dict):
+            flat += [(f"{name} {n}", v, s) for n, v, s in pairs(value, natural[name])]
+        elif natural[name] is not None:
+            flat.append((name, np.asarray(value), np.asarray(natural[name])))
+    return flat
+
+
+def check_bounds(stand: Stand, want: str, seed: int) -> int:
+    checked = 0
+    for _, state in draw(stand, seed, 8):
+        if not askable(state, want):
+            continue
+        try:
+            found = reference.evaluate(stand, state, [want])
+        except StateError:
+            continue
+        natural = scales(stand, state, reference.pieces(stand, state), want)
+        assert set(natural) == set(found)
+        for name, value, scale in pairs(found, natural):
+            assert value.shape == scale.shape, name
+            assert np.all(np.abs(value) <= scale * ROUNDING + 1e-290), name
+            checked += 1
+    return checked
+
+
+@pytest.mark.parametrize("want", WANT_SCALES)
+def test_a_quantity_is_never_larger_than_its_scale(want: str) -> None:
+    assert sum(
+        check_bounds(random_stand(np.random.default_rng(seed), 1 + seed, EVERYTHING), want, seed) for seed in range(7)
+    )
+
+
+@settings(max_examples=15, deadline=None)
+@given(stand=stands(max_flywheels=3))
+def test_scales_of_any_stand_are_finite_and_not_negative(stand: Stand) -> None:
+    rng = np.random.default_rng(0)
+    state = replace(random_state(stand, rng), angles=(0.3, 0.5, -0.2), quaternion=None)
+    at = reference.pieces(stand, state)
+    for want in WANT_SCALES:
+        found = reference.evaluate(stand, state, [want])
+        for name, _, scale in pairs(found, scales(stand, state, at, want)):
+            assert np.all(np.isfinite(scale)), name
+            assert np.all(scale >= 0), name
+
+
+def test_scales_are_not_slack() -> None:
+    """Rounding of the reference in a moved order of bodies reaches a thousandth of 1e-12 of the scale, no less."""
+    rng = np.random.default_rng(4)
+    stand = random_stand(rng, 6, EVERYTHING)
+    other = replace(stand, flywheels=stand.flywheels[::-1])
+    largest: dict[str, float] = {}
+    for _, state in draw(stand, 1, 30):
+        turned = replace(state, phi=state.phi[::-1], phi_dot=state.phi_dot[::-1], phi_ddot=state.phi_ddot[::-1])
+        first = reference.evaluate(stand, state, ["forward", "momentum"])
+        second = reference.evaluate(other, turned, ["forward", "momentum"])
+        at = reference.pieces(stand, state)
+        natural = scales(stand, state, at, "forward") | scales(stand, state, at, "momentum")
+        for name in ("V_dot", "Z"):
+            off = np.abs(first[name] - second[name]) / np.maximum(natural[name], 1e-290)
+            largest[name] = max(largest.get(name, 0.0), float(off.max()))
+    for name in ("V_dot", "Z"):
+        assert 1e-18 < largest[name] < 1e-14
