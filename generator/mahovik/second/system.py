@@ -6,9 +6,10 @@ import casadi as ca
 import numpy as np
 
 from mahovik.second import force, lagrange
-from mahovik.second.bodies import Array, columns
+from mahovik.second.bodies import columns
 from mahovik.second.chart import Expr, inertial_acceleration
 from mahovik.second.laws import damping_wrench, suspension_wrench
+from mahovik.second.rotation import Array
 from mahovik.stand.model import Leg, Stand
 
 
@@ -25,7 +26,7 @@ class System:
         self.count = len(stand.bodies)
         self.fixed = self.count - self.N
         shapes = {"position": (3, 1), "C": (3, 3), "displacement": (6, 1), "V": (6, 1), "V_dot": (6, 1)}
-        shapes |= {name: (self.N, 1) for name in ("phi", "phi_dot", "phi_ddot", "tau")}
+        shapes |= dict.fromkeys(("phi", "phi_dot", "phi_ddot", "tau"), (self.N, 1))
         shapes |= {"wrench": (6, self.count)}
         self.inputs = {name: ca.MX.sym(name, *shape) for name, shape in shapes.items()}
         self.V = self.inputs["V"]
@@ -106,5 +107,6 @@ class System:
 
 def added_mass(stand: Stand) -> Array | None:
     """Added mass of carrier and instruments together (6x6), about O1 in E1; None where there is none."""
-    given = [np.array(body.added_mass) for body in (stand.carrier, *stand.instruments) if body.added_mass is not None]
-    return np.asarray(sum(given)) if given else None
+    given = [stand.carrier.added_mass, *(p.added_mass for p in stand.instruments)]
+    found = [np.array(Lambda) for Lambda in given if Lambda is not None]
+    return np.asarray(sum(found)) if found else None
