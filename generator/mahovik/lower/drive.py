@@ -90,7 +90,7 @@ def torque(lib: Library) -> Function:
         "tau", Kind.REAL, (layout.count,), "out", "N m", "drive torques, mount on flywheel, about the spin axis"
     )
     body = Body()
-    check_inputs(lib, body, x, phi_ddot, wrench)
+    check_inputs(lib, body, stand, x, phi_ddot, wrench)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     seen = scene(lib, body, stand.place, x.place)
     moving = V_dot.place
@@ -263,7 +263,7 @@ def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> No
     """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
     by_name = {a.name: a for a in arguments}
     wrench = tuple(a for a in arguments if a.name == "wrench")
-    check_inputs(lib, body, by_name["x"], (), wrench)
+    check_inputs(lib, body, by_name["stand"], by_name["x"], (), wrench)
     lib.check(body, "within", by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression)
 
 

@@ -33,11 +33,18 @@ class Scene:
 
 
 def check_inputs(
-    lib: Library, body: Body, x: Argument, phi_ddot: tuple[Argument, ...] = (), wrench: tuple[Argument, ...] = ()
+    lib: Library,
+    body: Body,
+    stand: Argument,
+    x: Argument,
+    phi_ddot: tuple[Argument, ...] = (),
+    wrench: tuple[Argument, ...] = (),
 ) -> None:
-    """Checks of state, accelerations, run-time wrenches: before anything is computed or written."""
+    """Checks of state, stream, accelerations, run-time wrenches: before anything is computed or written."""
     lib.begin(body)
     lib.check(body, "check_state", x.place)
+    if lib.layout.stream:
+        lib.check(body, "within", stand.place.stream, 3, lib.limits["MAX_VELOCITY"].expression)
     for argument in phi_ddot:
         lib.check(body, "within", argument.place, lib.layout.count, lib.limits["MAX_ACCELERATION"].expression)
     for argument in wrench:
@@ -149,7 +156,7 @@ def forward(lib: Library) -> Function:
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
-    check_inputs(lib, body, x, phi_ddot, wrench)
+    check_inputs(lib, body, stand, x, phi_ddot, wrench)
     result = body.local("result", (6,))
     inputs = [a.place for a in (*phi_ddot, *wrench)]
     lib.check(body, "accelerate", stand.place, x.place, *inputs, result)
@@ -173,7 +180,7 @@ def wrench_function(lib: Library) -> Function:
     wrench = lib.wrench_arguments()
     F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "total external wrench on the carrier, in E1 about O1")
     body = Body()
-    check_inputs(lib, body, x, (), wrench)
+    check_inputs(lib, body, stand, x, (), wrench)
     seen = scene(lib, body, stand.place, x.place)
     sum_up(lib, body, stand.place, x.place, seen.sums, None)
     result = body.local("result", (6,))

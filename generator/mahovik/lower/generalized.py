@@ -73,7 +73,8 @@ def products(lib: Library) -> Function:
 def attitude(lib: Library) -> Function:
     """The generalized-coordinate form at a state given by angles."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    stand = lib.table_argument()
+    x = Argument("x", layout.state, purpose="state; its attitude is not read, the angles take its place")
     angles = _angles_argument(lib)
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     out = Argument("out", layout.generalized, (), "out", purpose="A, D, I0, J0, q_dot, q_ddot")
@@ -118,7 +119,6 @@ def attitude(lib: Library) -> Function:
         equation="(10), (11)",
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "SINGULAR_ATTITUDE"),
-        notes=("The attitude of x is not read: the angles take its place.",),
         public=True,
     )
 

@@ -1,7 +1,7 @@
 """inverse (12): flywheel accelerations for a wanted motion of the carrier, with diagnostics, and a cheap variant.
 
-K = G G^T, W = G^-1 I D^-1, r = G^-1 b with b = F - K V* - M V - J phi' and D^2 = diag(weight Theta_ff): least |r - W y|,
-then least |y|; phi'' = D^-1 y. The singular values of W are those of K^-1/2 I Theta_ff^-1/2 where all weights are 1.
+K = G G^T, W = G^-1 I D^-1, r = G^-1 b with b = F - K V* - M V - J phi' and D^2 = diag(weight Theta_ff):
+least |r - W y|, then least |y|; phi'' = D^-1 y. The singular values of W are those of K^-1/2 I Theta_ff^-1/2 where all weights are 1.
 """
 
 from __future__ import annotations
@@ -9,13 +9,13 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.derive import accumulate as derived_rows
+from mahovik.derive import carrier as derived_carrier
 from mahovik.lower.flywheels import columns_of, sine_and_cosine
 from mahovik.lower.forward import STATE_STATUSES, check_inputs, drift_of, external_wrench, scene
 from mahovik.lower.library import Library
 from mahovik.lower.matrices import fill
 from mahovik.lower.solve import carrier_binding
 from mahovik.lower.symbolic import assign
-from mahovik.derive import carrier as derived_carrier
 from mahovik.program.build import Body, call
 from mahovik.program.expression import Convert, Expr, Not, Place, Status, both, integer, magnitude, real, select
 from mahovik.program.function import STATUS_VALUES, Argument, Function
@@ -30,7 +30,9 @@ UNREACHABLE_ABOVE = {"double": 1e-9, "float": 1e-4}
 
 def factor(lib: Library) -> Function:
     """Cholesky factor of K."""
-    work = Argument("work", lib.layout.inverse_work, (), "inout", purpose="in: G holds K; out: lower triangle G, K = G G^T")
+    work = Argument(
+        "work", lib.layout.inverse_work, (), "inout", purpose="in: G holds K; out: lower triangle G, K = G G^T"
+    )
     G = work.place.G
     body = Body()
     lib.begin(body)
@@ -134,10 +136,18 @@ def _relative(lib: Library, body: Body, x: Place, V_dot: Place, stream: Place | 
     return moving
 
 
-def _check(lib: Library, body: Body, x: Argument, V_dot: Argument, options: Place, wrench: tuple[Argument, ...]) -> None:
+def _check(
+    lib: Library,
+    body: Body,
+    stand: Argument,
+    x: Argument,
+    V_dot: Argument,
+    options: Place,
+    wrench: tuple[Argument, ...],
+) -> None:
     """Inputs of both variants, and the options."""
     largest = lib.limits["LARGEST"].expression
-    check_inputs(lib, body, x, (), wrench)
+    check_inputs(lib, body, stand, x, (), wrench)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_PARAMETER"].expression)
     lib.check(body, "within", options.limit, lib.layout.count, largest)
@@ -153,13 +163,15 @@ def inverse(lib: Library) -> Function:
     layout = lib.layout
     stand, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
-    options = Argument("options", layout.inverse_options, purpose="weights, limits, damping; the default is in the source")
+    options = Argument(
+        "options", layout.inverse_options, purpose="weights, limits, damping; the default is in the source"
+    )
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and how good it is")
     o, p = out.place, options.place
     precision = layout.precision.name
     body = Body()
-    _check(lib, body, x, V_dot, p, wrench)
+    _check(lib, body, stand, x, V_dot, p, wrench)
     work = body.local("work", (), layout.inverse_work)
     inputs = [w.place for w in wrench]
     lib.check(body, "demand", stand.place, x.place, V_dot.place, p.weight, *inputs, work)
@@ -204,8 +216,8 @@ def inverse(lib: Library) -> Function:
     body.ret(Convert(flags, Kind.STATUS))
     return Function(
         "inverse",
-        "Flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'. Least residual in "
-        "the norm of K^-1, then least weighted phi''.",
+        "Flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'. "
+        "Least residual in the norm of K^-1, then least weighted phi''.",
         (stand, x, V_dot, options, *wrench, out),
         body.statements,
         equation="(12)",

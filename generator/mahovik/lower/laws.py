@@ -40,7 +40,7 @@ def damp(lib: Library) -> Function:
     if layout.terms:
         assert factors is not None
         first, last = damper.place.first_term, damper.place.last_term
-        with body.loop("t", last, start=first) as t:
+        with body.loop("t", last, start=first, most=layout.terms) as t:
             term = stand.place.term[t]
             body.add(P.place[term.wrench], term.value * factors[term.first] * factors[term.second])
     return Function(

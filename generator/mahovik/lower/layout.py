@@ -67,10 +67,14 @@ class Layout(Tables):
     @cached_property
     def inverse_options(self) -> Struct:
         fields = (
-            Field("weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'', 1 by default; greater than 0"),
+            Field(
+                "weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'', 1 by default; greater than 0"
+            ),
             Field("limit", REAL, (self.count,), "rad/s2", "magnitude of each phi''; greater than 0"),
             Field("near", REAL, (), "", "NEAR_SINGULAR below this part of the largest singular value, 0..1"),
-            Field("damping", REAL, (), "", "part of the largest singular value that damps those near zero, 0..1; 0: none"),
+            Field(
+                "damping", REAL, (), "", "part of the largest singular value that damps those near zero, 0..1; 0: none"
+            ),
         )
         return Struct("inverse_options", "How inverse chooses among flywheels, and near singularity.", fields)
 

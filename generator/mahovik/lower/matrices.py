@@ -46,7 +46,7 @@ def matrices(lib: Library) -> Function:
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.matrices, (), "out", purpose="K, K_dot, M, I, J, F")
     body = Body()
-    check_inputs(lib, body, x, (), wrench)
+    check_inputs(lib, body, stand, x, (), wrench)
     seen = scene(lib, body, stand.place, x.place)
     sum_up(lib, body, stand.place, x.place, seen.sums, None)
     F = body.local("F", (6,))
@@ -95,7 +95,7 @@ def momentum(lib: Library) -> Function:
     stand, x = lib.table_argument(), lib.state_argument()
     out = Argument("out", layout.momentum, (), "out", purpose="Z, Z0, energy, mass centre")
     body = Body()
-    check_inputs(lib, body, x)
+    check_inputs(lib, body, stand, x)
     seen = scene(lib, body, stand.place, x.place, attitude=True)
     sum_up(lib, body, stand.place, x.place, seen.sums, None)
     C, V, sums = seen.C, seen.V, seen.sums

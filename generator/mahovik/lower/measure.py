@@ -57,7 +57,7 @@ def measure(lib: Library) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
     out = Argument("out", layout.reading, (layout.sensor_count,), "out", purpose="a reading each")
     body = Body()
-    check_inputs(lib, body, x)
+    check_inputs(lib, body, stand, x)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     C = body.local("C", (9,), comment="attitude")
     body.call(lib["rotation"], x.place.attitude, C)

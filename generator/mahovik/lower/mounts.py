@@ -103,7 +103,7 @@ def mounts(lib: Library) -> Function:
     )
     out = Argument("mount_wrench", Kind.REAL, (6 * int(layout.count),), "out", "N, N m", purpose)
     body = Body()
-    check_inputs(lib, body, x, phi_ddot, wrench)
+    check_inputs(lib, body, stand, x, phi_ddot, wrench)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     seen = scene(lib, body, stand.place, x.place)
     moving = V_dot.place

@@ -9,17 +9,18 @@ from mahovik.lower.symbolic import translate
 from mahovik.program.build import Body
 from mahovik.program.expression import Not, Status, both
 from mahovik.program.function import Argument, Function
-from mahovik.program.types import Kind
+from mahovik.program.types import Kind, Struct
 
 
-def check_body(lib: Library) -> Function:
-    """Mass properties finite, and the mass not negative."""
-    b = Argument("body", lib.layout.body)
+def check_body(lib: Library, struct: Struct) -> Function:
+    """Mass properties finite, and the mass not negative; `check_body` or `check_dry_body`, by the struct."""
+    buoyant = struct.field("displaced_mass") is not None
+    b = Argument("body", struct)
     body = Body()
     lib.begin(body)
     bound = lib.limits["MAX_PARAMETER"].expression
-    scalars = [b.place.mass] + ([b.place.displaced_mass] if lib.layout.buoyancy else [])
-    arrays = [b.place.center_of_mass, b.place.inertia] + ([b.place.displaced_center] if lib.layout.buoyancy else [])
+    scalars = [b.place.mass] + ([b.place.displaced_mass] if buoyant else [])
+    arrays = [b.place.center_of_mass, b.place.inertia] + ([b.place.displaced_center] if buoyant else [])
     masses = body.local("masses", (len(scalars),))
     for target, value in zip(masses, scalars, strict=True):
         body.set(target, value)
@@ -29,7 +30,7 @@ def check_body(lib: Library) -> Function:
     lib.guard(body, b.place.mass < 0, "RANGE")
     body.ret(Status("OK"))
     return Function(
-        "check_body",
+        f"check_{struct.name}",
         "Are the mass properties finite and the mass not negative?",
         (b,),
         body.statements,
@@ -95,7 +96,7 @@ def check_parameters(lib: Library) -> Function:
     if layout.flywheels:
         with body.loop("s", layout.count) as s:
             w = p.flywheel[s]
-            lib.check(body, "check_body", w.body)
+            lib.check(body, f"check_{layout.flywheel_body.name}", w.body)
             lib.guard(body, Not(w.body.inertia[0] > 0), "NOT_POSITIVE_DEFINITE")
             named = {"parameters": p, "w": w, "O": O, "R": R}
             lib.check(body, "place_flywheel", *lib.passed("place_flywheel", **named))

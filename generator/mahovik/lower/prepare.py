@@ -190,6 +190,9 @@ class _Work:
         """Displaced mass and its first moment about O1; the turning part of a flywheel's goes to its row."""
         if self.totals.weight_mass is None or self.totals.displaced is None:
             return
+        if row is not None and not self.lib.layout.flywheel_buoyancy:
+            self.body.add(self.totals.weight_mass, b.mass)
+            return
         body, R, center = self.body, self.R, b.displaced_center
         body.add(self.totals.weight_mass, b.mass - b.displaced_mass)
         for i in range(3):
@@ -199,10 +202,9 @@ class _Work:
                 body.add(self.totals.displaced[i], b.displaced_mass * (self.origin[i] + (along + turning)))
                 continue
             body.add(self.totals.displaced[i], b.displaced_mass * (self.origin[i] + along))
-            if self.lib.layout.flywheel_buoyancy:
-                back = R[3 * i + 2] * center[1] - R[3 * i + 1] * center[2]
-                body.set(row.displaced_c[i], b.displaced_mass * turning)
-                body.set(row.displaced_s[i], b.displaced_mass * back)
+            back = R[3 * i + 2] * center[1] - R[3 * i + 1] * center[2]
+            body.set(row.displaced_c[i], b.displaced_mass * turning)
+            body.set(row.displaced_s[i], b.displaced_mass * back)
 
     def place_instrument(self, q: Place) -> None:
         """origin and R of an instrument."""

@@ -86,7 +86,9 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(generalized.attitude(lib))
     lib.add(placement.frame_of_axes(lib))
     lib.add(prepare.carry(lib))
-    lib.add(parameters.check_body(lib))
+    lib.add(parameters.check_body(lib, layout.body))
+    if layout.flywheels and layout.flywheel_body is not layout.body:
+        lib.add(parameters.check_body(lib, layout.flywheel_body))
     if layout.flywheels:
         lib.add(placement.place_flywheel(lib))
     if layout.structure.points:

@@ -138,7 +138,7 @@ def _step(lib: Library, torques: bool) -> Function:
     if torques:
         check_drive(lib, body, (stand, x, *drive))
     else:
-        check_inputs(lib, body, x, drive[: 1 if layout.flywheels else 0], lib_wrench(drive))
+        check_inputs(lib, body, stand, x, drive[: 1 if layout.flywheels else 0], lib_wrench(drive))
     h = dt.place
     lib.guard(body, Not(both(h > 0, h <= lib.limits["MAX_STEP"].expression)), "BAD_ARGUMENT")
     known = either(equal(order.place, integer(4)), equal(order.place, integer(2)))

@@ -27,19 +27,30 @@ class Tables(Kinds):
             ]
         return Struct("state", "State of the whole system.", tuple(fields))
 
-    @cached_property
-    def body(self) -> Struct:
+    def _body(self, name: str, purpose: str, buoyant: bool) -> Struct:
         fields = [
             Field("mass", REAL, (), "kg", ""),
             Field("center_of_mass", REAL, (3,), "m", "rc, from the body's origin, in its own axes"),
             Field("inertia", REAL, (6,), "kg m2", "J11, J22, J33, J12, J13, J23 about the body's origin"),
         ]
-        if self.buoyancy:
+        if buoyant:
             fields += [
                 Field("displaced_mass", REAL, (), "kg", "of fluid"),
                 Field("displaced_center", REAL, (3,), "m", "centre of buoyancy, in the body's frame"),
             ]
-        return Struct("body", "Mass properties of one body, in its own frame.", tuple(fields))
+        return Struct(name, purpose, tuple(fields))
+
+    @cached_property
+    def body(self) -> Struct:
+        """Carrier and instruments."""
+        return self._body("body", "Mass properties of one body, in its own frame.", self.buoyancy)
+
+    @cached_property
+    def flywheel_body(self) -> Struct:
+        """Flywheels: the same struct, unless only fixed bodies displace fluid."""
+        if self.buoyancy == self.flywheel_buoyancy:
+            return self.body
+        return self._body("dry_body", "Mass properties of a flywheel, in its own frame.", False)
 
     @cached_property
     def instrument_parameters(self) -> Struct:
@@ -54,7 +65,7 @@ class Tables(Kinds):
     @cached_property
     def flywheel_parameters(self) -> Struct:
         fields = [
-            Field("body", self.body),
+            Field("body", self.flywheel_body),
             Field("position", REAL, (3,), "m", "Os, in the frame of the mount"),
             Field("axis", REAL, (3,), "", "spin axis in the frame of the mount, any length"),
             Field("zero", REAL, (3,), "", "its part across the axis is the second axis of Es at phi = 0"),

@@ -99,7 +99,8 @@ class Values:
             given = {"mass": b.mass, "rc": b.center_of_mass, "central": inertia}
             inertia = self._conversions.run("about_origin", given)[1]["J"]
         found = {"mass": b.mass, "center_of_mass": list(b.center_of_mass), "inertia": inertia}
-        if self._layout.buoyancy:
+        dry = isinstance(b, Flywheel) and not self._layout.flywheel_buoyancy
+        if self._layout.buoyancy and not dry:
             found["displaced_mass"] = b.buoyancy.displaced_mass if b.buoyancy else 0.0
             found["displaced_center"] = list(b.buoyancy.center) if b.buoyancy else [0.0] * 3
         return found

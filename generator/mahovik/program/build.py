@@ -83,13 +83,13 @@ class Body:
         self._add(Return(value))
 
     @contextmanager
-    def loop(self, name: str, stop: Operand, start: Operand = 0, comment: str = "") -> Iterator[Place]:
+    def loop(self, name: str, stop: Operand, start: Operand = 0, comment: str = "", most: int = 1) -> Iterator[Place]:
         """for name in start..stop-1"""
         index = Variable(name, Kind.INT)
         self._blocks.append([])
         yield index.place
         body = tuple(self._blocks.pop())
-        self._add(Loop(index, as_expr(start, Kind.INT), as_expr(stop, Kind.INT), body, comment))
+        self._add(Loop(index, as_expr(start, Kind.INT), as_expr(stop, Kind.INT), body, comment, most))
 
     @contextmanager
     def when(self, condition: Expr, comment: str = "") -> Iterator[None]:

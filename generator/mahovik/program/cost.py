@@ -25,6 +25,7 @@ from mahovik.program.expression import (
 from mahovik.program.function import Function
 from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.program.types import Kind
+from mahovik.program.walk import inside
 
 
 @dataclass(frozen=True)
@@ -70,21 +71,48 @@ def _statement(s: Statement, bound: dict[str, int]) -> Cost:
             return _expr(value, bound) + extra
         case Do(call):
             return _expr(call, bound)
-        case Loop(_, start, stop, body):
-            return _block(body, bound).times(max(0, _bound(stop, bound) - _bound(start, bound)))
+        case Loop():
+            return _loop(s, bound)
         case When(condition, body, otherwise):
             one, two = _block(body, bound), _block(otherwise, bound)
             return _expr(condition, bound) + (one if one.total >= two.total else two)
     raise TypeError(f"unknown statement {type(s).__name__}")
 
 
-def _bound(e: Expr, bound: dict[str, int]) -> int:
-    """A loop bound: a literal, or an argument of the function with a literal given at the call; else 1 is counted."""
+def _loop(loop: Loop, bound: dict[str, int]) -> Cost:
+    """Turns times body; turn by turn where an inner loop's bounds depend on the index."""
+    start, stop = _literal(loop.start, bound), _literal(loop.stop, bound)
+    if start is None or stop is None:
+        return _block(loop.body, bound).times(loop.most)
+    name = loop.index.name
+    if name in _names_in_bounds(loop.body):
+        return sum((_block(loop.body, bound | {name: turn}) for turn in range(start, stop)), ZERO)
+    return _block(loop.body, bound).times(max(0, stop - start))
+
+
+def _names_in_bounds(body: tuple[Statement, ...]) -> set[str]:
+    """Names of the variables in the bounds of the loops of a body."""
+    found: set[str] = set()
+    for s in body:
+        if isinstance(s, Loop):
+            found |= {e.root.name for side in (s.start, s.stop) for e in inside(side) if isinstance(e, Place)}
+            found |= _names_in_bounds(s.body)
+        elif isinstance(s, When):
+            found |= _names_in_bounds((*s.body, *s.otherwise))
+    return found
+
+
+def _literal(e: Expr, bound: dict[str, int]) -> int | None:
+    """An integer expression of literals and known names."""
     if isinstance(e, Const):
         return int(e.value)
-    if isinstance(e, Place) and e.root.name in bound:
-        return bound[e.root.name]
-    return 1
+    if isinstance(e, Place):
+        return bound.get(e.root.name) if not e.path else None
+    if isinstance(e, Binary) and e.operator in "+-":
+        left, right = _literal(e.left, bound), _literal(e.right, bound)
+        if left is not None and right is not None:
+            return left + right if e.operator == "+" else left - right
+    return None
 
 
 def _expr(e: Expr, bound: dict[str, int]) -> Cost:

@@ -53,13 +53,14 @@ class Do:
 
 @dataclass(frozen=True, eq=False)
 class Loop:
-    """for (index = start; index < stop; ++index)"""
+    """for (index = start; index < stop; ++index). `most`: turns to count where the bounds are not literals."""
 
     index: Variable
     start: Expr
     stop: Expr
     body: tuple[Statement, ...]
     comment: str = ""
+    most: int = 1
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from mahovik.program.build import Body, call
 from mahovik.program.expression import magnitude, real, select
 from mahovik.program.function import Argument, Function
-from mahovik.program.types import Kind, NamedCount, Struct
+from mahovik.program.types import NamedCount, Struct
 
 SWEEPS = {"double": 9, "float": 7}
 """Sweeps over the 15 pairs of rows."""
@@ -19,7 +19,9 @@ SWEEPS = {"double": 9, "float": 7}
 
 def orthogonalise(struct: Struct, count: NamedCount, square_root: Function, precision_name: str) -> Function:
     """`orthogonalise`: works in place on a struct with members W[6][N], U[6][6], r[6], sigma[6]."""
-    work = Argument("work", struct, (), "inout", purpose="in: W, r; out: rows of W orthogonal, r = U^T r, U, sigma = |rows|")
+    work = Argument(
+        "work", struct, (), "inout", purpose="in: W, r; out: rows of W orthogonal, r = U^T r, U, sigma = |rows|"
+    )
     w = work.place
     body = Body()
     with body.loop("i", 6) as i:

@@ -1,7 +1,7 @@
 """The same angle within half a turn of zero, without libm.
 
 k = phi / (2 pi) to nearest by the constant that leaves no room for a fraction; then phi - k 2 pi with 2 pi in the
-parts of `sincos` (four times those of pi/2: the scaling is exact), so that a wrapped phase has the same sine and cosine.
+parts of `sincos` (four times those of pi/2: the scaling is exact).
 """
 
 from __future__ import annotations

@@ -73,11 +73,10 @@ class Second:
         """
         check_want(want)
         self._check_state(state)
-        C = attitude(self.stand.angles, state)
-        for leg in self.stand.legs:
-            _check_leg(leg, state, C)
         with np.errstate(all="ignore"):  # what is not finite is found below
-            inputs = self._inputs(state, C)
+            inputs = self.arguments(state)
+            for leg in self.stand.legs:
+                _check_leg(leg, inputs)
             found: Values = {}
             for each in want:
                 found |= self._generalized(state, inputs) if each == "generalized" else self._solve(each, inputs)
@@ -86,8 +85,10 @@ class Second:
                 raise StateError(f"{name}: not finite at this state")
         return found
 
-    def _inputs(self, state: State, C: Array) -> dict[str, Any]:
+    def arguments(self, state: State) -> dict[str, Any]:
+        """Arguments of the functions at a state, by name: those of `System.inputs`."""
         stand = self.stand
+        C = attitude(stand.angles, state)
         law, zero = stand.suspension, np.zeros(6)
         names = ("position", "V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau")
         return {
@@ -158,8 +159,8 @@ def check_want(want: Sequence[str]) -> None:
         raise StateError("want: 'forward' and 'coupled' both give 'V_dot'; ask for them in two states")
 
 
-def _check_leg(leg: Leg, state: State, C: Array) -> None:
-    away = np.array(state.position) + C @ np.array(leg.carrier) - np.array(leg.ground)
+def _check_leg(leg: Leg, inputs: dict[str, Any]) -> None:
+    away = inputs["position"] + inputs["C"] @ np.array(leg.carrier) - np.array(leg.ground)
     length = math.hypot(*away)
     if length < SHORTEST_LEG:
         raise StateError(f"leg between ground {leg.ground} and carrier {leg.carrier}: length {length:.3g} m is zero")

@@ -12,8 +12,14 @@ from mahovik.stand.state import State
 
 STATUS_NAMES = {value: name for name, value in STATUS_VALUES.items()}
 
-PROGRAM_WANTS = ("matrices", "momentum", "forward", "generalized")
-"""The wants of stand.md that the program offers so far."""
+PROGRAM_WANTS = ("matrices", "momentum", "forward", "generalized", "torque", "mounts", "coupled", "inverse", "points")
+"""The wants of stand.md that the program offers."""
+
+NEAR_SINGULAR_BELOW = 1e-6
+"""`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
+
+NO_LIMIT = 1e300
+"""rad/s2; eval asks for no limits of accelerations."""
 
 _MEANING = {
     "NOT_FINITE": "an input is NaN or infinite",
@@ -30,10 +36,13 @@ class Runner(Protocol):
 
 
 class ProgramBackend:
-    """Wants of a state from a program. `table` is what the functions take as the prepared stand."""
+    """Wants of a state from a program. `table`, `mounting` are what the functions take as the prepared stand."""
 
-    def __init__(self, name: str, layout: Layout, program: Program, table: Any, run: Runner) -> None:
+    def __init__(
+        self, name: str, layout: Layout, program: Program, table: Any, mounting: Any, run: Runner
+    ) -> None:
         self.name = name
+        self._mounting = mounting
         self.layout = layout
         self.program = program
         self._table = table
@@ -73,19 +82,32 @@ class ProgramBackend:
             x |= {"phi": state.phi, "phi_dot": state.phi_dot}
         zero = (0.0,) * 6
         wrench = [number for body in self.inputs for number in state.wrench.get(body, zero)]
-        return {"stand": self._table, "x": x, "phi_ddot": state.phi_ddot, "wrench": wrench}
+        return {
+            "stand": self._table,
+            "mounting": self._mounting,
+            "x": x,
+            "V_dot": state.V_dot,
+            "phi_ddot": state.phi_ddot,
+            "tau": state.tau,
+            "locked": [0] * len(state.phi),
+            "wrench": wrench,
+        }
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
-        wanted = {a.name for a in self.program.function(function).arguments}
+        wanted = {a.name for a in self.program.function(function).arguments if a.direction != "out"}
         return self._run(function, {name: value for name, value in inputs.items() if name in wanted})
 
     def _call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
         status, outputs = self.call(function, inputs)
+        self._refuse(status)
+        return outputs
+
+    def _refuse(self, status: int) -> None:
+        """Raises StateError for a negative status."""
         if status < 0:
             name = STATUS_NAMES[status]
             raise StateError(f"{name}: {_MEANING.get(name, 'refused')}")
-        return outputs
 
     def _matrices(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         found: dict[str, Any] = self._call("matrices", inputs)["out"]
@@ -106,3 +128,36 @@ class ProgramBackend:
         angles = state.angles or (0.0, 0.0, 0.0)
         found: dict[str, Any] = self._call("attitude", {**inputs, "angles": angles})["out"]
         return found
+
+    def _torque(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        return self._call("torque", inputs) if self.layout.flywheels else {"tau": []}
+
+    def _mounts(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if not self.layout.flywheels:
+            return {"mount_wrench": []}
+        flat = self._call("mounts", inputs)["mount_wrench"]
+        return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
+
+    def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if not self.layout.flywheels:
+            return {**self._call("forward", inputs), "phi_ddot": []}
+        return self._call("coupled", inputs)
+
+    def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        """By default: weights 1, no damping, no limits."""
+        count = len(state.phi)
+        if not count:
+            raise StateError("inverse: the generated C of a stand without flywheels has none")
+        options = {"weight": [1.0] * count, "limit": [NO_LIMIT] * count, "near": NEAR_SINGULAR_BELOW, "damping": 0.0}
+        status, outputs = self.call("inverse", {**inputs, "options": options})
+        self._refuse(status)
+        found = outputs["out"]
+        names = [n for n, bit in STATUS_VALUES.items() if bit > 0 and status & bit]
+        result = {name: found[name] for name in ("phi_ddot", "residual", "sigma", "rank")}
+        return result | {"status": "|".join(names) or "OK"}
+
+    def _points(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if not self.layout.sensors:
+            return {"points": {}}
+        readings = self._call("measure", inputs)["out"]
+        return {"points": dict(zip(self.layout.sensors, readings, strict=True))}

@@ -1,0 +1,86 @@
+"""Energies body by body, differentiated, against (1)-(13): two ways that share no formula."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mahovik import reference, stands
+from mahovik.second import WANTS, Second, evaluate
+from mahovik.stand import load
+from mahovik.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
+from mahovik.verify.draw import draw
+from second.agreement import AGREEMENT, differences
+
+EXAMPLES = sorted(Path(stands.__file__).parent.glob("*.toml"))
+KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}
+
+
+def agrees(stand, seed, count):
+    """Asserts agreement at `count` states, extreme ones among them; returns the quantities that were compared."""
+    second = Second(stand)
+    compared = set()
+    for name, state in draw(stand, seed, count):
+        for what, off in differences(second.evaluate, stand, state).items():
+            assert off <= AGREEMENT, (stand.name, name, what)
+            compared.add(what)
+    return compared
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_example_stands_agree_in_every_want(path):
+    stand = load(path)
+    compared = agrees(stand, 1, 3 * len(EXTREMES) + 1)
+    assert {want for want, _ in compared} == set(WANTS)
+
+
+@pytest.mark.parametrize("flywheels", [0, 1, 5, 6, 7, 12])
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("angles", SEQUENCES)
+def test_random_general_stands_agree_in_every_want(flywheels, kind, angles):
+    rng = np.random.default_rng([flywheels, len(kind), len(angles)])
+    stand = random_stand(rng, flywheels, replace(KINDS[kind], angles=angles))
+    compared = agrees(stand, flywheels, 3 * len(EXTREMES) + 1)
+    assert {want for want, _ in compared} == set(WANTS)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_many_small_random_stands_agree(seed):
+    stand = random_stand(np.random.default_rng(seed), seed % 4)
+    assert agrees(stand, seed, 6)
+
+
+def test_64_flywheels_agree():
+    stand = random_stand(np.random.default_rng(64), 64, EVERYTHING)
+    assert agrees(stand, 64, 6)
+
+
+def test_singular_attitudes_are_refused_by_both():
+    for seed, angles in enumerate(SEQUENCES):
+        rng = np.random.default_rng(seed)
+        stand = random_stand(rng, 2, replace(EVERYTHING, angles=angles))
+        singular = 0.0 if angles == "euler" else np.pi / 2
+        _, state = draw(stand, seed, 2)[1]
+        for theta, refused in ((singular + 1e-7, True), (singular + 2e-6, False)):
+            near = replace(state, quaternion=None, angles=(0.3, theta, -0.2))
+            found = differences(Second(stand).evaluate, stand, near, ["generalized"])
+            assert (found == {}) == refused
+            assert all(off <= AGREEMENT for off in found.values())
+
+
+def test_the_values_have_the_types_of_the_reference():
+    stand = random_stand(np.random.default_rng(3), 3, EVERYTHING)
+    _, state = draw(stand, 3, 2)[1]
+    state = replace(state, quaternion=None, angles=(0.3, 0.7, -0.2))
+    for want in WANTS:
+        expected, found = reference.evaluate(stand, state, [want]), evaluate(stand, state, [want])
+        assert types(found) == {name: kind for name, kind in types(expected).items() if name not in ("I0", "J0")}
+
+
+def types(values):
+    """Type, and shape, of everything in a result."""
+    return {
+        name: types(value) if isinstance(value, dict) else (type(value), np.shape(value))
+        for name, value in values.items()
+    }

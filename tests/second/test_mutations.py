@@ -1,0 +1,83 @@
+"""Every deliberate mistake in the second derivation is seen by the comparison with the reference."""
+
+import importlib
+import shutil
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik.second
+from mahovik.stand.random import EVERYTHING, SEQUENCES, random_stand
+from mahovik.verify.draw import draw
+from second.agreement import AGREEMENT, differences
+
+SOURCE = Path(mahovik.second.__file__).parent
+
+# file, what is there once, what is put in its place
+MUTATIONS = {
+    "rotation to the first order only": ("chart", " + cross(xi) @ cross(xi) / 2", ""),
+    "components of V* taken as an acceleration": ("chart", "V_dot[:3] + rate(V[:3], V[3:])", "V_dot[:3]"),
+    "rate along q'' only": ("chart", "return self.rate(expression) + along(", "return along("),
+    "angular velocity doubled": ("chart", "S[1, 0] - S[0, 1]) / 2", "S[1, 0] - S[0, 1])"),
+    "dT/dq left out": ("lagrange", " - ca.gradient(T, chart.q)", ""),
+    "parallel axes the wrong way": ("bodies", "J - body.mass *", "J + body.mass *"),
+    "inertia about the centre taken as about the origin": ("bodies", "== \"center_of_mass\"", "!= \"center_of_mass\""),
+    "flywheel on an instrument placed on the carrier": ("bodies", "found[s.mount]", "found['carrier']"),
+    "flywheel turns before it is mounted": ("bodies", "3, 3) @ elementary(1, chart.phi)", "3, 3).T @ elementary(1, chart.phi)"),
+    "phi the other way": ("rotation", "1: ((1, 0, 0), (0, c, -s), (0, s, c))", "1: ((1, 0, 0), (0, c, s), (0, -s, c))"),
+    "aircraft sequence as ship": ("rotation", '"aircraft": (2, 3, 1)', '"aircraft": (3, 2, 1)'),
+    "stream the other way": ("energy", "chart.q_dot[:3] - stream", "chart.q_dot[:3] + stream"),
+    "energy of rotation left out": ("energy", " + ca.dot(omega, body.central_inertia @ omega) / 2", ""),
+    "buoyancy pulls down": ("force", "weight - buoyancy", "weight + buoyancy"),
+    "damping relative to E0": ("force", "ca.SX.zeros(3))) - stream", "ca.SX.zeros(3)))"),
+    "legs without damping": ("force", " - ca.gradient(rayleigh, chart.q_dot)", ""),
+    "legs push where they should pull": ("force", "here(-ca.gradient(potential", "here(ca.gradient(potential"),
+    "quadratic damping without sign": ("laws", "(V_r * ca.fabs(V_r))", "(V_r * V_r)"),
+    "damping term with one factor": ("laws", "term.value * first * second", "term.value * first"),
+    "suspension turned from E1 to E0": ("laws", "equilibrium.T @ C", "C.T @ equilibrium"),
+    "suspension away in E0": ("laws", "C.T @ away", "away"),
+    "added mass without inertia": ("system", "Z + fluid_Z, K + self.Lambda", "Z + fluid_Z, K"),
+    "drive torque the other way": ("problems", "applied + drive - still", "applied - drive - still"),
+    "moment of momentum about O1": ("problems", "motion[:3] + ca.cross(motion[3:], r)", "motion[:3]"),
+    "gravity added to what an accelerometer reads": ("points", "(acceleration - gravity)", "(acceleration + gravity)"),
+    "D without the motion": ("kinematics", "matrices(sequence)(angles, q_dot)[1]", "matrices(sequence)(angles, 0 * q_dot)[1]"),
+}  # fmt: skip
+
+
+def cases():
+    """Stands of every sequence with every kind of wrench, and states of them."""
+    for seed, angles in enumerate(SEQUENCES):
+        stand = random_stand(np.random.default_rng(seed), 3, replace(EVERYTHING, angles=angles))
+        _, state = draw(stand, seed, 2)[1]
+        yield stand, replace(state, quaternion=None, angles=(0.3, 0.7, -0.2))
+
+
+def worst(package):
+    """Largest difference of a package's Second to the reference; infinite where a result is missing."""
+    return max(max(differences(package.Second(stand).evaluate, stand, state).values()) for stand, state in cases())
+
+
+def test_without_a_mutation_there_is_no_difference():
+    assert worst(mahovik.second) <= AGREEMENT
+
+
+@pytest.mark.parametrize("name", MUTATIONS)
+def test_mutations_are_noticed(name, tmp_path, monkeypatch):
+    module, there, instead = MUTATIONS[name]
+    package = "mutated_" + "".join(c if c.isalnum() else "_" for c in name)
+    shutil.copytree(SOURCE, tmp_path / package, ignore=shutil.ignore_patterns("__pycache__"))
+    for path in (tmp_path / package).glob("*.py"):
+        text = path.read_text(encoding="utf-8").replace("mahovik.second", package)
+        if path.stem == module:
+            assert text.count(there) == 1, f"{there!r} is not there once"
+            text = text.replace(there, instead)
+        path.write_text(text, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    try:
+        assert worst(importlib.import_module(package)) > 1e-6
+    finally:
+        for loaded in [m for m in sys.modules if m.split(".")[0] == package]:
+            del sys.modules[loaded]
