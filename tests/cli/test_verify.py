@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.run import DEMO3, process, refused, run
+from cli.run import BENCH8, DEMO3, process, refused, run
 from mahovik.emit.generate import generate
 from mahovik.stand import load
 
@@ -45,15 +45,15 @@ def test_the_table_as_json_and_no_files_when_all_is_well(tmp_path: Path) -> None
 
 def test_broken_c_fails_and_leaves_a_state_that_replays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    for name, text in generate(load(DEMO3)).items():
+    for name, text in generate(load(BENCH8)).items():
         Path(name).write_text(text.replace("sum->J[0] += ", "sum->J[0] -= ") if name.endswith(".c") else text)
-    result = run("verify", DEMO3, "--states", "12", "--against", ".", "--junit", "report.xml")
+    result = run("verify", BENCH8, "--states", "12", "--against", ".", "--junit", "report.xml")
     assert result.exit_code == 1
     assert "FAILED: " in result.stdout
     assert int(ET.parse("report.xml").getroot().get("failures") or 0) >= 1
-    lines = Path("demo3-worst.jsonl").read_text()
+    lines = Path("bench8-worst.jsonl").read_text()
     assert lines
-    assert run("eval", DEMO3, "--backend", "numpy", stdin=lines).exit_code == 0
+    assert run("eval", BENCH8, "--backend", "numpy", stdin=lines).exit_code == 0
 
 
 def test_a_failed_verdict_stands_where_its_files_cannot_be_written(tmp_path: Path) -> None:

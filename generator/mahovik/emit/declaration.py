@@ -18,8 +18,12 @@ def struct_lines(struct: Struct, names: Names) -> list[str]:
     lines = []
     for declaration, f in zip(declarations, struct.fields, strict=True):
         comment = "; ".join(part for part in (f.unit, f.comment) if part)
-        text = f"    {declaration:<{width}}  /* {comment} */" if comment else f"    {declaration}"
-        lines.append(text.rstrip())
+        if not comment:
+            lines.append(f"    {declaration}")
+            continue
+        lead = f"    {declaration:<{width}}  "
+        lines += paragraph(comment, f"{lead}/* ", " " * len(lead) + " * ")
+        lines[-1] += " */"
     return [*head, *lines, f"}} {names.type(struct)};"]
 
 

@@ -38,7 +38,7 @@ _STATUS_MEANING = {
     "UNREACHABLE": "least-squares answer: the demand is out of reach",
     "RANK_DEFICIENT": "rank below min(6, N)",
     "NOT_FINITE": "an input is NaN or infinite",
-    "RANGE": "an input is outside its range, a quaternion off unit length, or a leg has no length",
+    "RANGE": "out of range, quaternion off unit length, leg of no length",
     "NOT_POSITIVE_DEFINITE": "a mass or inertia that no body has",
     "SINGULAR_ATTITUDE": "the attitude angles are at their singularity",
     "BAD_ARGUMENT": "a count or an index",

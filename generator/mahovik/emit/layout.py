@@ -5,6 +5,9 @@ from __future__ import annotations
 WIDTH = 110
 """Columns of a line of code or comment; rows of tables are longer."""
 
+_OUTER = (" + ", " - ", " && ", " || ", " ? ", " : ")
+_INNER = (" * ", " / ", " & ", " | ", " ^ ", " << ", " >> ", " < ", " <= ", " > ", " >= ", " == ", " != ")
+
 
 def wrapped(text: str, indent: str) -> list[str]:
     """A statement as lines of at most WIDTH columns where it can be broken; later lines are indented further."""
@@ -27,22 +30,22 @@ def _break(text: str, room: int) -> int:
             depth += 1
         elif character in ")]}":
             depth -= 1
-        if i < room // 3:
-            continue
-        before_operator = text.startswith((" + ", " - ", " && ", " || ", " ? ", " : ", " * "), i)
+        before_operator = text.startswith(_OUTER + _INNER, i)
         after_comma = character == " " and text[i - 1] == ","
-        weight = depth * 2 + text.startswith(" * ", i)
+        # a break in the first third is better than none
+        weight = depth * 2 + text.startswith(_INNER, i) + (10**5 if i < room // 3 else 0)
         if (before_operator or after_comma) and weight <= best_depth:
             best, best_depth = i, weight
     return best
 
 
 def paragraph(text: str, first: str, later: str) -> list[str]:
-    """Prose as lines of at most WIDTH columns."""
+    """Prose as lines of at most WIDTH columns, with room for the end of a comment."""
+    width = WIDTH - len(" */")
     lines, line = [], first
     empty = True
     for word in text.split():
-        if not empty and len(line) + 1 + len(word) > WIDTH:
+        if not empty and len(line) + 1 + len(word) > width:
             lines.append(line)
             line, empty = later, True
         line += word if empty else f" {word}"

@@ -71,7 +71,8 @@ class Statements:
     def _packed(self, texts: list[str], indent: str) -> list[str]:
         """Up to three assignments a line, in columns."""
         width = max(len(t) for t in texts)
-        rows = [texts[i : i + 3] for i in range(0, len(texts), 3)]
+        count = max(1, min(3, (WIDTH - len(indent) + 2) // (width + 2)))
+        rows = [texts[i : i + count] for i in range(0, len(texts), count)]
         return [indent + "  ".join(f"{t:<{width}}" for t in row).rstrip() for row in rows]
 
     def _assignment(self, s: Set) -> str:

@@ -1,0 +1,81 @@
+"""Breaking of long lines: never a token changed, never too wide where a break is possible."""
+
+import random
+import re
+
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from emit.trees import Trees
+from mahovik.emit.expression import Expressions
+from mahovik.emit.layout import WIDTH, paragraph, wrapped
+from mahovik.emit.names import Names
+from mahovik.emit.statement import Statements
+from mahovik.program.build import Body
+from mahovik.program.expression import Variable
+from mahovik.program.types import DOUBLE, FLOAT, Kind
+
+TOKEN = re.compile(
+    r"/\*.*?\*/|(?:\d+\.?\d*(?:e[-+]?\d+)?|0x[0-9a-f]+)[uF]?|\w+|->|<<|>>|[<>=!+*/&|^-]=|&&|\|\||\+\+|\S", re.S
+)
+SEEDS = st.integers(0, 2**32 - 1)
+
+
+def tokens(text):
+    """C tokens, a comment as one."""
+    return [re.sub(r"\s+", " ", token) for token in TOKEN.findall(text)]
+
+
+def tree_text(seed, depth=7):
+    """A long expression."""
+    rng = random.Random(seed)
+    trees = Trees(rng, rng.choice([DOUBLE, FLOAT]))
+    return Expressions(Names("t"), trees.precision).text(trees.real(depth))
+
+
+@given(SEEDS, st.integers(0, 12))
+def test_wrapping_keeps_every_token(seed, depth):
+    text = f"const t_real value = {tree_text(seed)};"
+    lines = wrapped(text, "    " * depth)
+    assert tokens("\n".join(lines)) == tokens(text)
+    assert all(line == line.rstrip() and line.strip() for line in lines)
+
+
+@given(SEEDS)
+def test_wrapped_lines_fit(seed):
+    lines = wrapped(f"const t_real value = {tree_text(seed)};", "    ")
+    assert max(len(line) for line in lines) <= WIDTH
+
+
+@given(SEEDS)
+def test_conditions_with_comments_keep_their_tokens(seed):
+    """The head of an if carries its comment when it is broken."""
+    trees = Trees(random.Random(seed), DOUBLE)
+    names = Names("t")
+    expressions = Expressions(names, DOUBLE)
+    condition = trees.truth(6)
+    body = Body()
+    a = Variable("a", Kind.REAL).place
+    with body.when(condition, comment="why, as a reader would ask - in some words"):
+        body.set(a, trees.real(5), comment="what it is")
+    lines = Statements(names, expressions).block(body.statements, "    ")
+    found = [t for t in tokens("\n".join(lines)) if not t.startswith("/*")]
+    value = expressions.text(body.statements[0].body[0].value)
+    assert found == tokens(f"if ({expressions.text(condition)}) {{ a = {value}; }}")
+    assert "\n".join(lines).count("/*") == "\n".join(lines).count("*/") == 2
+
+
+WORDS = st.lists(st.text("abcxyz,.()'+-=", min_size=1, max_size=30), min_size=1, max_size=60)
+
+
+@given(WORDS)
+@example(["x"] * 200)
+def test_paragraphs_keep_every_word_and_fit(words):
+    lines = paragraph(" ".join(words), "/* ", " * ")
+    assert [w for line in lines for w in line[3:].split()] == words
+    assert max(len(line) for line in lines) <= WIDTH
+
+
+@given(st.text("abc", min_size=150, max_size=300))
+def test_what_cannot_be_broken_stays_whole(word):
+    assert wrapped(word, "    ") == [f"    {word}"]

@@ -1,0 +1,179 @@
+"""The text of emitted files as a reader and a careful reviewer see it."""
+
+import re
+import socket
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from emit.stands import NAMES, float_texts, generated, other_numbers, stand
+from mahovik.emit.generate import generate, generate_all
+from mahovik.emit.layout import WIDTH
+from mahovik.program.walk import reachable
+from mahovik.stand.random import EVERYTHING, Features, random_stand
+from mahovik.stand.structure import structure
+
+COMMENT = re.compile(r"/\*.*?\*/", re.S)
+TABLES = "/* ---- tables ---- */"
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def files(request):
+    """File name to text of a stand."""
+    return generated(request.param).files
+
+
+def code_of(text):
+    """The text without its comments and strings."""
+    return re.sub(r'"[^"\n]*"', '""', COMMENT.sub(" ", text))
+
+
+def test_comments_end_where_they_end(files):
+    for text in files.values():
+        assert text.count("/*") == text.count("*/") == len(COMMENT.findall(text))
+        assert "*/" not in code_of(text)
+        assert "//" not in code_of(text)
+
+
+def test_lines_fit_but_for_rows_of_tables(files):
+    for name, text in files.items():
+        lines = text.split(TABLES)[0].splitlines()
+        assert [f"{name}: {line}" for line in lines if len(line) > WIDTH] == []
+        assert [line for line in text.splitlines() if line != line.rstrip() or "\t" in line] == []
+        assert text.endswith("\n")
+        assert not text.endswith("\n\n")
+        assert "\n\n\n" not in text
+        assert text.isascii()
+
+
+def test_no_function_of_a_library(files):
+    header, source = files.values()
+    called = set(re.findall(r"\b(\w+)\(", code_of(source)))
+    name = next(iter(files)).removesuffix(".h")
+    assert {c for c in called if not c.startswith(f"{name}_")} <= {"if", "for", "return", "real"}
+    assert re.findall(r"#include .*", source) == [f'#include "{name}.h"', "#include <stdint.h>"]
+    assert re.findall(r"#include .*", header) == []
+    assert not re.search(r"\b(goto|while|static\s+\w+\s+\w+\s*=|malloc|volatile|long double)\b", code_of(source))
+
+
+@pytest.mark.parametrize("name", ["bench8", "everything6", "everything0", "hung5"])
+def test_float_programs_hold_no_double(name):
+    for text in float_texts(stand(name))[3].values():
+        assert "double" not in text.lower().replace("double phase", "")
+        numbers = re.findall(r"(?<![\w.])\d+\.\d*(?:e[-+]?\d+)?\w*", code_of(text))
+        assert numbers
+        assert [n for n in numbers if not n.endswith("F")] == []
+        assert "uint64" not in text
+
+
+def test_every_function_is_static_or_a_contract_in_the_header(files):
+    header, source = files.values()
+    name = next(iter(files)).removesuffix(".h")
+    defined = re.findall(rf"^(static )?[\w ]+?\*?({name}_\w+)\([^;{{]*\)\n{{", source, re.M)
+    assert len(defined) > 10
+    for static, function in defined:
+        comment = rf"/\* {function.removeprefix(name + '_')}: (?:(?!\*/).)*\*/"
+        found = re.search(rf"{comment}\n[\w ]+ {function}\(", header, re.S)
+        assert bool(static) != bool(found), function
+    public = [f.removeprefix(f"{name}_") for static, f in defined if not static]
+    assert {"forward", "matrices", "momentum", "attitude", "quaternion", "prepare"} <= set(public)
+
+
+def test_contracts_name_arguments_statuses_and_cost(files):
+    header = next(iter(files.values()))
+    name = next(iter(files)).removesuffix(".h")
+    for f in generated(name).program.functions:
+        if f.public:
+            start = header.index(f"/* {f.name}: ")
+            comment = " ".join(header[start : header.index("*/", start)].replace("\n *", " ").split())
+            for a in f.arguments:
+                assert re.search(rf"\b{a.name}\b", comment), (f.name, a.name)
+            assert f"Returns {', '.join(f.statuses)}." in comment
+            assert re.search(r"At most \d+ operations", comment)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_function_is_left_over(name):
+    program = generated(name).program
+    assert reachable(program.functions) == program.functions
+
+
+def test_no_place_no_host_no_date(files):
+    root = str(Path(__file__).resolve().parents[2])
+    for text in files.values():
+        for secret in (root, str(Path.home()) + "/", "/tmp", socket.gethostname()):
+            assert secret not in text
+        for comment in COMMENT.findall(text):
+            assert not re.search(r"\b(19|20)\d\d-\d|\d\d:\d\d|\b(Jan|Mon)\b", comment), comment
+
+
+def without_numbers(text, name):
+    """The text up to its tables, its identities masked."""
+    return re.sub(rf"(0x|structure |physics |{name}_)[0-9a-f]{{8}}(?=u?\b)", r"\1########", text.split(TABLES)[0])
+
+
+@pytest.mark.parametrize("name", ["everything6", "hung5", "wet7", "auv6", "bench8"])
+def test_structure_decides_the_text(name):
+    given = stand(name)
+    other = other_numbers(given, np.random.default_rng(8))
+    assert structure(given) == structure(other)
+    assert given != other
+    ours, theirs = generated(name).files, generate(other)
+    for file, text in ours.items():
+        assert without_numbers(text, name) == without_numbers(theirs[file], name)
+    assert ours[f"{name}.c"] != theirs[f"{name}.c"]
+    # rows and columns of the tables are the same as well: only numbers, and the room they take, differ
+    assert [masked(x) for x in tables(ours[f"{name}.c"])] == [masked(x) for x in tables(theirs[f"{name}.c"])]
+
+
+def tables(text):
+    """Lines of the tables."""
+    return text.split(TABLES)[1].splitlines()
+
+
+def masked(line):
+    """A line of a table without its numbers and the blanks between them."""
+    return re.sub(r"\s+", "", re.sub(r"-?\b\d+\.\d+(e[-+]?\d+)?\b|-?\b\d+\.\d+e\d+\b", "#", line))
+
+
+def copies(given, count):
+    """The stand with its first flywheel `count` times, at other places."""
+    first = given.flywheels[0]
+    wheels = (replace(first, name=f"w{k + 1}", position=(0.01 * k, 0.1, 0.0)) for k in range(count))
+    return replace(given, flywheels=tuple(wheels))
+
+
+@pytest.mark.parametrize(
+    "features",
+    [Features(instruments=0), Features(instruments=1, fluid=False, wrench_inputs=False), Features("ship", 2)],
+    ids=["carrier", "instrument", "drawn"],
+)
+def test_64_flywheels_are_few_lines_more_than_one(features):
+    """A row of parameters and a row of the table each, a third where the flywheel has a wrench of its own."""
+    given = random_stand(np.random.default_rng(2), 1, replace(features, wrench_inputs=False), "few")
+    first = given.flywheels[0]
+    if first.damping is not None:  # hydrodynamic derivatives are a row each, as many as the stand file has
+        first = replace(first, damping=replace(first.damping, terms=(), linear=given.carrier.damping.linear))
+    given = replace(given, flywheels=(first,))
+    lines = [sum(text.count("\n") for text in generate(copies(given, n)).values()) for n in (1, 64)]
+    assert 2 * 63 <= lines[1] - lines[0] <= 200
+
+
+@pytest.mark.parametrize("name", ["bench8", "everything6"])
+def test_the_same_stand_gives_the_same_text(name):
+    assert generate_all(stand(name)).files == generated(name).files
+
+
+def test_everything_is_in_the_everything_stand():
+    """Guard of this file: the general stand has all that a layout can have."""
+    layout = generated("everything6").layout
+    assert layout.legs
+    assert layout.terms
+    assert layout.suspended
+    assert layout.own_turning
+    assert layout.own_fixed
+    assert layout.stream
+    assert layout.flywheel_buoyancy
+    assert EVERYTHING.instruments == layout.instruments
