@@ -37,10 +37,9 @@ def test_example_stands_agree_in_every_want(path):
 
 @pytest.mark.parametrize("flywheels", [0, 1, 5, 6, 7, 12])
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("angles", SEQUENCES)
-def test_random_general_stands_agree_in_every_want(flywheels, kind, angles):
-    rng = np.random.default_rng([flywheels, len(kind), len(angles)])
-    stand = random_stand(rng, flywheels, replace(KINDS[kind], angles=angles))
+def test_random_general_stands_agree_in_every_want(flywheels, kind):
+    angles = SEQUENCES[(flywheels + list(KINDS).index(kind)) % 3]
+    stand = random_stand(np.random.default_rng(flywheels), flywheels, replace(KINDS[kind], angles=angles))
     compared = agrees(stand, flywheels, 3 * len(EXTREMES) + 1)
     assert {want for want, _ in compared} == set(WANTS)
 

@@ -26,7 +26,7 @@ MUTATIONS = {
     "parallel axes the wrong way": ("bodies", "J - body.mass *", "J + body.mass *"),
     "inertia about the centre taken as about the origin": ("bodies", "== \"center_of_mass\"", "!= \"center_of_mass\""),
     "flywheel on an instrument placed on the carrier": ("bodies", "found[s.mount]", "found['carrier']"),
-    "flywheel turns before it is mounted": ("bodies", "3, 3) @ elementary(1, chart.phi)", "3, 3).T @ elementary(1, chart.phi)"),
+    "mounting the other way round": ("bodies", "axes, 3, 3) @ ele", "axes, 3, 3).T @ ele"),
     "phi the other way": ("rotation", "1: ((1, 0, 0), (0, c, -s), (0, s, c))", "1: ((1, 0, 0), (0, c, s), (0, -s, c))"),
     "aircraft sequence as ship": ("rotation", '"aircraft": (2, 3, 1)', '"aircraft": (3, 2, 1)'),
     "stream the other way": ("energy", "chart.q_dot[:3] - stream", "chart.q_dot[:3] + stream"),
@@ -43,7 +43,7 @@ MUTATIONS = {
     "drive torque the other way": ("problems", "applied + drive - still", "applied - drive - still"),
     "moment of momentum about O1": ("problems", "motion[:3] + ca.cross(motion[3:], r)", "motion[:3]"),
     "gravity added to what an accelerometer reads": ("points", "(acceleration - gravity)", "(acceleration + gravity)"),
-    "D without the motion": ("kinematics", "matrices(sequence)(angles, q_dot)[1]", "matrices(sequence)(angles, 0 * q_dot)[1]"),
+    "D without the motion": ("kinematics", "(angles, q_dot)[1]", "(angles, 0 * q_dot)[1]"),
 }  # fmt: skip
 
 

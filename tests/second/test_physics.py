@@ -16,6 +16,16 @@ FROM_DIFFERENCES = 1e-10  # 1e-16 of the largest term over STEP, some hundred op
 ROUNDING = 1e-12
 
 
+def without_damping(stand):
+    """The stand without damping of its bodies in the fluid."""
+    return replace(
+        stand,
+        carrier=replace(stand.carrier, damping=None),
+        instruments=tuple(replace(p, damping=None) for p in stand.instruments),
+        flywheels=tuple(replace(s, damping=None) for s in stand.flywheels),
+    )
+
+
 def consistent(stand, state):
     """The state with V* of its own equations and the drive torques of it: a moment of a real motion."""
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
@@ -98,7 +108,7 @@ def test_a_stream_is_a_change_of_frame(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed):
     stand, state = draw(seed, 3, stream=True)
-    stand = replace(stand, suspension=None)  # its stiffness is on axes of E1, but its law names E0's angles
+    stand = replace(stand, suspension=None)  # its equilibrium is fixed in E0 by angles
     C, turn = rotation(stand, state), Rotation.random(rng=seed)
     turned = replace(
         stand,
@@ -117,7 +127,8 @@ def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed):
 )
 def test_functions_can_be_differentiated(want, inputs):
     """CasADi's derivatives of the whole chain, the solve as well, against differences."""
-    stand, state = draw(2, 2)
+    stand, state = draw(2, 2, stream=True)
+    stand = without_damping(stand)  # |V_r| has a corner where a component passes zero, differences do not see it
     second = Second(stand)
     function = second.function(want)
     given = second.arguments(state)
