@@ -14,27 +14,33 @@ NOT_THERE = ("I0", "J0")  # of `generalized`: matrices of (11), that the second 
 AGREEMENT = 1e-12
 
 
-def differences(evaluate, stand, state, wants=WANTS):
-    """(want, quantity) -> largest difference over natural scale, of all wants that the state allows.
+def expectations(stand, state, wants=WANTS):
+    """want -> what the reference gives and its natural scales; None where it refuses."""
+    found = {}
+    with np.errstate(all="ignore"):
+        at = reference.pieces(stand, state)
+        for want in wants:
+            expected = attempt(lambda s, w: reference.evaluate(stand, s, w), state, want)
+            found[want] = None if expected is None else (expected, scales(stand, state, at, want))
+    return found
+
+
+def differences(evaluate, state, expected):
+    """(want, quantity) -> largest difference over natural scale, of all that the reference gives at this state.
 
     `evaluate(state, want)`. Refusing what the reference evaluates is an infinite difference, and the other way round.
     """
     found = {}
-    for want in wants:
-        expected, values = (
-            attempt(lambda s, w: reference.evaluate(stand, s, w), state, want),
-            attempt(evaluate, state, want),
-        )
-        if expected is None and values is None:
+    for want, given in expected.items():
+        values = attempt(evaluate, state, want)
+        if given is None and values is None:
             continue
-        if expected is None or values is None:
+        if given is None or values is None:
             found[want, "refused"] = np.inf
             continue
-        with np.errstate(all="ignore"):
-            natural = scales(stand, state, reference.pieces(stand, state), want)
-        for name, value in expected.items():
+        for name, value in given[0].items():
             if name not in NOT_THERE:
-                off, _ = difference(values.get(name), value, natural[name])
+                off, _ = difference(values.get(name), value, given[1][name])
                 found[want, name] = np.inf if np.isnan(off) else off
     return found
 

@@ -11,7 +11,7 @@ from mahovik.second import WANTS, Second, evaluate
 from mahovik.stand import load
 from mahovik.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
 from mahovik.verify.draw import draw
-from second.agreement import AGREEMENT, differences
+from second.agreement import AGREEMENT, differences, expectations
 
 EXAMPLES = sorted(Path(stands.__file__).parent.glob("*.toml"))
 KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}
@@ -22,7 +22,7 @@ def agrees(stand, seed, count):
     second = Second(stand)
     compared = set()
     for name, state in draw(stand, seed, count):
-        for what, off in differences(second.evaluate, stand, state).items():
+        for what, off in differences(second.evaluate, state, expectations(stand, state)).items():
             assert off <= AGREEMENT, (stand.name, name, what)
             compared.add(what)
     return compared
@@ -63,7 +63,7 @@ def test_singular_attitudes_are_refused_by_both():
         _, state = draw(stand, seed, 2)[1]
         for theta, refused in ((singular + 1e-7, True), (singular + 2e-6, False)):
             near = replace(state, quaternion=None, angles=(0.3, theta, -0.2))
-            found = differences(Second(stand).evaluate, stand, near, ["generalized"])
+            found = differences(Second(stand).evaluate, near, expectations(stand, near, ["generalized"]))
             assert (found == {}) == refused
             assert all(off <= AGREEMENT for off in found.values())
 
