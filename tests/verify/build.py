@@ -65,7 +65,8 @@ def generated(
 
 def failing(stand: Stand, made: Generated, states: int = 12) -> set[str]:
     """Names of the quantities that the harness finds wrong."""
-    rows = judge(stand, InterpreterBackend(made), draw(stand, 5, states, wrenches=False))
+    backend = InterpreterBackend(made)
+    rows = judge(stand, backend, draw(stand, 5, states, wrenches=False), backend.wants)
     assert {"K", "V_dot", "q_ddot"} <= {row.quantity for row in rows}
     return {row.quantity for row in rows if row.failed}
 
@@ -74,7 +75,7 @@ def caught(stand: Stand, made: Generated, states: int = 8) -> bool:
     """Whether the harness finds anything wrong: state after state, until it does."""
     backend = InterpreterBackend(made)
     drawn = draw(stand, 5, states, wrenches=False)[1:]  # the first is at rest, where little shows
-    return any(row.failed for state in drawn for row in judge(stand, backend, [state]))
+    return any(row.failed for state in drawn for row in judge(stand, backend, [state], backend.wants))
 
 
 def signs(function: Function) -> int:

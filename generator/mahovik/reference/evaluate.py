@@ -114,8 +114,10 @@ def finite(value: Any) -> bool:
     return isinstance(value, str) or bool(np.all(np.isfinite(value)))
 
 
-def evaluate(stand: Stand, state: State, want: Sequence[str]) -> Values:
+def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None) -> Values:
     """What `want` names, under the names of the contract: arrays, floats; status a string, rank an int.
+
+    `at`: the pieces of this stand and state, where the caller has them already.
 
     StateError: `want` is empty, unknown or gives one name two values; a leg has no length; `generalized` with
     a quaternion or at a singular attitude; `momentum` of a stand without mass; a result that is not finite.
@@ -123,7 +125,7 @@ def evaluate(stand: Stand, state: State, want: Sequence[str]) -> Values:
     check_want(want)
     values: Values = {}
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
-        at = pieces(stand, state)
+        at = at or pieces(stand, state)
         for name in want:
             values |= WANTS[name](at, stand, state)
     for name, value in values.items():

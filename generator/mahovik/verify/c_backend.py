@@ -40,7 +40,10 @@ class InterpreterBackend(ProgramBackend):
             return interpreter.run(function, inputs)
 
         table = interpreter.filled(generated.layout.table, generated.values.table)
-        super().__init__("interpreter", generated.layout, generated.program, table, run)
+        mounting = None
+        if generated.values.mounting is not None:
+            mounting = interpreter.filled(generated.layout.mount_table, generated.values.mounting)
+        super().__init__("interpreter", generated.layout, generated.program, table, mounting, run)
 
 
 class CBackend(ProgramBackend):
@@ -66,7 +69,8 @@ class CBackend(ProgramBackend):
             return self.library.run(program.function(function), inputs)
 
         table = self.library.default("default")
-        super().__init__("c", self.generated.layout, program, table, run)
+        mounting = self.library.default("default_mounts") if self.generated.layout.flywheels else None
+        super().__init__("c", self.generated.layout, program, table, mounting, run)
 
     @cached_property
     def interpreter(self) -> InterpreterBackend:

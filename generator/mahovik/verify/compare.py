@@ -61,6 +61,7 @@ class Judge:
         self.tolerance = tolerance
         self._rows: dict[tuple[str, str], Row] = {}
         self._last: tuple[State | None, str, dict[str, Any] | None] = (None, "", None)
+        self._pieces: tuple[State | None, reference.Pieces | None] = (None, None)
 
     def expected(self, state: State, want: str) -> dict[str, Any] | None:
         """What the reference gives, or None."""
@@ -70,7 +71,7 @@ class Judge:
 
     def _evaluated(self, state: State, want: str) -> dict[str, Any] | None:
         try:
-            found = reference.evaluate(self._stand, state, [want])
+            found = reference.evaluate(self._stand, state, [want], self._at(state))
         except (StateError, np.linalg.LinAlgError, ArithmeticError):
             return None
         return None if want == "inverse" and _ambiguous(found) else found
@@ -102,7 +103,16 @@ class Judge:
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:
         with np.errstate(all="ignore"):
-            return scales(self._stand, state, reference.pieces(self._stand, state), want)
+            return scales(self._stand, state, self._at(state), want)
+
+    def _at(self, state: State) -> reference.Pieces:
+        """Pieces of a state, kept for all that is wanted of it."""
+        known, at = self._pieces
+        if known is not state or at is None:
+            with np.errstate(all="ignore"):
+                at = reference.pieces(self._stand, state)
+            self._pieces = (state, at)
+        return at
 
     def _row(self, want: str, quantity: str) -> Row:
         return self._rows.setdefault((want, quantity), Row(want, quantity))

@@ -49,6 +49,11 @@ class ProgramBackend:
         self._run = run
 
     @property
+    def wants(self) -> tuple[str, ...]:
+        """What the program offers: without flywheels there is nothing to invert."""
+        return PROGRAM_WANTS if self.layout.flywheels else tuple(w for w in PROGRAM_WANTS if w != "inverse")
+
+    @property
     def inputs(self) -> tuple[str, ...]:
         """Bodies on which the program takes a run-time wrench."""
         return self.layout.inputs
@@ -91,7 +96,13 @@ class ProgramBackend:
             "tau": state.tau,
             "locked": [0] * len(state.phi),
             "wrench": wrench,
+            "options": self._options(len(state.phi)),
         }
+
+    @staticmethod
+    def _options(count: int) -> dict[str, Any]:
+        """Of inverse, as stand.md has it: weights 1, no damping, no limits."""
+        return {"weight": [1.0] * count, "limit": [NO_LIMIT] * count, "near": NEAR_SINGULAR_BELOW, "damping": 0.0}
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
@@ -144,12 +155,9 @@ class ProgramBackend:
         return self._call("coupled", inputs)
 
     def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        """By default: weights 1, no damping, no limits."""
-        count = len(state.phi)
-        if not count:
+        if not self.layout.flywheels:
             raise StateError("inverse: the generated C of a stand without flywheels has none")
-        options = {"weight": [1.0] * count, "limit": [NO_LIMIT] * count, "near": NEAR_SINGULAR_BELOW, "damping": 0.0}
-        status, outputs = self.call("inverse", {**inputs, "options": options})
+        status, outputs = self.call("inverse", inputs)
         self._refuse(status)
         found = outputs["out"]
         names = [n for n, bit in STATUS_VALUES.items() if bit > 0 and status & bit]
