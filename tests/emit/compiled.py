@@ -21,11 +21,14 @@ class Compiled:
 
     def __init__(self, given, layout, program, values, files, optimisation="-O2", compiler="gcc"):
         self.stand, self.layout, self.program, self.values, self.name = given, layout, program, values, given.name
-        self._folder = TemporaryDirectory()
-        folder = Path(self._folder.name)
-        source = write(files, folder)
         build = partial(build_shared, optimisation=optimisation)
-        with patch.dict("os.environ", {"CC": compiler}), patch.object(library_module, "build_shared", build):
+        with (
+            TemporaryDirectory() as name,  # a loaded library stays loaded
+            patch.dict("os.environ", {"CC": compiler}),
+            patch.object(library_module, "build_shared", build),
+        ):
+            folder = Path(name)
+            source = write(files, folder)
             self.library = Library(folder / f"{self.name}.h", source, folder, self.name)
         self.default = self.library.default("default")
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 import click
 
@@ -25,20 +23,12 @@ def derive(stand_file: str, output: str | None) -> None:
     if output is not None and not output.endswith((".html", ".tex")):
         raise UsageError(f"-o {output}: expected a name that ends in .html or .tex")
     stand = load_stand(stand_file)
+    from mahovik.report.derivation import html, latex
     from mahovik.verify.files import write
 
-    page = _page()
-    text = page.html(stand) if output is not None and output.endswith(".html") else page.latex(stand)
+    text = html(stand) if output is not None and output.endswith(".html") else latex(stand)
     if output is None:
-        click.echo(text)
+        click.echo(text, nl=False)
         return
     write(Path(output), text)
     click.echo(click.format_filename(output))
-
-
-def _page() -> Any:
-    """The module that has `html(stand)` and `latex(stand)`."""
-    try:
-        return import_module("mahovik.derive.page")
-    except ModuleNotFoundError:
-        raise UsageError("derive: the page of the derivation is not there yet") from None

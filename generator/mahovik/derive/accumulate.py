@@ -11,6 +11,7 @@ Constants (harmonic 0 of mu and J) are not here: they belong to the carrier.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -61,6 +62,7 @@ class Sums:
     g_rel: sp.Matrix
 
 
+@cache
 def sums() -> Sums:
     """The contribution of one row of columns mu_c, mu_s (3), J_c, J_s, J_2c, J_2s (6), t_0, t_c, t_s (3)."""
     t = sp.Symbol("time")
@@ -102,6 +104,7 @@ class Columns:
     I_prime: sp.Matrix
 
 
+@cache
 def columns() -> Columns:
     """I_s of (9) and its derivative by the phase, of a row."""
     phi = sp.Symbol("phi")

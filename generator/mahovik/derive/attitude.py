@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -31,6 +32,7 @@ class Attitude:
     singular: sp.Expr
 
 
+@cache
 def attitude(sequence: str) -> Attitude:
     """The matrices of a sequence of stand.md. Derived: <omega> = C^T C', B from its coefficients."""
     axes = SEQUENCES[sequence]

@@ -24,7 +24,10 @@ def find_compiler() -> list[str]:
     """The compiler's command: the environment's CC, else cc, gcc or clang. Raises ToolchainError."""
     chosen = os.environ.get("CC", "").strip()
     if chosen:
-        command = shlex.split(chosen)
+        try:
+            command = shlex.split(chosen)
+        except ValueError as error:
+            raise ToolchainError(f"CC={chosen}: {error}") from error
         if shutil.which(command[0]) is None:
             raise ToolchainError(f"CC={chosen}: no such command; unset CC or name an installed C compiler")
         return command
@@ -37,7 +40,12 @@ def find_compiler() -> list[str]:
 def run_compiler(arguments: Sequence[str], what: str) -> str:
     """Runs the compiler and returns what it printed. Raises ToolchainError with its first complaint."""
     command = [*find_compiler(), *arguments]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, errors="replace", check=False, stdin=subprocess.DEVNULL
+        )
+    except OSError as error:
+        raise ToolchainError(f"{command[0]} cannot be run: {error.strerror}") from error
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
         first = next((line for line in lines if "error" in line), lines[0] if lines else "no message")

@@ -1,0 +1,1 @@
+"""Documents about a stand for a person to read."""

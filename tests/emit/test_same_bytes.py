@@ -1,0 +1,44 @@
+"""Byte-identical output from run to run: another process, hash seed, folder, locale, time zone."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from mahovik import stands as examples
+
+SCRIPT = """
+import sys
+from mahovik.emit.generate import generate
+from mahovik.stand import load
+for text in generate(load(sys.argv[1])).values():
+    sys.stdout.buffer.write(text.encode("ascii"))
+"""
+
+WORLDS = (
+    {"PYTHONHASHSEED": "1", "TZ": "Asia/Tokyo", "LC_ALL": "C", "HOME": "/"},
+    {"PYTHONHASHSEED": "4711", "TZ": "America/Lima", "LC_ALL": "tr_TR.UTF-8", "PYTHONUTF8": "0", "USER": "other"},
+)
+
+
+@pytest.mark.parametrize("name", ["auv6", "bench8"])
+def test_two_processes_write_the_same_bytes(name, tmp_path):
+    # by relative paths of different lengths: no path may be in the text
+    found = []
+    for number, world in enumerate(WORLDS):
+        folder = tmp_path / ("deep/" * number) / "here"
+        folder.mkdir(parents=True)
+        file = folder / f"stand{number}.toml"
+        file.write_bytes(examples.path(name).read_bytes())
+        done = subprocess.run(
+            [sys.executable, "-c", SCRIPT, file.name],
+            cwd=folder,
+            env=os.environ | world,
+            capture_output=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr.decode()
+        found.append(done.stdout)
+    assert found[0] == found[1]
+    assert len(found[0]) > 10_000

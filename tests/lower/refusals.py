@@ -1,0 +1,62 @@
+"""Calls with one spoiled number each, and the check that nothing was written."""
+
+import copy
+import math
+
+from emit.compiled import bits
+from mahovik.program.function import STATUS_VALUES
+from mahovik.toolchain.library import filled
+
+FILL = 4321.5
+"""What outputs hold before a call."""
+
+NOT_FINITE = (math.nan, math.inf, -math.inf)
+
+
+def numbers(value, path=()):
+    """Paths of every real in plain data."""
+    if isinstance(value, dict):
+        for name, inner in value.items():
+            yield from numbers(inner, (*path, name))
+    elif isinstance(value, list | tuple):
+        for index, inner in enumerate(value):
+            yield from numbers(inner, (*path, index))
+    elif isinstance(value, float):
+        yield path
+
+
+def spoiled(value, path, number):
+    """Plain data with one number replaced."""
+    found = copy.deepcopy(value)
+    place = found
+    for step in path[:-1]:
+        place = place[step]
+    place[path[-1]] = number
+    return found
+
+
+def get(value, path):
+    """What lies at a path."""
+    for step in path:
+        value = value[step]
+    return value
+
+
+def refuses(c, function, inputs, *expected):
+    """The C refuses with one of the statuses and leaves every output as it was."""
+    status, outputs = c.c(function, inputs, fill=FILL)
+    assert status in {STATUS_VALUES[name] for name in expected}, (function, status)
+    for a in c.program.function(function).arguments:
+        if a.direction == "out":
+            assert outputs[a.name] == filled(a.type, a.shape, FILL), f"{function} wrote {a.name}"
+        elif a.direction == "inout":
+            assert bits(outputs[a.name]) == bits(inputs[a.name]), f"{function} wrote {a.name}"
+
+
+def accepts(c, function, inputs):
+    """Outputs of a call that is good, all finite."""
+    status, outputs = c.c(function, inputs, fill=FILL)
+    assert status == 0, (function, status)
+    for path in numbers(outputs):
+        assert math.isfinite(get(outputs, path)), (function, path)
+    return outputs

@@ -1,0 +1,84 @@
+"""Nothing that C leaves undefined: no variable is read before it is written, no index or shift out of its range."""
+
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik.program.interpret as module
+from emit.compiled import QUANTITIES, bits, compiled
+from mahovik.program.types import Kind, Struct
+from mahovik.stand.random import extreme_state, random_state
+from toolchain.tools import require
+
+NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "stream1")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_nothing_is_read_before_it_is_written(name, monkeypatch):
+    """The interpreter begins locals and outputs with zeros, C with what was there: with NaN nothing may change."""
+    c = compiled(name)
+
+    def spoilt(type_, shape, precision):
+        if shape:
+            return [spoilt(type_, shape[1:], precision) for _ in range(int(shape[0]))]
+        if isinstance(type_, Struct):
+            return module.SimpleNamespace(**{f.name: spoilt(f.type, f.shape, precision) for f in type_.fields})
+        return precision.scalar(math.nan) if type_ is Kind.REAL else 10**9
+
+    plain = module.Interpreter(c.program)
+    monkeypatch.setattr(module, "new_value", spoilt)
+    strict = module.Interpreter(c.program)
+    rng = np.random.default_rng(2)
+    states = [random_state(c.stand, rng) for _ in range(3)]
+    states += [extreme_state(c.stand, rng, kind) for kind in ("rest", "half_turn")]
+    for state in states:
+        given = c.inputs(state) | {"stand": c.values.table}
+        for function in filter(c.has, (*QUANTITIES, "quaternion")):
+            inputs = {a.name: given[a.name] for a in c.program.function(function).arguments if a.direction == "in"}
+            want, got = plain.run(function, inputs), strict.run(function, inputs)
+            assert want[0] == got[0]
+            if want[0] >= 0:
+                assert bits(want[1]) == bits(got[1]), function
+    inputs = {"parameters": c.values.parameters, "stand": c.values.table}
+    assert bits(plain.run("prepare", inputs)[1]) == bits(strict.run("prepare", inputs)[1])
+
+
+SCRIPT = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import numpy as np
+from emit.compiled import QUANTITIES, compiled
+from lower.refusals import numbers, spoiled
+from mahovik.stand.random import EXTREMES, extreme_state, random_state
+
+c = compiled(sys.argv[2], "-O1", "gcc -fsanitize=undefined,bounds-strict -fsanitize-undefined-trap-on-error")
+rng = np.random.default_rng(9)
+states = [random_state(c.stand, rng) for _ in range(3)] + [extreme_state(c.stand, rng, kind) for kind in EXTREMES]
+good = 0
+for state in states:
+    inputs = c.inputs(state)
+    tries = [inputs] + [
+        spoiled(inputs, path, number)
+        for path in list(numbers(inputs))[::5]
+        for number in (float("nan"), float("inf"), 1e300, 5e-324)
+    ]
+    for given in tries:
+        for function in filter(c.has, (*QUANTITIES, "quaternion")):
+            good += c.c(function, given)[0] == 0
+assert good > 200
+default = {"parameters": c.library.default("default_parameters"), "stand": c.table()}
+assert c.c("prepare", default)[0] == 0
+"""
+
+
+@pytest.mark.parametrize("name", ("everything6", "bare0"))
+def test_undefined_behaviour_sanitizer(name):
+    """Every overflow of an int, shift, index or cast would end the process."""
+    require("gcc", "gcc")
+    tests = Path(__file__).resolve().parent.parent
+    done = subprocess.run([sys.executable, "-c", SCRIPT, tests, name], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")

@@ -1,0 +1,75 @@
+"""Operation counts."""
+
+import pytest
+
+from emit.stands import generated
+from mahovik.program.build import call
+from mahovik.program.cost import Cost, cost
+from mahovik.program.expression import Convert, bits_of, real, real_of_bits, select
+from mahovik.program.types import Kind
+from program.small import argument, function, value_of
+
+R, I = Kind.REAL, Kind.INT
+
+
+@pytest.mark.parametrize(
+    ("tree", "expected"),
+    [
+        (lambda a, b: a + b - a, Cost(additions=2)),
+        (lambda a, b: a * b * 2, Cost(multiplications=2)),
+        (lambda a, b: a / b + 1, Cost(additions=1, divisions=1)),
+        (lambda a, b: -a, Cost()),
+        (lambda a, b: select(a < b, a + b, a * b), Cost(1, 1, 0, 2)),
+        (lambda a, b: real_of_bits(bits_of(a) + bits_of(b)), Cost()),
+        (lambda a, b: real(3), Cost()),
+    ],
+)
+def test_expressions(tree, expected):
+    assert cost(value_of((R, R), tree)) == expected
+
+
+def test_integers_cost_nothing():
+    assert cost(value_of((I, I), lambda a, b: Convert(a * b + a, R))) == Cost()
+
+
+def test_loops_multiply_and_the_dearer_branch_counts():
+    def write(body, x):
+        with body.loop("i", 4, start=1) as i:
+            body.add(x[i], x[0] * 2)
+            with body.when(x[0] < 0):
+                body.set(x[1], x[2] / x[3])
+            with body.otherwise():
+                body.set(x[1], x[2] + x[3] + x[0])
+
+    f = function("f", [argument("x", R, (4,), "inout")], write)
+    assert cost(f) == Cost(additions=3 + 6, multiplications=3, comparisons=3)
+
+
+def test_calls_count_with_the_length_that_they_get():
+    def scale(body, x, count):
+        with body.loop("i", count) as i:
+            body.set(x[i], x[i] * 2)
+
+    scaled = function("scaled", [argument("x", R, (0,), "inout"), argument("count", I)], scale)
+
+    def twice(body, x):
+        with body.loop("k", 2):
+            body.call(scaled, x, 5)
+
+    square = value_of((R,), lambda a: a * a)
+    assert cost(function("g", [argument("x", R, (5,), "inout")], twice)) == Cost(multiplications=10)
+    assert cost(value_of((R,), lambda a: call(square, a + 1))) == Cost(additions=1, multiplications=1)
+
+
+def test_sums_and_multiples():
+    assert (Cost(1, 2, 3, 4) + Cost(10)).times(2) == Cost(22, 4, 6, 8)
+    assert Cost(1, 2, 3, 4).total == 10
+
+
+def test_each_further_flywheel_costs_forward_the_same():
+    """The loop is over rows: from 5 to 64 flywheels the count is linear."""
+    one, many = (cost(generated(name).program.function("forward")) for name in ("bare5", "bare64"))
+    step = cost(generated("bare5").program.function("add_flywheel"))
+    assert many.total - one.total >= 59 * step.total
+    assert (many.total - one.total) % 59 == 0
+    assert many.divisions == one.divisions

@@ -1,0 +1,216 @@
+"""Dead locals and calls go, what lives stays."""
+
+import random
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mahovik.program.build import Body, call
+from mahovik.program.expression import Place, integer, select
+from mahovik.program.function import Function
+from mahovik.program.interpret import Interpreter
+from mahovik.program.prune import pruned
+from mahovik.program.statement import Declare, Do, Let, Loop, Set, When
+from mahovik.program.types import Kind
+from mahovik.program.validate import validate
+from program.small import argument, function, program
+
+R, I = Kind.REAL, Kind.INT
+
+
+def names(body):
+    """Names of the locals of a body, in order."""
+    for s in body:
+        match s:
+            case Let(variable) | Declare(variable):
+                yield variable.name
+            case Loop() | When():
+                yield from names(s.body)
+                yield from names(getattr(s, "otherwise", ()))
+
+
+def cut(write, arguments=None, public=True):
+    """A pruned function of (x, out[2]), or of other arguments."""
+    arguments = arguments or (argument("x"), argument("out", R, (2,), "out"))
+    return pruned(function("f", arguments, write, public=public))
+
+
+FILL = function("fill", [argument("x"), argument("a", R, (2,), "out")], lambda body, x, a: body.set(a[0], x))
+STATUS = function("status", [argument("a", R, (2,), "out")], lambda body, a: body.ret(integer(0)), Kind.STATUS)
+
+
+def test_what_is_only_written_goes():
+    def write(body, x, out):
+        dead = body.local("dead", (2,))
+        chain = body.let("chain", x * 2)
+        body.set(dead[0], chain)
+        with body.loop("i", 2) as i:
+            body.set(dead[i], x)
+        body.set(out[0], x)
+
+    found = cut(write)
+    assert list(names(found.body)) == []
+    assert [type(s) for s in found.body] == [Loop, Set]
+
+
+def test_calls_that_only_write_the_dead_go():
+    def write(body, x, out):
+        dead = body.local("dead", (2,))
+        body.call(FILL, x, dead)
+        body.set(out[0], x)
+
+    assert [type(s) for s in cut(write).body] == [Set]
+
+
+def test_calls_whose_result_is_read_stay():
+    def write(body, x, out):
+        alive = body.local("alive", (2,))
+        body.call(FILL, x, alive)
+        body.set(out[0], alive[0])
+
+    assert [type(s) for s in cut(write).body] == [Declare, Do, Set]
+
+
+def test_calls_with_a_status_stay():
+    def write(body, x, out):
+        a = body.local("a", (2,))
+        body.call(STATUS, a)
+        body.set(out[0], x)
+
+    assert [type(s) for s in cut(write).body] == [Declare, Do, Set]
+
+
+def test_a_variable_that_is_an_index_lives():
+    def write(body, x, out):
+        k = body.local("k", (), I)
+        body.set(k, 1)
+        body.set(out[k], x)
+
+    assert list(names(cut(write).body)) == ["k"]
+
+
+def test_a_variable_that_a_condition_or_bound_reads_lives():
+    def write(body, x, out):
+        sign = body.let("sign", x < 0)
+        count = body.local("count", (), I)
+        body.set(count, 2)
+        with body.when(sign), body.loop("i", count) as i:
+            body.set(out[i], x)
+
+    assert list(names(cut(write).body)) == ["sign", "count"]
+
+
+def test_public_functions_keep_their_arguments_and_others_lose_them():
+    arguments = (argument("x"), argument("unused"), argument("out", R, (2,), "out"))
+
+    def write(body, x, unused, out):
+        dead = body.local("dead")
+        body.set(dead, unused)
+        body.set(out[0], x)
+
+    assert [a.name for a in cut(write, arguments).arguments] == ["x", "unused", "out"]
+    assert [a.name for a in cut(write, arguments, public=False).arguments] == ["x", "out"]
+
+
+class Writer:
+    """Writes random function bodies with much that is dead."""
+
+    def __init__(self, seed):
+        self.rng = random.Random(seed)
+        self.count = 0
+
+    def write(self, body, x, out):
+        """The body of f(x[3], out[4])."""
+        self.out = out
+        self._block(body, [*x], [], 2)
+        body.set(out[3], x[0])
+
+    def _block(self, body, readable, arrays, depth):
+        readable, arrays = list(readable), list(arrays)
+        for _ in range(self.rng.randint(2, 6)):
+            self.count += 1
+            pick = self.rng.random()
+            if pick < 0.25:
+                readable.append(body.let(f"v{self.count}", self._tree(readable)))
+            elif pick < 0.4:
+                new = body.local(f"a{self.count}", (2,))
+                body.set(new[0], self._tree(readable))
+                body.set(new[1], self._tree(readable))
+                arrays.append(new)
+                readable += [*new] if self.rng.random() < 0.5 else []
+            elif pick < 0.55 and arrays:
+                body.call(FILL, self._tree(readable), self.rng.choice(arrays))
+            elif pick < 0.65 and arrays:
+                body.add(self.rng.choice(arrays)[self.rng.randrange(2)], self._tree(readable))
+            elif pick < 0.75:
+                body.set(self.out[self.rng.randrange(3)], self._tree(readable))
+            elif pick < 0.85 and depth:
+                with body.loop(f"i{self.count}", 2) as i:
+                    inner = [*readable, *(a[i] for a in arrays if any(p.root is a.root for p in readable))]
+                    self._block(body, inner, arrays, depth - 1)
+            elif depth:
+                with body.when(self._tree(readable) < 0):
+                    self._block(body, readable, arrays, depth - 1)
+                with body.otherwise():
+                    self._block(body, readable, arrays, depth - 1)
+
+    def _tree(self, readable):
+        a, b, c = (self.rng.choice(readable) for _ in range(3))
+        return self.rng.choice([a + b * c, a - b, select(a < b, b, c), -a])
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_pruning_changes_no_bit(seed):
+    writer = Writer(seed)
+    full = function("f", [argument("x", R, (3,)), argument("out", R, (4,), "out")], writer.write)
+    short = pruned(full)
+    validate(program(FILL, short))
+    assert pruned(short).body == short.body
+    x = np.random.default_rng(seed).normal(size=3)
+    results = [Interpreter(program(FILL, f)).run("f", {"x": x}) for f in (full, short)]
+    assert results[0] == results[1]
+    assert all(np.isfinite(results[0][1]["out"]))
+
+
+def test_pruning_does_something_to_most_random_bodies():
+    """Guard of the property above."""
+    shorter = 0
+    for seed in range(50):
+        full = function("f", [argument("x", R, (3,)), argument("out", R, (4,), "out")], Writer(seed).write)
+        shorter += len(list(names(pruned(full).body))) < len(list(names(full.body)))
+    assert shorter > 25
+
+
+def test_the_value_of_a_call_in_an_expression_lives():
+    value = function("value", [argument("a", R, (2,))], lambda body, a: body.ret(a[0]), R)
+    x, out = argument("x"), argument("out", R, (2,), "out")
+    body = Body()
+    a = body.local("a", (2,))
+    body.call(FILL, x.place, a)
+    body.set(out.place[0], call(value, a))
+    found = pruned(Function("f", "f.", (x, out), body.statements))
+    assert any(isinstance(s, Do) for s in found.body)
+    assert isinstance(found.body[-1].value.arguments[0], Place)
+
+
+@pytest.mark.parametrize("added", [False, True])
+def test_a_dead_variable_that_a_living_call_writes_is_kept(added):
+    """The call needs somewhere to write its other result."""
+    both = function(
+        "both",
+        [argument("x"), argument("p", R, (), "out"), argument("q", R, (), "out")],
+        lambda body, x, p, q: (body.set(p, x), body.set(q, x)),
+    )
+
+    def write(body, x, out):
+        p, q = body.local("p"), body.local("q")
+        body.call(both, x, p, q)
+        if added:
+            body.add(q, x)
+        body.set(out[0], p)
+
+    found = cut(write)
+    validate(program(both, found))
+    assert list(names(found.body)) == ["p", "q"]

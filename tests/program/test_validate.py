@@ -1,0 +1,94 @@
+"""Every refusal of validate, and what it lets pass."""
+
+import pytest
+
+from emit.stands import NAMES, float_texts, generated, stand
+from mahovik.program.expression import Const, Place, Variable, integer, real
+from mahovik.program.function import Argument, Function, Program
+from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, When
+from mahovik.program.types import DOUBLE, Field, Kind, Struct
+from mahovik.program.validate import validate
+from program.small import argument, function, program
+
+R, I = Kind.REAL, Kind.INT
+X = Argument("x", R)
+OUT = Argument("out", R, (2,), "out")
+A, OTHER_A = Variable("a", R), Variable("a", R)
+K = Variable("k", I)
+LET_A = Let(A, real(1))
+USE_A = Set(OUT.place[0], A.place)
+
+
+def of(*body):
+    """A program of one function of x, out with that body."""
+    return program(Function("f", "f.", (X, OUT), tuple(body), public=True))
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ([USE_A, LET_A], "f: a is used outside its block"),
+        ([USE_A], "f: a is used outside its block"),
+        ([LET_A, Set(OUT.place[0], OTHER_A.place), USE_A], "f: a is used outside its block"),
+        ([When(X.place < 0, (LET_A, USE_A)), USE_A], "f: a is used outside its block"),
+        ([When(X.place < 0, (LET_A, USE_A), (USE_A,))], "f: a is used outside its block"),
+        ([When(A.place < 0, (Note("nothing"),))], "f: a is used outside its block"),
+        ([Loop(K, integer(0), integer(2), (LET_A, USE_A)), USE_A], "f: a is used outside its block"),
+        ([Loop(K, integer(0), K.place, ())], "f: k is used outside its block"),
+        ([Loop(K, K.place, integer(2), ())], "f: k is used outside its block"),
+        ([Let(A, A.place + 1)], "f: a is used outside its block"),
+        ([LET_A, USE_A, Let(OTHER_A, real(2)), Set(OUT.place[1], OTHER_A.place)], "f: a hides another a"),
+        ([Declare(Variable("x", R))], "f: x hides another x"),
+        ([LET_A, USE_A, When(X.place < 0, (Let(OTHER_A, real(1)),))], "f: a hides another a"),
+        ([LET_A, USE_A, Loop(Variable("a", I), integer(0), integer(2), ())], "f: a hides another a"),
+        ([LET_A], "f: a is never used"),
+        ([Loop(K, integer(0), integer(2), (LET_A,))], "f: a is never used"),
+        ([When(X.place < 0, (), (LET_A,))], "f: a is never used"),
+        ([Declare(A)], "f: a is never used"),
+        ([Set(Place(OUT.variable, (Const(0, R),), R, ()), real(1))], "an index that is no int"),
+        ([Return(Place(OUT.variable, (X.place,), R, ()))], "an index that is no int"),
+        ([Copy(A.place, X.place)], "f: a is used outside its block"),
+    ],
+)
+def test_refusals(body, message):
+    with pytest.raises(ValueError, match=message):
+        validate(of(*body))
+
+
+def test_the_same_name_in_two_blocks_is_good():
+    blocks = [When(X.place < 0, (Let(v, real(1)), Set(OUT.place[0], v.place))) for v in (A, OTHER_A)]
+    validate(of(*blocks, Loop(K, integer(0), integer(2), (Set(OUT.place[K.place], X.place),))))
+
+
+def test_two_things_of_one_name():
+    f, g = (function("f", [argument("x")], lambda body, x: body.note("nothing")) for _ in range(2))
+    with pytest.raises(ValueError, match="f names two things"):
+        validate(program(f, g))
+    with pytest.raises(ValueError, match="f names two things"):
+        validate(program(f, structs=[Struct("f", "A struct.", (Field("a", R),))]))
+
+
+def test_functions_come_after_those_they_call():
+    inner = function("inner", [argument("x")], lambda body, x: body.note("nothing"))
+    outer = function("outer", [argument("x")], lambda body, x: body.call(inner, x))
+    validate(program(inner, outer))
+    for functions in ((outer, inner), (outer,)):
+        with pytest.raises(ValueError, match="outer calls inner, which does not come before it"):
+            validate(Program("t", DOUBLE, (), (), functions))
+
+
+def test_no_function_calls_itself():
+    own = Function("own", "own.", (X,), ())
+    calls = function("own", [argument("x")], lambda body, x: body.call(own, x))
+    assert isinstance(calls.body[0], Do)
+    with pytest.raises(ValueError, match="own calls own"):
+        validate(program(calls))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_lowered_programs_are_valid(name):
+    validate(generated(name).program)
+
+
+def test_lowered_float_programs_are_valid():
+    validate(float_texts(stand("everything6"))[1])

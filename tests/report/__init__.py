@@ -1,0 +1,1 @@
+"""Documents: what is printed is what was derived, and the numbers are the stand's."""

@@ -1,0 +1,235 @@
+"""`mahovik derive`: the page stands alone, the article is whole, and their numbers are those of the reference."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mahovik import __version__
+from mahovik.reference.evaluate import evaluate
+from mahovik.report.derivation import html, latex
+from mahovik.report.derivation.numbers import numbers
+from mahovik.report.derivation.page import significant
+from mahovik.stand import Stand, State, load
+from mahovik.stand.identity import identities
+from mahovik.stand.random import Features, random_stand, random_state
+
+STANDS = Path(__file__).resolve().parents[2] / "generator" / "mahovik" / "stands"
+NAMES = sorted(path.stem for path in STANDS.glob("*.toml"))
+VOID = {"meta", "link", "br", "img", "input", "hr"}
+
+
+def stand(name: str) -> Stand:
+    """An example stand."""
+    return load(STANDS / f"{name}.toml")
+
+
+def general(flywheels: int, seed: int = 1) -> Stand:
+    """A stand with everything."""
+    everything = Features(
+        angles="euler",
+        instruments=2,
+        gravity=True,
+        stream=False,
+        fluid=True,
+        suspension=True,
+        legs=1,
+        points=1,
+        wrench_inputs=True,
+        motors=False,
+    )
+    return random_stand(np.random.default_rng(seed), flywheels, everything)
+
+
+class Balance(HTMLParser):
+    """Every element is closed, in order; what it loads is collected."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.loaded: list[str] = []
+        self.counts: dict[str, int] = {}
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.counts[tag] = self.counts.get(tag, 0) + 1
+        if tag not in VOID:
+            self.open.append(tag)
+        self.loaded += [value or "" for name, value in attrs if name in ("src", "href", "data", "srcset")]
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_page_stands_alone(name: str) -> None:
+    """Well-formed, no external resource, both identities and the version, no date."""
+    example = stand(name)
+    page = html(example)
+    reader = Balance()
+    reader.feed(page)
+    reader.close()
+    assert reader.open == []
+    assert all(address.startswith("#") for address in reader.loaded)
+    assert not re.search(r"https?:|url\(|@import|<link|<img|<iframe", page)
+    found = identities(example)
+    for text in (found.structure, found.physics, f"mahovik {__version__}", example.name, "prefers-color-scheme"):
+        assert text in page
+    assert not re.search(r"\b(19|20)\d\d-\d\d-\d\d\b", page)
+    assert reader.counts.get("details", 0) == len(example.flywheels)
+    for element in re.findall(r"<math.*?</math>", page, re.DOTALL):
+        ET.fromstring(element)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_article_is_whole(name: str) -> None:
+    """ASCII, braces and environments in balance, amsmath only, identities and version."""
+    example = stand(name)
+    article = latex(example)
+    assert article.isascii()
+    assert re.findall(r"\\usepackage(?:\[.*?\])?\{(.*?)\}", article) == ["amsmath"]
+    bare = re.sub(r"\\[{}$&%#_]", "", article)
+    bare = "\n".join(line.partition("%")[0] for line in bare.splitlines())
+    assert bare.count("{") == bare.count("}")
+    assert bare.count("$") % 2 == 0
+    assert article.count("\\[\n") == article.count("\\]}")
+    inside: list[str] = []
+    for kind, environment in re.findall(r"\\(begin|end)\{(\w+\*?)\}", article):
+        if kind == "begin":
+            inside.append(environment)
+        else:
+            assert inside.pop() == environment
+    assert inside == []
+    found = identities(example)
+    assert all(text in article for text in (found.structure, found.physics, f"mahovik {__version__}"))
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no pdflatex on this machine")
+@pytest.mark.parametrize("example", [stand("auv6"), general(3), general(0)], ids=["auv6", "general", "rigid"])
+def test_article_compiles_without_overfull_lines(example: Stand, tmp_path: Path) -> None:
+    """Nothing runs out of the page."""
+    (tmp_path / "stand.tex").write_text(latex(example), encoding="ascii")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "stand.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert "Overfull" not in done.stdout
+
+
+def test_same_stand_same_bytes() -> None:
+    """From run to run."""
+    example = stand("demo3")
+    assert (html(example), latex(example)) == (html(example), latex(example))
+
+
+def test_64_flywheels_stay_small() -> None:
+    """Below 3 MB; all tables but the first are closed."""
+    page = html(general(64))
+    assert len(page.encode()) < 3e6
+    assert page.count("<details>") == 63
+    assert page.count("<details open>") == 1
+
+
+def test_no_flywheels() -> None:
+    """A rigid body: said so, and no table."""
+    example = general(0)
+    assert "it is a rigid body" in html(example)
+    assert "<details" not in html(example)
+    assert "it is a rigid body" in latex(example)
+
+
+def test_names_are_escaped() -> None:
+    """An underscore in LaTeX; nothing of a name can be markup in HTML."""
+    example = stand("demo3")
+    named = replace(example, flywheels=(replace(example.flywheels[0], name="left_wheel"), *example.flywheels[1:]))
+    assert r"\texttt{left\_wheel}" in latex(named)
+    assert "<strong>left_wheel</strong>" in html(named)
+    hostile = replace(example, flywheels=(replace(example.flywheels[0], name="<script>"), *example.flywheels[1:]))
+    assert "<strong>&lt;script&gt;</strong>" in html(hostile)
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (1.0, ("1", 0)),
+        (-0.1234567, ("0.123457", 0)),
+        (1.25e-7, ("1.25", -7)),
+        (3e9, ("3", 9)),
+        (123456.7, ("123457", 0)),
+    ],
+)
+def test_six_significant_digits(value: float, shown: tuple[str, int]) -> None:
+    """Digits without sign, power of ten apart."""
+    assert significant(value) == shown
+
+
+class AtPhase:
+    """The matrices of (8) put together from the numbers that the page shows."""
+
+    def __init__(self, example: Stand, state: State) -> None:
+        self.found = numbers(example)
+        omega, v = np.array(state.V[3:]), np.array(state.V[:3])
+        Phi = np.block([[cross(omega), np.zeros((3, 3))], [cross(v), cross(omega)]])
+        self.K = np.array(self.found.K_constant)
+        self.K_dot = np.zeros((6, 6))
+        columns, rates = [], []
+        for own, phi, speed in zip(self.found.flywheels, state.phi, state.phi_dot, strict=True):
+            waves = np.array([1, np.cos(phi), np.sin(phi), np.cos(2 * phi), np.sin(2 * phi)])
+            turning = waves * np.array([0, 1, 1, 1, 1])
+            rows = [np.array(q.rows) for q in own.quantities]
+            mu, J, J_prime, I1, I2, I1_prime, I2_prime = rows
+            self.K += inertia(mu @ turning, J @ turning)
+            self.K_dot += inertia(I1 @ waves, J_prime @ waves) * speed
+            I = np.concatenate([I1 @ waves, I2 @ waves])
+            columns.append(I)
+            rates.append(Phi @ I + np.concatenate([I1_prime @ waves, I2_prime @ waves]) * speed)
+        self.I, self.J = np.array(columns).T, np.array(rates).T
+        self.M = Phi @ self.K + self.K_dot
+
+
+def cross(a: np.ndarray) -> np.ndarray:
+    """<a>."""
+    return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
+
+
+def inertia(mu: np.ndarray, J: np.ndarray) -> np.ndarray:
+    """{0, -<mu>; <mu>, J} with J as 11 22 33 12 13 23."""
+    tensor = np.array([[J[0], J[3], J[4]], [J[3], J[1], J[5]], [J[4], J[5], J[2]]])
+    return np.block([[np.zeros((3, 3)), -cross(mu)], [cross(mu), tensor]])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_numbers_give_the_matrices_of_the_reference(seed: int) -> None:
+    """K, K*, M, I, J of (8) from the tables of the page, at random states, against the literal reference."""
+    example = general(4, seed)
+    state = random_state(example, np.random.default_rng(seed))
+    wanted = evaluate(example, state, ["matrices"])
+    shown = AtPhase(example, state)
+    for name in ("K", "K_dot", "M", "I", "J"):
+        own, expected = getattr(shown, name), wanted[name]
+        # sums of a few dozen products of the same size: rounding only
+        assert np.max(np.abs(own - expected)) <= 1e-12 * np.max(np.abs(expected)), name
+
+
+def test_constant_columns_are_the_flywheel_s_own() -> None:
+    """K at phi = 0 less the constant part is the sum of the other columns; the column of 1 is what a flywheel adds."""
+    example = general(3, 7)
+    found = numbers(example)
+    turning = np.array([0, 1, 0, 1, 0])
+    difference = sum(inertia(*(np.array(q.rows) @ turning for q in own.quantities[:2])) for own in found.flywheels)
+    scale = np.abs(np.array(found.K_at_zero)).max()
+    assert np.allclose(np.array(found.K_at_zero) - np.array(found.K_constant), difference, rtol=0, atol=1e-13 * scale)
+    for own, flywheel in zip(found.flywheels, example.flywheels, strict=True):
+        assert own.mass == flywheel.mass
+        alone = replace(example, flywheels=(flywheel,), suspension=None, legs=(), points=())
+        without = numbers(replace(alone, flywheels=()))
+        constant = np.array(numbers(alone).K_constant) - np.array(without.K_constant)
+        mu, J = (np.array(q.rows)[:, 0] for q in own.quantities[:2])
+        expected = inertia(mu, J) + np.diag([flywheel.mass] * 3 + [0] * 3)
+        assert np.allclose(constant, expected, rtol=0, atol=1e-12 * scale)

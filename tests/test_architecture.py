@@ -1,0 +1,217 @@
+"""The house keeps its order: who may import whom, where C is spelt, how long a file may be."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+REPOSITORY = Path(__file__).resolve().parents[1]
+PACKAGE = REPOSITORY / "generator" / "mahovik"
+TEMPLATES = REPOSITORY / "templates"
+MODULES = sorted(PACKAGE.rglob("*.py"))
+SOURCES = sorted([*MODULES, *(REPOSITORY / "tests").rglob("*.py"), *(REPOSITORY / "tools").rglob("*.py")])
+
+STAGES = (
+    ("cli",),
+    ("report",),
+    ("export",),
+    ("study",),
+    ("plan",),
+    ("simulate",),
+    ("verify",),
+    ("toolchain",),
+    ("emit",),
+    ("lower",),
+    ("derive", "reference", "second"),
+    ("routines",),
+    ("program",),
+    ("motion",),
+    ("stand",),
+    ("stands",),
+    ("errors",),
+    ("mahovik",),
+)
+"""From the top of the house down; names on one floor never import one another. `mahovik` is the package itself."""
+
+FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
+
+ONLY = {
+    "reference": {"errors", "stand", "numpy"},
+    "lower": {"routines", "derive", "program", "stand", "errors", "sympy", "numpy"},
+    "derive": {"errors", "sympy"},
+    "program": {"errors", "numpy"},
+    "routines": {"errors", "program", "mpmath", "numpy"},
+    "errors": set(),
+}
+"""Where the house is stricter still: all that a stage may import, besides the standard library and itself."""
+
+
+def name_of(path: Path) -> str:
+    """How a file is called in a report of this test."""
+    return path.relative_to(REPOSITORY).as_posix()
+
+
+def stage_of(path: Path) -> str:
+    """The stage a module belongs to."""
+    first = path.relative_to(PACKAGE).parts[0]
+    return "mahovik" if first == "__init__.py" else first.removesuffix(".py")
+
+
+def tree_of(path: Path) -> ast.Module:
+    """The syntax tree of a file."""
+    return ast.parse(path.read_text(encoding="utf-8"), str(path))
+
+
+def imported(path: Path) -> Iterator[str]:
+    """Dotted names that a module imports, in functions and for types too, and those it imports by a string."""
+    for node in ast.walk(tree_of(path)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{name_of(path)}: relative import"
+            assert node.module is not None
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+        elif isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Constant):
+            function = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            if function in ("import_module", "__import__"):
+                yield str(node.args[0].value)
+
+
+def target(name: str) -> str:
+    """Stage or third-party package of a dotted name; "" for the standard library."""
+    parts = name.split(".")
+    if parts[0] != "mahovik":
+        return "" if parts[0] in sys.stdlib_module_names else parts[0]
+    return parts[1] if len(parts) > 1 and parts[1] in FLOOR else "mahovik"
+
+
+def strings(path: Path) -> Iterator[tuple[int, str]]:
+    """String constants with their lines, docstrings left out."""
+    tree = tree_of(path)
+    documentation = {
+        id(node.value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in documentation:
+            yield node.lineno, node.value
+
+
+def test_every_module_has_a_floor() -> None:
+    """A new stage takes its place in the list above."""
+    assert {stage_of(path) for path in MODULES} <= set(FLOOR)
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_imports_point_down(path: Path) -> None:
+    """A stage imports lower stages only; those of one floor never one another."""
+    own = stage_of(path)
+    wrong = [n for n in imported(path) if (t := target(n)) in FLOOR and t != own and FLOOR[t] <= FLOOR[own]]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("path", [p for p in MODULES if stage_of(p) in ONLY], ids=name_of)
+def test_strict_stages_import_only_what_they_may(path: Path) -> None:
+    """References and derivations share nothing but the stand; what is lowered comes from the derivation."""
+    own = stage_of(path)
+    allowed = ONLY[own] | {own, "", "mahovik"}
+    assert [n for n in imported(path) if target(n) not in allowed] == []
+
+
+C_SYNTAX = re.compile(
+    r"#\s*(include|define|if|ifdef|ifndef|endif)\b|(^|\s)/\*(\s|$)|(^|\s)\*/(\s|$)|\btypedef\s+(struct|enum|double|float|int)\b"
+    r"|\bstatic\s+(const|inline|\w+\s*\()|(?<![,\w])[a-z_]{2,}->[a-z_]|\bstruct\s+\w+\s*\{|\bu?int(8|16|32|64)_t\b"
+    r"|\bfor\s*\(|\w\s*;\s*\}|\bvoid\b\s*[*)(]"
+)
+KNOWS_C = ("emit", "toolchain")
+"""emit/ prints C; toolchain/ calls it, so that it reads the emitted header."""
+READS_C = ("generator/mahovik/verify/c_backend.py",)
+"""Judges C that others hold: finds the identities in its header."""
+
+
+@pytest.mark.parametrize(
+    "path", [p for p in MODULES if stage_of(p) not in KNOWS_C and name_of(p) not in READS_C], ids=name_of
+)
+def test_only_emit_spells_C(path: Path) -> None:
+    """Nothing above or below the printer knows C syntax."""
+    assert [(line, text) for line, text in strings(path) if C_SYNTAX.search(text)] == []
+
+
+LONGER = {"generator/mahovik/lower/prepare.py": 470}
+"""To be split: no longer than this."""
+
+
+@pytest.mark.parametrize("path", [*SOURCES, *sorted(TEMPLATES.rglob("*.j2"))], ids=name_of)
+def test_files_can_be_read_at_once(path: Path) -> None:
+    """Under 400 lines."""
+    assert len(path.read_text(encoding="utf-8").splitlines()) < LONGER.get(name_of(path), 400)
+
+
+ABSOLUTE = re.compile(r"^(file://)?/(work|home|usr|tmp|etc|root|opt|var|Users|mnt)\b|^[A-Z]:\\")
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=name_of)
+def test_no_absolute_paths(path: Path) -> None:
+    """What runs here runs anywhere. A test may name a bare root such as the folder for temporary files."""
+    found = [(line, text) for line, text in strings(path) if ABSOLUTE.search(text)]
+    if not path.is_relative_to(PACKAGE):
+        found = [(line, text) for line, text in found if text.count("/") > 1]
+    assert found == []
+
+
+VAGUE = re.compile(r"utils?|helpers?|misc|common|stuff|manager")
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_names_say_what_is_meant(path: Path) -> None:
+    """No module, function or class is a drawer for everything."""
+    defined = [n.name for n in ast.walk(tree_of(path)) if isinstance(n, ast.FunctionDef | ast.ClassDef)]
+    assert [n for n in [path.stem, *defined] if VAGUE.fullmatch(n.lower())] == []
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_public_functions_and_classes_are_documented(path: Path) -> None:
+    """Every module, and every public function and class of it, says what it is."""
+    tree = tree_of(path)
+    public = [n for n in tree.body if isinstance(n, ast.FunctionDef | ast.ClassDef) and not n.name.startswith("_")]
+    assert [n.name for n in public if not ast.get_docstring(n)] == []
+    assert ast.get_docstring(tree)
+
+
+TAG = re.compile(r"\[[%=](.*?)[%=]\]", re.DOTALL)
+
+
+@pytest.mark.parametrize("path", sorted(TEMPLATES.rglob("*.j2")), ids=name_of)
+def test_templates_print_and_do_not_think(path: Path) -> None:
+    """No products, quotients, differences or comparisons of size in a template; strings are left out."""
+    tags = [re.sub(r"\"[^\"]*\"|'[^']*'", "", tag) for tag in TAG.findall(path.read_text(encoding="utf-8"))]
+    assert [tag for tag in tags if re.search(r"[*/<>]|\s-\s|^-?\s*(set|macro)\b", tag)] == []
+
+
+@pytest.mark.parametrize(
+    "text", ["#include <math.h>", "static const double x", "stand->row", "for (i = 0;", "return x; }", "/* a */"]
+)
+def test_C_is_recognised(text: str) -> None:
+    """The pattern above can find something."""
+    assert C_SYNTAX.search(text)
+
+
+@pytest.mark.parametrize("text", ["k,kij->ij", "nkij,bj->bnk", ";}", "kg m^2/s", "a -> b"])
+def test_what_is_not_C_is_left_alone(text: str) -> None:
+    """Einstein sums, units and prose."""
+    assert not C_SYNTAX.search(text)
+
+
+def test_floors_are_told_apart() -> None:
+    """Names of imports lead to stages."""
+    assert target("mahovik.reference.evaluate.evaluate") == "reference"
+    assert target("mahovik.routines") == "routines"
+    assert target("mahovik.__version__") == "mahovik"
+    assert target("numpy.typing") == "numpy"
+    assert target("collections.abc") == ""

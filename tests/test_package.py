@@ -1,0 +1,102 @@
+"""The wheel of a clean checkout, installed elsewhere, generates the same C: templates and stands travel in it."""
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from mahovik import __version__
+from mahovik import stands as examples
+from mahovik.emit.generate import generate
+from mahovik.stand import load
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def run(*command, **options):
+    """What a command that must succeed printed."""
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def tracked():
+    """The files of a clean checkout; of an unpacked archive those that no tool made."""
+    if (ROOT / ".git").exists() and shutil.which("git"):
+        return run("git", "ls-files", "-z", cwd=ROOT).strip("\0").split("\0")
+    made = {".venv", "build", "dist", ".hypothesis"}
+    files = (file.relative_to(ROOT) for file in ROOT.rglob("*"))
+    return [str(f) for f in files if f.parts[0] not in made and not f.parts[0].endswith("_cache")]
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    """The wheel of the tracked files alone, as a clean checkout has them."""
+    folder = tmp_path_factory.mktemp("package")
+    checkout = folder / "checkout"
+    for name in tracked():
+        if (ROOT / name).is_file():
+            (checkout / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, checkout / name)
+    command = (sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder / "dist", checkout)
+    run(*command, cwd=folder)
+    (found,) = (folder / "dist").iterdir()
+    return found
+
+
+@pytest.fixture(scope="module")
+def site(wheel):
+    """A folder outside the repository where the wheel is installed."""
+    target = wheel.parent.parent / "site"
+    options = ("--quiet", "--disable-pip-version-check", "--no-deps", "--no-index", "--target", target)
+    run(sys.executable, "-m", "pip", "install", *options, wheel)
+    return target
+
+
+@pytest.fixture
+def installed(site, tmp_path):
+    """Runs Python in another folder with the installed package before all others on its path."""
+
+    def python(*arguments):
+        return run(sys.executable, *arguments, cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(site)})
+
+    found = Path(python("-c", "import mahovik; print(mahovik.__file__)").strip())
+    assert found.is_relative_to(site), found
+    return python
+
+
+def test_what_travels(wheel):
+    names = zipfile.ZipFile(wheel).namelist()
+    assert wheel.name == f"mahovik-{__version__}-py3-none-any.whl"
+    templates = {f"mahovik/templates/{file.name}" for file in (ROOT / "templates").glob("stand.*")}
+    assert len(templates) == 2
+    stands = {f"mahovik/stands/{name}.toml" for name in examples.names()}
+    assert templates | stands | {"mahovik/py.typed"} <= set(names)
+    assert [n for n in names if not n.startswith(("mahovik/", f"mahovik-{__version__}.dist-info/"))] == []
+    assert [n for n in names if "__pycache__" in n or "tests/" in n] == []
+    assert any(n.endswith("LICENSE") for n in names)
+
+
+def test_the_installed_package_generates_the_same_c(installed, tmp_path):
+    code = "from mahovik.cli import main; main()"
+    found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
+    installed("-c", code, "generate", found, "-o", "out")
+    written = {file.name: file.read_text(encoding="ascii") for file in (tmp_path / "out").iterdir()}
+    assert written == generate(load(examples.path("bench8")))
+
+
+def test_the_installed_command_knows_its_version_and_examples(installed, tmp_path):
+    code = "from mahovik.cli import main; main()"
+    assert __version__ in installed("-c", code, "--version")
+    installed("-c", code, "new", "sat4", "-o", "mine.toml")
+    assert (tmp_path / "mine.toml").read_bytes() == examples.path("sat4").read_bytes()
+    installed("-c", code, "check", "mine.toml")
+
+
+def test_the_command_is_declared(wheel):
+    entries = zipfile.ZipFile(wheel).read(f"mahovik-{__version__}.dist-info/entry_points.txt").decode()
+    assert "mahovik = mahovik.cli:main" in entries

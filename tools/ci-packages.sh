@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Debian packages that the tests want beside gcc and make: installed only where something is missing.
+set -euo pipefail
+
+missing=()
+command -v gcc >/dev/null || missing+=(gcc)
+command -v g++ >/dev/null || missing+=(g++)
+command -v clang >/dev/null || missing+=(clang)
+printf '#include <sys/types.h>\nint x;\n' | gcc -m32 -fsyntax-only -x c - 2>/dev/null || missing+=(gcc-multilib)
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+root=()
+[ "$(id -u)" -eq 0 ] || root=(sudo)
+"${root[@]}" apt-get update
+"${root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"
