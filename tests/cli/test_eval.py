@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -36,12 +37,19 @@ def test_the_backends_agree_and_c_is_the_default() -> None:
     assert c["V_dot"] == pytest.approx(numpy["V_dot"], rel=1e-10, abs=1e-12)
 
 
-def test_what_the_c_lacks_is_an_error_line() -> None:
-    result = run("eval", DEMO3, stdin='{"id": 5, "want": ["inverse"]}\n' + GOOD)
+def rigid_body(folder: Path) -> str:
+    """A stand without flywheels: its C has nothing to invert."""
+    path = folder / "brick.toml"
+    path.write_text('schema = 1\nname = "brick"\n[carrier]\nmass = 2.0\ninertia = [0.1, 0.2, 0.25]\n')
+    return str(path)
+
+
+def test_what_the_c_lacks_is_an_error_line(tmp_path: Path) -> None:
+    result = run("eval", rigid_body(tmp_path), stdin='{"id": 5, "want": ["inverse"]}\n{"want": ["forward"]}\n')
     assert result.exit_code == 1
     first, second = lines(result.stdout)
     assert first["id"] == 5
-    assert 'no "inverse" yet' in first["error"]
+    assert "without flywheels has none" in first["error"]
     assert "V_dot" in second
 
 

@@ -111,7 +111,7 @@ class Reduced:
             reciprocal = sp.Symbol("reciprocal")
             det = determinant.xreplace(table.bind("cofactor", adjugate))
             self.relations: tuple[sp.Expr, ...] = (reciprocal * det - 1,)
-            constants = table.bind("A_inverse", reciprocal * adjugate)
+            constants = table.bind("A_inv", reciprocal * adjugate)
             B = carrier.coupling_block(True)
             U = carrier.schur_coupling(True).xreplace(constants | table.bind("B", sp.Matrix(list(B))))
             self.known = constants | table.bind("U", sp.Matrix(list(U))) | table.bind("B", sp.Matrix(list(B)))

@@ -22,7 +22,7 @@ class Attitude:
     """C (3x3, x0 = C x1), B (omega = B (psi', theta', phi')), its rate, its inverse and the singular function.
 
     All in cosines and sines by the symbols c_psi, s_psi, ...; B_dot also in the rates; B_inverse also in
-    `singular_inverse` = 1 / singular, singular = cos theta or sin theta.
+    `singular_inv` = 1 / singular, singular = cos theta or sin theta.
     """
 
     C: sp.Matrix
@@ -50,7 +50,7 @@ def attitude(sequence: str) -> Attitude:
 
     def divided(x: sp.Expr) -> sp.Expr:
         quotient = sp.cancel(x / singular)
-        return quotient if sp.denom(quotient) == 1 else x * sp.Symbol("singular_inverse")
+        return quotient if sp.denom(quotient) == 1 else x * sp.Symbol("singular_inv")
 
     return Attitude(C, B, _rate(B), (B.adjugate() / sign).applyfunc(_reduced).applyfunc(divided), singular)
 

@@ -55,10 +55,10 @@ def velocity_column() -> sp.Matrix:
 
 
 def schur_coupling(added_mass: bool) -> sp.Matrix:
-    """U = A^-1 B^T as 9 numbers, from A_inverse (six) and B (9); without added mass A^-1 = m_inverse E."""
+    """U = A^-1 B^T as 9 numbers, from A_inv (six) and B (9); without added mass A^-1 = m_inverse E."""
     B = matrix("B")
     if added_mass:
-        return symmetric("A_inverse") * B.T
+        return symmetric("A_inv") * B.T
     return sp.Symbol("m_inverse") * coupling_block(False).T
 
 
@@ -75,7 +75,7 @@ def reduced_moment(added_mass: bool) -> sp.Matrix:
 
 def linear_part(added_mass: bool) -> sp.Matrix:
     """v* = A^-1 f - U omega*."""
-    inverse = symmetric("A_inverse") if added_mass else sp.Symbol("m_inverse") * sp.eye(3)
+    inverse = symmetric("A_inv") if added_mass else sp.Symbol("m_inverse") * sp.eye(3)
     return inverse * vector("f") - _u(added_mass) * vector("omega_dot")
 
 

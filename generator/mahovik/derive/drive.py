@@ -59,8 +59,8 @@ def phase_derivatives() -> tuple[sp.Matrix, sp.Matrix]:
 
 
 def own_twist_rate() -> sp.Matrix:
-    """V_s* = [C1]^T U* - phi' [<e>] [C1]^T U + f phi''; the turned twists by the symbols turned, turned_rate."""
-    return vector("turned_rate", 6) - sp.Symbol("phi_dot") * e_bracket() * vector("turned", 6) + f * phi_ddot
+    """V_s* = [C1]^T U* - phi' [<e>] [C1]^T U + f phi''; the turned twists by the symbols turned, turned_dot."""
+    return vector("turned_dot", 6) - sp.Symbol("phi_dot") * e_bracket() * vector("turned", 6) + f * phi_ddot
 
 
 def turned_twist() -> sp.Matrix:

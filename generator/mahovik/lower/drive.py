@@ -127,7 +127,7 @@ def eliminate(lib: Library) -> Function:
     """One free flywheel eliminated from the coupled equations."""
     layout = lib.layout
     column = Argument("I", Kind.REAL, (6,))
-    inverse = Argument("spin_inverse", Kind.REAL, unit="1/(kg m2)")
+    inverse = Argument("spin_inv", Kind.REAL, unit="1/(kg m2)")
     rate = Argument("rate", Kind.REAL, unit="rad/s2", purpose="its acceleration at V* = 0")
     schur = Argument("K", layout.schur, (), "inout")
     F = Argument("F", Kind.REAL, (6,), "inout")
@@ -167,7 +167,7 @@ def solve_schur(lib: Library) -> Function:
     d = body.let("det", translate(determinant, {"A": K.A, "cofactor": cofactor}))
     lib.guard(body, Not(both(both(K.A[0] > 0, cofactor[2] > 0), d > 0)), "NOT_POSITIVE_DEFINITE")
     r = body.let("r", 1 / d)
-    inverse = body.local("A_inverse", (6,))
+    inverse = body.local("A_inv", (6,))
     for k in range(6):
         body.set(inverse[k], cofactor[k] * r)
     U = body.local("U", (9,), comment="A^-1 B^T")
@@ -175,7 +175,7 @@ def solve_schur(lib: Library) -> Function:
     n = body.local("moment", (3,), comment="n - B A^-1 f")
     omega_dot = body.local("omega_dot", (3,))
     six = list(F.place)
-    binding = {"A_inverse": inverse, "B": K.B, "U": U, "J": K.D, "f": six[:3], "n": six[3:], "omega_dot": omega_dot}
+    binding = {"A_inv": inverse, "B": K.B, "U": U, "J": K.D, "f": six[:3], "n": six[3:], "omega_dot": omega_dot}
     assign(body, list(U), derived_carrier.schur_coupling(True), binding)
     assign(body, list(S), derived_carrier.reduced_inertia(True), binding)
     assign(body, list(n), derived_carrier.reduced_moment(True), binding)
@@ -239,13 +239,13 @@ def move(lib: Library) -> Function:
             demand = tau.place[s] - drives[s].bias
             if seen.own is not None:
                 demand = demand + seen.own[s * integer(6) + 3]
-            body.set(rate[s], demand * stand.place.flywheel[s].spin_inverse)
-            body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inverse, rate[s], K, F)
+            body.set(rate[s], demand * stand.place.flywheel[s].spin_inv)
+            body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inv, rate[s], K, F)
     lib.check(body, "solve_schur", K, F, V_dot.place)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], real(0))
         with body.when(equal(locked.place[s], integer(0))):
-            back = _along(drives[s].I, V_dot.place) * stand.place.flywheel[s].spin_inverse
+            back = _along(drives[s].I, V_dot.place) * stand.place.flywheel[s].spin_inv
             body.set(phi_ddot.place[s], rate[s] - back)
     from_stream(body, x.place, seen, V_dot.place)
     body.ret(Status("OK"))

@@ -104,7 +104,7 @@ def attitude(lib: Library) -> Function:
         found,
         x.place.V,
         C,
-        binding | {"singular_inverse": body.let("singular_inverse", 1 / singular)},
+        binding | {"singular_inv": body.let("singular_inv", 1 / singular)},
         V_dot,
         out.place,
         layout.structure.angles,

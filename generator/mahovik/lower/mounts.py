@@ -48,7 +48,7 @@ def mount_wrench(lib: Library) -> Function:
     m = mount.place
     U = body.local("U", (6,), comment="twist of the mount at Os")
     turned = body.local("turned", (6,), comment="in Es")
-    turned_rate = body.local("turned_rate", (6,))
+    turned_dot = body.local("turned_dot", (6,))
     V_s = body.local("V_s", (6,), comment="twist of the flywheel, in Es")
     V_s_dot = body.local("V_s_dot", (6,))
     Z_s = body.local("Z_s", (6,), comment="its momentum screw")
@@ -56,10 +56,10 @@ def mount_wrench(lib: Library) -> Function:
     body.call(lib["carry_twist"], m, V.place, U)
     assign(body, list(turned), derived.turned_twist(), phase | {"U": U})
     body.call(lib["carry_twist"], m, V_dot.place, U)
-    assign(body, list(turned_rate), derived.turned_twist(), phase | {"U": U})
+    assign(body, list(turned_dot), derived.turned_twist(), phase | {"U": U})
     for i in range(6):
         body.set(V_s[i], turned[i] + phi_dot.place if i == 3 else turned[i])
-    rates = {"turned": turned, "turned_rate": turned_rate, "phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
+    rates = {"turned": turned, "turned_dot": turned_dot, "phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
     assign(body, list(V_s_dot), derived.own_twist_rate(), rates)
     bound = {"m": m.mass, "b": m.first_moment, "J": m.inertia, "V_s": V_s, "V_s_dot": V_s_dot, "Z_s": Z_s}
     assign(body, list(Z_s), derived.own_momentum(), bound)
@@ -79,7 +79,7 @@ def mount_wrench(lib: Library) -> Function:
 
 def _subtract_weight(lib: Library, body: Body, m: Place, phase: dict[str, Any], g: Place, W: Place) -> None:
     """Weight and Archimedes force of the flywheel in Es: (m g, b x g) less the displaced fluid's."""
-    gm = body.local("g_mount", (3,), comment="gravity in mounting axes")
+    gm = body.local("g_mounting", (3,), comment="gravity in mounting axes")
     gs = body.local("g_s", (3,), comment="gravity in Es")
     assign(body, list(gm), derived_wrench.rotated_back(), {"C": m.axes, "a": g})
     six: list[Expr] = [*gm, real(0), real(0), real(0)]
@@ -101,7 +101,7 @@ def mounts(lib: Library) -> Function:
     purpose = (
         "of the mount on each flywheel, six numbers each, about Os in the axes of Es at phi = 0; the fourth is tau"
     )
-    out = Argument("mount_wrench", Kind.REAL, (6 * int(layout.count),), "out", "N, N m", purpose)
+    out = Argument("loads", Kind.REAL, (6 * int(layout.count),), "out", "N, N m", purpose)
     body = Body()
     check_inputs(lib, body, stand, x, phi_ddot, wrench)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)

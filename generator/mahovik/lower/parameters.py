@@ -44,7 +44,7 @@ def translation_block(lib: Library) -> Function:
     p = Argument("parameters", lib.layout.parameters)
     mass = Argument("mass", Kind.REAL, unit="kg")
     A = Argument("A", Kind.REAL, (6,), "out", "kg")
-    inverse = Argument("A_inverse", Kind.REAL, (6,), "out", "1/kg")
+    inverse = Argument("A_inv", Kind.REAL, (6,), "out", "1/kg")
     body = Body()
     for k, (i, j) in enumerate(SYMMETRIC):
         own = p.place.added_mass[i][j]
@@ -108,7 +108,7 @@ def check_parameters(lib: Library) -> Function:
     lib.guard(body, Not(total > 0), "NOT_POSITIVE_DEFINITE")
     if layout.added_mass:
         A = body.local("A", (6,))
-        inverse = body.local("A_inverse", (6,))
+        inverse = body.local("A_inv", (6,))
         with body.loop("i", 6) as i:
             lib.check(body, "within", p.added_mass[i], 6, bound)
         lib.check(body, "translation_block", p, total, A, inverse)

@@ -101,7 +101,7 @@ def prepare(lib: Library) -> Function:
     if layout.flywheels:
         _flywheels(lib, work, p, out)
     if layout.added_mass:
-        body.call(lib["translation_block"], p, totals.mass, out.A, out.A_inverse)
+        body.call(lib["translation_block"], p, totals.mass, out.A, out.A_inv)
         for i in range(3):
             for j in range(3):
                 body.set(out.G[3 * i + j], p.added_mass[i + 3][j])
@@ -249,7 +249,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
             if name == "0":
                 work.add(w.body.mass)
         body.set(row.spin, w.body.inertia[0])
-        body.set(row.spin_inverse, 1 / w.body.inertia[0])
+        body.set(row.spin_inv, 1 / w.body.inertia[0])
         work.displaced(w.body, row)
 
 

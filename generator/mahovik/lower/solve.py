@@ -24,7 +24,7 @@ def carrier_binding(lib: Library, stand: Place, sums: Place) -> dict[str, Any]:
     binding: dict[str, Any] = {f.name: sums.member(f.name) for f in lib.layout.sums.fields}
     binding["m"] = stand.mass
     if lib.layout.added_mass:
-        binding |= {"A": stand.A, "A_inverse": stand.A_inverse, "G": stand.G}
+        binding |= {"A": stand.A, "A_inv": stand.A_inv, "G": stand.G}
     else:
         binding["m_inverse"] = stand.mass_inverse
     return binding

@@ -130,7 +130,7 @@ class Tables(Kinds):
             Field("t_c", REAL, (3,), "kg m2", "cos phi"),
             Field("t_s", REAL, (3,), "kg m2", "sin phi"),
             Field("spin", REAL, (), "kg m2", "Theta_ff: inertia about the spin axis"),
-            Field("spin_inverse", REAL, (), "1/(kg m2)", ""),
+            Field("spin_inv", REAL, (), "1/(kg m2)", ""),
         ]
         if self.flywheel_buoyancy:
             fields += [
@@ -210,7 +210,7 @@ class Tables(Kinds):
         if self.added_mass:
             fields += [
                 Field("A", REAL, (6,), "kg", "m E + Lambda_11: 11 22 33 12 13 23"),
-                Field("A_inverse", REAL, (6,), "1/kg", ""),
+                Field("A_inv", REAL, (6,), "1/kg", ""),
                 Field("G", REAL, (9,), "kg m", "Lambda_21, row by row"),
             ]
         if self.buoyancy:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol
 
+import numpy as np
+
 from mahovik.errors import StateError
 from mahovik.lower.layout import Layout
 from mahovik.program.function import STATUS_VALUES, Program
@@ -145,8 +147,8 @@ class ProgramBackend:
 
     def _mounts(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
-            return {"mount_wrench": []}
-        flat = self._call("mounts", inputs)["mount_wrench"]
+            return {"mount_wrench": np.zeros((0, 6))}
+        flat = self._call("mounts", inputs)["loads"]
         return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
 
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:

@@ -13,7 +13,7 @@ def generalized(sequence: str) -> Section:
     found = attitude(sequence)
     _, D = kinematics(sequence)
     turns = " ".join(f"C_{axis}({angle})" for axis, angle in zip(SEQUENCES[sequence], ANGLES, strict=True))
-    inverse = found.B_inverse.xreplace({sp.Symbol("singular_inverse"): 1 / found.singular})
+    inverse = found.B_inverse.xreplace({sp.Symbol("singular_inv"): 1 / found.singular})
     where = "cos theta = 0" if str(found.singular).startswith("c") else "sin theta = 0"
     return Section(
         "Generalized coordinates",

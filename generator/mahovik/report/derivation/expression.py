@@ -12,7 +12,7 @@ from mahovik.report.derivation.notation import Fence, Fraction, FunctionName, Gr
 from mahovik.report.derivation.parse import parse
 
 _INDEXED = re.compile(r"(\w+)\[(\d+)\]")
-_SIX = re.compile(r"J|A|S|A_inverse|J_\w+")
+_SIX = re.compile(r"J|A|S|A_inv|J_\w+")
 _NINE = re.compile(r"R|C|G|U|B|RJ")
 _RATE = re.compile(r"(d+)([cs])(2?)")
 _RANKS = (
@@ -29,7 +29,7 @@ _NAMES = {
     "weight_mass": "m^w",
     "displaced_moment": "mu^d",
     "m_inverse": "m^{-1}",
-    "A_inverse": "(A^{-1})",
+    "A_inv": "(A^{-1})",
 }
 """Names that do not follow the rules of `symbol`."""
 

@@ -52,15 +52,15 @@ def generalized(m: Magnitudes) -> dict[str, Any]:
     """A, D, I0, J0, q_dot, q_ddot: nearness to the singular attitude enters through |A^-1|."""
     found = reference_generalized(m.at, m.stand.angles, m.state)
     S_A = np.kron(np.eye(2), np.ones((3, 3)))  # elements of rotations
-    A_inverse = np.abs(np.linalg.inv(found.A))
-    S_q_dot = A_inverse @ (m.S_V + S_A @ np.abs(found.q_dot))
+    A_inv = np.abs(np.linalg.inv(found.A))
+    S_q_dot = A_inv @ (m.S_V + S_A @ np.abs(found.q_dot))
     rates = float(S_q_dot[3:].sum())
     S_D = rates * S_A  # turning of axes with the angles' rates: larger than omega near the singular attitude
     S_I0 = m.S_K @ S_A
     S_J0 = m.S_K @ S_D + m.S_M @ S_A
     right = m.S_bias + m.S_I @ m.acceleration + S_J0 @ S_q_dot + S_I0 @ np.abs(found.q_ddot)
-    solved = A_inverse @ (m.K_inverse @ right)
-    direct = A_inverse @ (forward_scale(m) + S_D @ S_q_dot)
+    solved = A_inv @ (m.K_inverse @ right)
+    direct = A_inv @ (forward_scale(m) + S_D @ S_q_dot)
     return {
         "A": S_A,
         "D": S_D,

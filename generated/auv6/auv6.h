@@ -1,0 +1,400 @@
+/* auv6.h: motion of the stand "auv6": carrier, 1 instrument, 6 flywheels.
+ * mahovik 0.1.0; structure d04ed473, physics 5e99ef10. Generated: change the stand file instead.
+ *
+ * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
+ * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
+ * the same bits. gcc may call memcpy, memmove and memset.
+ *
+ * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
+ * mahovik. */
+#ifndef AUV6_H
+#define AUV6_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define AUV6_STRUCTURE 0xd04ed473u  /* of the stand: names, counts, kinds of wrench */
+#define AUV6_PHYSICS   0x5e99ef10u  /* of the stand: structure and all numbers */
+
+typedef double auv6_real;
+
+/* ---- ranges of inputs: magnitudes ---- */
+
+#define AUV6_MAX_POSITION        1.0e6     /* m; each component of the position of O1 */
+#define AUV6_MAX_VELOCITY        1.0e4     /* m/s; each component of v */
+#define AUV6_MAX_SPEED           1.0e5     /* rad/s; each component of omega, each phi_dot */
+#define AUV6_MAX_PHASE           1.0e7     /* rad; each phase and attitude angle */
+#define AUV6_MAX_ACCELERATION    1.0e9     /* rad/s2; each phi_ddot */
+#define AUV6_MAX_WRENCH          1.0e9     /* N, N m; each component of a run-time wrench */
+#define AUV6_MAX_STEP            10.0      /* s; a time step */
+#define AUV6_MAX_PARAMETER       1.0e9     /* SI; each mass, length and moment of inertia */
+#define AUV6_LARGEST             1.7976931348623157e308  /* largest finite number */
+
+/* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
+
+typedef enum auv6_status {
+    AUV6_OK = 0,                          /* good */
+    AUV6_NEAR_SINGULAR = 1,               /* smallest kept singular value below the given threshold */
+    AUV6_DAMPED = 2,                      /* damping was applied */
+    AUV6_LIMITED = 4,                     /* a limit was reached; the mask says whose */
+    AUV6_UNREACHABLE = 8,                 /* least-squares answer: the demand is out of reach */
+    AUV6_RANK_DEFICIENT = 16,             /* rank below min(6, N) */
+    AUV6_NOT_FINITE = -1,                 /* an input is NaN or infinite */
+    AUV6_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
+    AUV6_NOT_POSITIVE_DEFINITE = -3,      /* a mass or inertia that no body has */
+    AUV6_SINGULAR_ATTITUDE = -4,          /* the attitude angles are at their singularity */
+    AUV6_BAD_ARGUMENT = -5                /* a count or an index */
+} auv6_status;
+
+/* ---- numbers of bodies ---- */
+
+/* flywheels, in the order of the stand file */
+enum { AUV6_W1, AUV6_W2, AUV6_W3, AUV6_W4, AUV6_W5, AUV6_W6, AUV6_N = 6 };
+/* instruments and points, which measure reads */
+enum { AUV6_SENSOR_SONAR, AUV6_SENSORS = 1 };
+
+/* ---- data ---- */
+
+/* State of the whole system. */
+typedef struct auv6_state {
+    auv6_real position[3];      /* m; of O1, in E0 */
+    auv6_real attitude[4];      /* unit quaternion, w first: x0 = C x1 */
+    auv6_real V[6];             /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
+    auv6_real phi[AUV6_N];      /* rad; phases */
+    auv6_real phi_dot[AUV6_N];  /* rad/s; speeds relative to the mount */
+} auv6_state;
+
+/* Mass properties of one body, in its own frame. */
+typedef struct auv6_body {
+    auv6_real mass;                 /* kg */
+    auv6_real center_of_mass[3];    /* m; rc, from the body's origin, in its own axes */
+    auv6_real inertia[6];           /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+    auv6_real displaced_mass;       /* kg; of fluid */
+    auv6_real displaced_center[3];  /* m; centre of buoyancy, in the body's frame */
+} auv6_body;
+
+/* An instrument fixed on the carrier. */
+typedef struct auv6_instrument {
+    auv6_body body;
+    auv6_real position[3];  /* m; Op, in E1 */
+    auv6_real axis[3];      /* first axis of Ep in E1, any length */
+    auv6_real zero[3];      /* its part across the first axis is the second axis of Ep */
+} auv6_instrument;
+
+/* Mass properties of a flywheel, in its own frame. */
+typedef struct auv6_dry_body {
+    auv6_real mass;               /* kg */
+    auv6_real center_of_mass[3];  /* m; rc, from the body's origin, in its own axes */
+    auv6_real inertia[6];         /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+} auv6_dry_body;
+
+/* A flywheel and how it is mounted. */
+typedef struct auv6_flywheel {
+    auv6_dry_body body;
+    auv6_real position[3];  /* m; Os, in the frame of the mount */
+    auv6_real axis[3];      /* spin axis in the frame of the mount, any length */
+    auv6_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+    int mount;              /* number of the instrument that bears it; -1: the carrier */
+} auv6_flywheel;
+
+/* What prepare makes the table of: masses, inertias and mountings. */
+typedef struct auv6_parameters {
+    auv6_body carrier;
+    auv6_real added_mass[6][6];      /* kg, kg m, kg m2; Lambda of all bodies, about O1 in E1 */
+    auv6_instrument instrument[1];
+    auv6_flywheel flywheel[AUV6_N];
+} auv6_parameters;
+
+/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+typedef struct auv6_row {
+    auv6_real mu_c[3];   /* kg m; first moment about O1: cos phi */
+    auv6_real mu_s[3];   /* kg m; sin phi */
+    auv6_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    auv6_real J_s[6];    /* kg m2; sin phi */
+    auv6_real J_2c[6];   /* kg m2; cos 2 phi */
+    auv6_real J_2s[6];   /* kg m2; sin 2 phi */
+    auv6_real t_0[3];    /* kg m2; moment part of I: constant */
+    auv6_real t_c[3];    /* kg m2; cos phi */
+    auv6_real t_s[3];    /* kg m2; sin phi */
+    auv6_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
+    auv6_real spin_inv;  /* 1/(kg m2) */
+} auv6_row;
+
+/* Pose of an instrument or a point. */
+typedef struct auv6_sensor {
+    auv6_real origin[3];  /* m; in E1 */
+    auv6_real axes[9];    /* own axes to E1, row by row */
+} auv6_sensor;
+
+/* Damping of one body, in its own frame. */
+typedef struct auv6_damper {
+    auv6_real linear[6][6];     /* SI; wrench -= linear V */
+    auv6_real quadratic[6][6];  /* SI; wrench -= quadratic (V |V|) */
+} auv6_damper;
+
+/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+typedef struct auv6_table {
+    auv6_real mass;                    /* kg; of all bodies */
+    auv6_real mass_inverse;            /* 1/kg */
+    auv6_real first_moment[3];         /* kg m; mu about O1, constant part */
+    auv6_real inertia[6];              /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added
+                                        * mass */
+    auv6_real A[6];                    /* kg; m E + Lambda_11: 11 22 33 12 13 23 */
+    auv6_real A_inv[6];                /* 1/kg */
+    auv6_real G[9];                    /* kg m; Lambda_21, row by row */
+    auv6_real weight_mass;             /* kg; mass less displaced mass */
+    auv6_real displaced_moment[3];     /* kg m; first moment of displaced fluid, constant part */
+    auv6_row flywheel[AUV6_N];
+    auv6_sensor sensor[AUV6_SENSORS];
+    auv6_real gravity[3];              /* m/s2; in E0 */
+    auv6_real stream[3];               /* m/s; velocity of the fluid, in E0 */
+    auv6_damper damper;                /* of the carrier */
+} auv6_table;
+
+/* The matrices of (8). */
+typedef struct auv6_equations {
+    auv6_real K[6][6];       /* kg, kg m, kg m2; mass matrix (2) */
+    auv6_real K_dot[6][6];   /* per s; its rate (6) */
+    auv6_real M[6][6];       /* per s; velocity matrix (9), at V relative to the stream */
+    auv6_real I[6][AUV6_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
+    auv6_real J[6][AUV6_N];  /* per s; its velocity part (9) */
+    auv6_real F[6];          /* N, N m; total external wrench (7) */
+} auv6_equations;
+
+/* Momentum, energy and mass centre. */
+typedef struct auv6_momenta {
+    auv6_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    auv6_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
+    auv6_real energy;             /* J; kinetic */
+    auv6_real center_of_mass[3];  /* m; of all bodies, in E1 */
+} auv6_momenta;
+
+/* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
+typedef struct auv6_generalized {
+    auv6_real A[6][6];    /* V = A q' (10) */
+    auv6_real D[6][6];    /* 1/s; A' along the motion (10) */
+    auv6_real I0[6][6];   /* K A (11) */
+    auv6_real J0[6][6];   /* K D + M A (11) */
+    auv6_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
+    auv6_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+} auv6_generalized;
+
+/* One flywheel and how it sits: for mounts only. */
+typedef struct auv6_mount {
+    auv6_real mass;             /* kg */
+    auv6_real first_moment[3];  /* kg m; m rc, in Es */
+    auv6_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
+    auv6_real origin[3];        /* m; Os in E1 */
+    auv6_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+} auv6_mount;
+
+/* What mounts needs beside the table. Made by prepare_mounts. */
+typedef struct auv6_mount_table {
+    auv6_mount flywheel[AUV6_N];
+} auv6_mount_table;
+
+/* Motion at an instrument or a point. */
+typedef struct auv6_reading {
+    auv6_real position[3];              /* m; in E0 */
+    auv6_real C[3][3];                  /* own axes to E0 */
+    auv6_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes: a gyro reads the last
+                                         * three */
+    auv6_real specific_force[3];        /* m/s2; acceleration less gravity, in own axes: an accelerometer */
+    auv6_real angular_acceleration[3];  /* rad/s2; in own axes */
+} auv6_reading;
+
+/* How inverse chooses among flywheels, and near singularity. */
+typedef struct auv6_inverse_options {
+    auv6_real weight[AUV6_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    auv6_real limit[AUV6_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    auv6_real near;            /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
+    auv6_real damping;         /* part of the largest singular value that damps those near zero, 0..1; 0:
+                                * none */
+} auv6_inverse_options;
+
+/* Answer of inverse, and how good it is. */
+typedef struct auv6_inverse_result {
+    auv6_real phi_ddot[AUV6_N];  /* rad/s2; flywheel accelerations */
+    auv6_real residual[6];       /* N, N m; F - K V* - M V - J phi' - I phi'' */
+    auv6_real sigma[6];          /* singular values of the scaled I, descending */
+    int rank;                    /* of them that count */
+    auv6_real damping;           /* largest damping applied; 0: none */
+    int limited[AUV6_N];         /* 1 where the limit of a flywheel was reached */
+    auv6_real hardest[6];        /* wrench of unit size in the norm of K^-1 that is hardest to give */
+} auv6_inverse_result;
+
+extern const auv6_parameters auv6_default_parameters;             /* of the stand file */
+extern const auv6_table auv6_default;                             /* what prepare makes of them */
+extern const auv6_mount_table auv6_default_mounts;                /* what prepare_mounts makes of them */
+
+/* ---- functions ---- */
+
+/* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
+ * phi'' + J phi'), (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 2208 operations on reals, 2 of them divisions. */
+auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
+                         auv6_real V_dot[6]);
+
+/* wrench: total external wrench of all bodies at a state, (7).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1821 operations on reals, 1 of them a division. */
+auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real F[6]);
+
+/* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: K, K_dot, M, I, J, F
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2817 operations on reals, 1 of them a division. */
+auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equations *out);
+
+/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: Z, Z0, energy, mass centre
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2286 operations on reals, 1 of them a division. */
+auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_momenta *out);
+
+/* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1305 operations on reals, 1 of them a division. */
+auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+                        const auv6_real phi_ddot[AUV6_N], auv6_real tau[AUV6_N]);
+
+/* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
+ * eliminated first.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   tau[6]       N m; drive torques, mount on flywheel
+ *   locked[6]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]  out: rad/s2; flywheel accelerations
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 3357 operations on reals, 3 of them divisions. */
+auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
+                         const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N]);
+
+/* step: state a time step later, under drive torques and wrenches held constant.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[6]     N m; drive torques, mount on flywheel
+ *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next       out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 14037 operations on reals, 18 of them divisions. */
+auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
+                      const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next);
+
+/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next         out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 9441 operations on reals, 14 of them divisions. */
+auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
+                             auv6_real dt, int order, auv6_state *next);
+
+/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
+ * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
+ *   options   weights, limits, damping; the default is in the source
+ *   out       out: phi_ddot and how good it is
+ * Positive statuses are bits that may come together.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 28652 operations on reals, 322 of them divisions. */
+auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+                         const auv6_inverse_options *options, auv6_inverse_result *out);
+
+/* measure: what an accelerometer and a gyro read at each instrument and point.
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
+ *   out[1]    out: a reading each
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 381 operations on reals, 1 of them a division. */
+auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+                         auv6_reading out[AUV6_SENSORS]);
+
+/* quaternion: attitude quaternion of three angles.
+ *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
+ *   attitude[4]  out: unit quaternion, w first
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 176 operations on reals, no division. */
+auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
+
+/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+ * (11).
+ *   stand        the prepared table
+ *   x            state; its attitude is not read, the angles take its place
+ *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   out          out: A, D, I0, J0, q_dot, q_ddot
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
+ * status is negative.
+ * At most 7034 operations on reals, 5 of them divisions. */
+auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const auv6_real angles[3],
+                          const auv6_real phi_ddot[AUV6_N], auv6_generalized *out);
+
+/* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
+ *   parameters  masses, inertias, mountings
+ *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 10233 operations on reals, 63 of them divisions. */
+auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *stand);
+
+/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+ *   stand        the prepared table
+ *   mounting     made by prepare_mounts
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   loads[36]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
+ *                at phi = 0; the fourth is tau
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2325 operations on reals, 1 of them a division. */
+auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mounting, const auv6_state *x,
+                        const auv6_real V_dot[6], const auv6_real phi_ddot[AUV6_N], auv6_real loads[36]);
+
+/* prepare_mounts: makes the table that mounts needs beside the stand's.
+ *   parameters  masses, inertias, mountings
+ *   mounting    out: what mounts needs
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 4284 operations on reals, 51 of them divisions. */
+auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_table *mounting);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,347 @@
+/* bench8.h: motion of the stand "bench8": carrier, 0 instruments, 8 flywheels.
+ * mahovik 0.1.0; structure 8614c583, physics 8f235153. Generated: change the stand file instead.
+ *
+ * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
+ * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
+ * the same bits. gcc may call memcpy, memmove and memset.
+ *
+ * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
+ * mahovik. */
+#ifndef BENCH8_H
+#define BENCH8_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BENCH8_STRUCTURE 0x8614c583u  /* of the stand: names, counts, kinds of wrench */
+#define BENCH8_PHYSICS   0x8f235153u  /* of the stand: structure and all numbers */
+
+typedef double bench8_real;
+
+/* ---- ranges of inputs: magnitudes ---- */
+
+#define BENCH8_MAX_POSITION      1.0e6     /* m; each component of the position of O1 */
+#define BENCH8_MAX_VELOCITY      1.0e4     /* m/s; each component of v */
+#define BENCH8_MAX_SPEED         1.0e5     /* rad/s; each component of omega, each phi_dot */
+#define BENCH8_MAX_PHASE         1.0e7     /* rad; each phase and attitude angle */
+#define BENCH8_MAX_ACCELERATION  1.0e9     /* rad/s2; each phi_ddot */
+#define BENCH8_MAX_WRENCH        1.0e9     /* N, N m; each component of a run-time wrench */
+#define BENCH8_MAX_STEP          10.0      /* s; a time step */
+#define BENCH8_MAX_PARAMETER     1.0e9     /* SI; each mass, length and moment of inertia */
+#define BENCH8_LARGEST           1.7976931348623157e308  /* largest finite number */
+
+/* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
+
+typedef enum bench8_status {
+    BENCH8_OK = 0,                        /* good */
+    BENCH8_NEAR_SINGULAR = 1,             /* smallest kept singular value below the given threshold */
+    BENCH8_DAMPED = 2,                    /* damping was applied */
+    BENCH8_LIMITED = 4,                   /* a limit was reached; the mask says whose */
+    BENCH8_UNREACHABLE = 8,               /* least-squares answer: the demand is out of reach */
+    BENCH8_RANK_DEFICIENT = 16,           /* rank below min(6, N) */
+    BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
+    BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
+    BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* a mass or inertia that no body has */
+    BENCH8_SINGULAR_ATTITUDE = -4,        /* the attitude angles are at their singularity */
+    BENCH8_BAD_ARGUMENT = -5              /* a count or an index */
+} bench8_status;
+
+/* ---- numbers of bodies ---- */
+
+/* flywheels, in the order of the stand file */
+enum { BENCH8_W1, BENCH8_W2, BENCH8_W3, BENCH8_W4, BENCH8_W5, BENCH8_W6, BENCH8_W7, BENCH8_W8, BENCH8_N = 8 };
+
+/* ---- data ---- */
+
+/* State of the whole system. */
+typedef struct bench8_state {
+    bench8_real position[3];        /* m; of O1, in E0 */
+    bench8_real attitude[4];        /* unit quaternion, w first: x0 = C x1 */
+    bench8_real V[6];               /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
+    bench8_real phi[BENCH8_N];      /* rad; phases */
+    bench8_real phi_dot[BENCH8_N];  /* rad/s; speeds relative to the mount */
+} bench8_state;
+
+/* Mass properties of one body, in its own frame. */
+typedef struct bench8_body {
+    bench8_real mass;               /* kg */
+    bench8_real center_of_mass[3];  /* m; rc, from the body's origin, in its own axes */
+    bench8_real inertia[6];         /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+} bench8_body;
+
+/* A flywheel and how it is mounted. */
+typedef struct bench8_flywheel {
+    bench8_body body;
+    bench8_real position[3];  /* m; Os, in the frame of the mount */
+    bench8_real axis[3];      /* spin axis in the frame of the mount, any length */
+    bench8_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+} bench8_flywheel;
+
+/* What prepare makes the table of: masses, inertias and mountings. */
+typedef struct bench8_parameters {
+    bench8_body carrier;
+    bench8_flywheel flywheel[BENCH8_N];
+} bench8_parameters;
+
+/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+typedef struct bench8_row {
+    bench8_real mu_c[3];   /* kg m; first moment about O1: cos phi */
+    bench8_real mu_s[3];   /* kg m; sin phi */
+    bench8_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    bench8_real J_s[6];    /* kg m2; sin phi */
+    bench8_real J_2c[6];   /* kg m2; cos 2 phi */
+    bench8_real J_2s[6];   /* kg m2; sin 2 phi */
+    bench8_real t_0[3];    /* kg m2; moment part of I: constant */
+    bench8_real t_c[3];    /* kg m2; cos phi */
+    bench8_real t_s[3];    /* kg m2; sin phi */
+    bench8_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
+    bench8_real spin_inv;  /* 1/(kg m2) */
+} bench8_row;
+
+/* Suspension of the carrier to E0. */
+typedef struct bench8_suspension {
+    bench8_real stiffness[6][6];  /* SI; wrench -= stiffness x */
+    bench8_real damping[6][6];    /* SI; wrench -= damping V */
+    bench8_real position[3];      /* m; equilibrium of O1, in E0 */
+    bench8_real attitude[4];      /* quaternion of the equilibrium attitude */
+} bench8_suspension;
+
+/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+typedef struct bench8_table {
+    bench8_real mass;               /* kg; of all bodies */
+    bench8_real mass_inverse;       /* 1/kg */
+    bench8_real first_moment[3];    /* kg m; mu about O1, constant part */
+    bench8_real inertia[6];         /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added mass */
+    bench8_row flywheel[BENCH8_N];
+    bench8_real gravity[3];         /* m/s2; in E0 */
+    bench8_suspension suspension;
+} bench8_table;
+
+/* The matrices of (8). */
+typedef struct bench8_equations {
+    bench8_real K[6][6];         /* kg, kg m, kg m2; mass matrix (2) */
+    bench8_real K_dot[6][6];     /* per s; its rate (6) */
+    bench8_real M[6][6];         /* per s; velocity matrix (9) */
+    bench8_real I[6][BENCH8_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
+    bench8_real J[6][BENCH8_N];  /* per s; its velocity part (9) */
+    bench8_real F[6];            /* N, N m; total external wrench (7) */
+} bench8_equations;
+
+/* Momentum, energy and mass centre. */
+typedef struct bench8_momenta {
+    bench8_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    bench8_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
+    bench8_real energy;             /* J; kinetic */
+    bench8_real center_of_mass[3];  /* m; of all bodies, in E1 */
+} bench8_momenta;
+
+/* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
+typedef struct bench8_generalized {
+    bench8_real A[6][6];    /* V = A q' (10) */
+    bench8_real D[6][6];    /* 1/s; A' along the motion (10) */
+    bench8_real I0[6][6];   /* K A (11) */
+    bench8_real J0[6][6];   /* K D + M A (11) */
+    bench8_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
+    bench8_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+} bench8_generalized;
+
+/* One flywheel and how it sits: for mounts only. */
+typedef struct bench8_mount {
+    bench8_real mass;             /* kg */
+    bench8_real first_moment[3];  /* kg m; m rc, in Es */
+    bench8_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
+    bench8_real origin[3];        /* m; Os in E1 */
+    bench8_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+} bench8_mount;
+
+/* What mounts needs beside the table. Made by prepare_mounts. */
+typedef struct bench8_mount_table {
+    bench8_mount flywheel[BENCH8_N];
+} bench8_mount_table;
+
+/* How inverse chooses among flywheels, and near singularity. */
+typedef struct bench8_inverse_options {
+    bench8_real weight[BENCH8_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    bench8_real limit[BENCH8_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    bench8_real near;              /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
+    bench8_real damping;           /* part of the largest singular value that damps those near zero, 0..1;
+                                    * 0: none */
+} bench8_inverse_options;
+
+/* Answer of inverse, and how good it is. */
+typedef struct bench8_inverse_result {
+    bench8_real phi_ddot[BENCH8_N];  /* rad/s2; flywheel accelerations */
+    bench8_real residual[6];         /* N, N m; F - K V* - M V - J phi' - I phi'' */
+    bench8_real sigma[6];            /* singular values of the scaled I, descending */
+    int rank;                        /* of them that count */
+    bench8_real damping;             /* largest damping applied; 0: none */
+    int limited[BENCH8_N];           /* 1 where the limit of a flywheel was reached */
+    bench8_real hardest[6];          /* wrench of unit size in the norm of K^-1 that is hardest to give */
+} bench8_inverse_result;
+
+extern const bench8_parameters bench8_default_parameters;         /* of the stand file */
+extern const bench8_table bench8_default;                         /* what prepare makes of them */
+extern const bench8_mount_table bench8_default_mounts;            /* what prepare_mounts makes of them */
+
+/* ---- functions ---- */
+
+/* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
+ * phi'' + J phi'), (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[8]  rad/s2; flywheel accelerations
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 2623 operations on reals, 5 of them divisions. */
+bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
+                             const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
+
+/* wrench: total external wrench of all bodies at a state, (7).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2366 operations on reals, 4 of them divisions. */
+bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, bench8_real F[6]);
+
+/* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: K, K_dot, M, I, J, F
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 3606 operations on reals, 4 of them divisions. */
+bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, bench8_equations *out);
+
+/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: Z, Z0, energy, mass centre
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2816 operations on reals, 1 of them a division. */
+bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, bench8_momenta *out);
+
+/* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[8]  rad/s2; flywheel accelerations
+ *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1627 operations on reals, 1 of them a division. */
+bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
+                            const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
+
+/* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
+ * eliminated first.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   tau[8]       N m; drive torques, mount on flywheel
+ *   locked[8]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[8]  out: rad/s2; flywheel accelerations
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 4224 operations on reals, 6 of them divisions. */
+bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
+                             const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                             bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N]);
+
+/* step: state a time step later, under drive torques and wrenches held constant.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[8]     N m; drive torques, mount on flywheel
+ *   locked[8]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next       out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 17609 operations on reals, 30 of them divisions. */
+bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
+                          const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
+
+/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[8]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next         out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 11205 operations on reals, 26 of them divisions. */
+bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *x,
+                                 const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
+                                 bench8_state *next);
+
+/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
+ * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
+ *   options   weights, limits, damping; the default is in the source
+ *   out       out: phi_ddot and how good it is
+ * Positive statuses are bits that may come together.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 32661 operations on reals, 327 of them divisions. */
+bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
+                             const bench8_inverse_options *options, bench8_inverse_result *out);
+
+/* quaternion: attitude quaternion of three angles.
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   attitude[4]  out: unit quaternion, w first
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 176 operations on reals, no division. */
+bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
+
+/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+ * (11).
+ *   stand        the prepared table
+ *   x            state; its attitude is not read, the angles take its place
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   phi_ddot[8]  rad/s2; flywheel accelerations
+ *   out          out: A, D, I0, J0, q_dot, q_ddot
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
+ * status is negative.
+ * At most 8022 operations on reals, 11 of them divisions. */
+bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, const bench8_real angles[3],
+                              const bench8_real phi_ddot[BENCH8_N], bench8_generalized *out);
+
+/* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
+ *   parameters  masses, inertias, mountings
+ *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 9587 operations on reals, 41 of them divisions. */
+bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *stand);
+
+/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+ *   stand        the prepared table
+ *   mounting     made by prepare_mounts
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[8]  rad/s2; flywheel accelerations
+ *   loads[48]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
+ *                at phi = 0; the fourth is tau
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2991 operations on reals, 1 of them a division. */
+bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table *mounting,
+                            const bench8_state *x, const bench8_real V_dot[6],
+                            const bench8_real phi_ddot[BENCH8_N], bench8_real loads[48]);
+
+/* prepare_mounts: makes the table that mounts needs beside the stand's.
+ *   parameters  masses, inertias, mountings
+ *   mounting    out: what mounts needs
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 2394 operations on reals, 32 of them divisions. */
+bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,1813 @@
+/* demo3.c: motion of the stand "demo3". What each function does and takes: demo3.h.
+ * mahovik 0.1.0; structure d7df2554, physics 6be26344. Generated: change the stand file instead. */
+#include "demo3.h"
+
+#include <stdint.h>
+
+#if DEMO3_STRUCTURE != 0xd7df2554u || DEMO3_PHYSICS != 0x6be26344u
+#error "demo3.h and demo3.c are of different stands"
+#endif
+
+/* Attributes for sections, such as fast memory: define them to place code and tables. */
+#ifndef DEMO3_CODE
+#define DEMO3_CODE
+#endif
+#ifndef DEMO3_CONST
+#define DEMO3_CONST
+#endif
+
+/* Sums over all bodies at one state. */
+typedef struct demo3_sums {
+    demo3_real mu[3];      /* kg m; first moment of all bodies about O1 */
+    demo3_real mu_dot[3];  /* kg m/s; its rate in E1 */
+    demo3_real J[6];       /* kg m2; inertia about O1 */
+    demo3_real J_dot[6];   /* kg m2/s; its rate in E1 */
+    demo3_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
+    demo3_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
+    demo3_real g_rel[3];   /* N m; d/dt of its moment part */
+} demo3_sums;
+
+/* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
+typedef struct demo3_coupling {
+    demo3_real I[6];  /* kg m, kg m2; column of I (9) */
+    demo3_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+} demo3_coupling;
+
+/* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
+typedef struct demo3_schur {
+    demo3_real A[6];  /* kg; force by v*: 11 22 33 12 13 23 */
+    demo3_real B[9];  /* kg m; moment by v*, row by row */
+    demo3_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
+} demo3_schur;
+
+/* Scratch of inverse. */
+typedef struct demo3_inverse_work {
+    demo3_real I[6][DEMO3_N];   /* kg m, kg m2; flywheel coupling (9) */
+    demo3_real W[6][DEMO3_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
+    demo3_real U[6][6];         /* rotations of the rows */
+    demo3_real G[6][6];         /* Cholesky factor of K, lower triangle */
+    demo3_real b[6];            /* N, N m; what the flywheels must give */
+    demo3_real r[6];            /* scaled: G^-1 b; then U^T r */
+    demo3_real sigma[6];        /* singular values */
+    demo3_real scale[DEMO3_N];  /* D^-1 */
+} demo3_inverse_work;
+
+typedef uint64_t demo3_word;  /* the bits of a real */
+
+DEMO3_CODE
+static demo3_word demo3_bits_of(demo3_real value)
+{
+    union { demo3_real real; demo3_word word; } both;
+    both.real = value;
+    return both.word;
+}
+
+DEMO3_CODE
+static demo3_real demo3_real_of(demo3_word word)
+{
+    union { demo3_real real; demo3_word word; } both;
+    both.word = word;
+    return both.real;
+}
+
+/* sine and cosine of an angle.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+DEMO3_CODE
+static void demo3_sincos(demo3_real x, demo3_real *sine, demo3_real *cosine)
+{
+    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    const demo3_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
+    const demo3_word quadrant = demo3_bits_of(shifted);  /* mod 4: its last two bits */
+    const demo3_real k = shifted - 6755399441055744.0;
+    /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+    const demo3_real rest = x - k * 1.570796325802803;
+    const demo3_real second = k * 9.920935796805365e-10;
+    const demo3_real r_hi = rest - second;
+    /* rounding error of r_hi, and the third part */
+    const demo3_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+    const demo3_real z = r_hi * r_hi;
+    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    const demo3_real half_z = z * 0.5;
+    const demo3_real flat = 1.0 - half_z;
+    const demo3_real cos_fit = 0.0416666666666666
+        + z * (-0.001388888888887447 + z * (2.4801587289666868e-5
+        + z * (-2.755731439924032e-7 + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+    const demo3_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+    /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+    const demo3_real sin_fit = 0.1666666666666663
+        + z * (-0.00833333333332184 + z * (0.00019841269829358541
+        + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+    const demo3_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+    /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+    const demo3_word sin_bits = demo3_bits_of(sin_r);
+    const demo3_word cos_bits = demo3_bits_of(cos_r);
+    const demo3_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+    const demo3_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+    const demo3_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+    *sine = demo3_real_of(sin_bits ^ exchange ^ sine_sign);
+    *cosine = demo3_real_of(cos_bits ^ exchange ^ cosine_sign);
+}
+
+/* square root, correctly rounded.
+ * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
+DEMO3_CODE
+static demo3_real demo3_sqrt(demo3_real x)
+{
+    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+    const int subnormal = x < 2.2250738585072014e-308;
+    const demo3_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
+    const demo3_word lowered = (subnormal) ? 27u : 0u;
+    const demo3_word bits = demo3_bits_of(x * lift);
+    const demo3_word exponent = bits >> 52u;
+    const demo3_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const demo3_word fraction = bits & 0xfffffffffffffu;
+    const demo3_word m_bits = fraction + ((odd + 1023u) << 52u);
+    const demo3_real m = demo3_real_of(m_bits);
+    const demo3_real half_m = m * 0.5;
+    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    const demo3_real y0 = demo3_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
+    const demo3_real y1 = y0 * (1.5 - half_m * y0 * y0);
+    const demo3_real y2 = y1 * (1.5 - half_m * y1 * y1);
+    const demo3_real y3 = y2 * (1.5 - half_m * y2 * y2);
+    const demo3_real s = m * y3;
+    const demo3_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+     * place. */
+    const demo3_word root = demo3_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const demo3_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
+    const demo3_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
+    const demo3_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const demo3_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
+    const demo3_real result = demo3_real_of(root + up - down + ((halved - 1u) << 52u));
+    return (x > 0.0) ? result : x;
+}
+
+/* the equal angle within half a turn of zero.
+ * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+DEMO3_CODE
+static demo3_real demo3_wrapped(demo3_real phi)
+{
+    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    const demo3_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
+/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+DEMO3_CODE
+static demo3_status demo3_within(const demo3_real values[], int count, demo3_real limit)
+{
+    for (int i = 0; i < count; ++i) {
+        if (!(values[i] >= -limit && values[i] <= limit)) {
+            if (values[i] >= -DEMO3_LARGEST && values[i] <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+            return DEMO3_NOT_FINITE;
+        }
+    }
+    return DEMO3_OK;
+}
+
+/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+DEMO3_CODE
+static demo3_status demo3_check_state(const demo3_state *x)
+{
+    demo3_status status = demo3_within(x->position, 3, DEMO3_MAX_POSITION);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->attitude, 4, 2.0);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->V, 6, DEMO3_MAX_SPEED);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->V, 3, DEMO3_MAX_VELOCITY);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->phi, DEMO3_N, DEMO3_MAX_PHASE);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->phi_dot, DEMO3_N, DEMO3_MAX_SPEED);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return DEMO3_RANGE; }
+    return DEMO3_OK;
+}
+
+/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+DEMO3_CODE
+static void demo3_rotation(const demo3_real q[4], demo3_real C[9])
+{
+    const demo3_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
+    C[1] = k * (q[1] * q[2] - q[0] * q[3]);
+    C[2] = k * (q[0] * q[2] + q[1] * q[3]);
+    C[3] = k * (q[0] * q[3] + q[1] * q[2]);
+    C[4] = 1.0 + k * (-(q[1] * q[1]) - q[3] * q[3]);
+    C[5] = k * (q[2] * q[3] - q[0] * q[1]);
+    C[6] = k * (q[1] * q[3] - q[0] * q[2]);
+    C[7] = k * (q[0] * q[1] + q[2] * q[3]);
+    C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
+}
+
+/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+DEMO3_CODE
+static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c, demo3_real phi_dot,
+                               demo3_real phi_ddot, demo3_sums *sum)
+{
+    const demo3_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const demo3_real s2 = 2.0 * c * s;
+    const demo3_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const demo3_real ds = phi_dot * c;
+    const demo3_real dc2 = -2.0 * phi_dot * s2;
+    const demo3_real ds2 = 2.0 * phi_dot * c2;
+    const demo3_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const demo3_real dds = phi_ddot * c + phi_dot * dc;
+    /* first moment and its rate */
+    sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
+    sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
+    sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
+    sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
+    sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
+    sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
+    /* inertia and its rate: K_dot of (6) */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    /* moment part of I phi' (its force part is mu_dot) */
+    sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
+    sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
+    sum->h_rel[2] += row->t_c[2] * ds + phi_dot * row->t_0[2] - row->t_s[2] * dc;
+    /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+    sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
+    sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
+    sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
+    sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
+    sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
+    sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
+}
+
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+DEMO3_CODE
+static void demo3_start_sums(const demo3_table *stand, demo3_sums *sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+DEMO3_CODE
+static void demo3_momentum_screw(const demo3_table *stand, const demo3_sums *sum, const demo3_real V[6],
+                                 demo3_real Z[6])
+{
+    Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    Z[2] = stand->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    Z[3] = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0] + sum->mu[1] * V[2]
+        - sum->mu[2] * V[1];
+    Z[4] = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1] + sum->mu[2] * V[0]
+        - sum->mu[0] * V[2];
+    Z[5] = sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2] + sum->mu[0] * V[1]
+        - sum->mu[1] * V[0];
+}
+
+/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+DEMO3_CODE
+static void demo3_subtract_rates(const demo3_sums *sum, const demo3_real V[6], const demo3_real Z[6],
+                                 demo3_real F[6])
+{
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z[0] - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z[1];
+    F[3] = F[3] + Z[4] * V[5] + sum->mu_dot[2] * V[1] + Z[1] * V[2] - sum->J_dot[0] * V[3]
+        - sum->J_dot[3] * V[4] - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z[5] * V[4] - sum->mu_dot[1] * V[2]
+        - Z[2] * V[1];
+    F[4] = F[4] + Z[5] * V[3] + sum->mu_dot[0] * V[2] + Z[2] * V[0] - sum->J_dot[1] * V[4]
+        - sum->J_dot[3] * V[3] - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z[3] * V[5] - sum->mu_dot[2] * V[0]
+        - Z[0] * V[2];
+    F[5] = F[5] + Z[3] * V[4] + sum->mu_dot[1] * V[0] + Z[0] * V[1] - sum->J_dot[2] * V[5]
+        - sum->J_dot[4] * V[3] - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z[4] * V[3] - sum->mu_dot[0] * V[1]
+        - Z[1] * V[0];
+}
+
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+DEMO3_CODE
+static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], demo3_real y[3])
+{
+    const demo3_real c11 = S[1] * S[2] - S[5] * S[5];
+    const demo3_real c22 = S[0] * S[2] - S[4] * S[4];
+    const demo3_real c33 = S[0] * S[1] - S[3] * S[3];
+    const demo3_real c12 = S[4] * S[5] - S[2] * S[3];
+    const demo3_real c13 = S[3] * S[5] - S[1] * S[4];
+    const demo3_real c23 = S[3] * S[4] - S[0] * S[5];
+    const demo3_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
+    /* Sylvester: the leading minors are positive. NaN fails too */
+    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+    const demo3_real r = 1.0 / det;
+    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
+    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
+    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    return DEMO3_OK;
+}
+
+/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+DEMO3_CODE
+static demo3_status demo3_solve_carrier(const demo3_table *stand, const demo3_sums *sum,
+                                        const demo3_real F[6], demo3_real y[6])
+{
+    demo3_status status;
+    demo3_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = stand->mass_inverse * sum->mu[0];
+    rho[1] = stand->mass_inverse * sum->mu[1];
+    rho[2] = stand->mass_inverse * sum->mu[2];
+    demo3_real S[6];  /* inertia about the mass centre */
+    demo3_real moment[3];  /* about the mass centre */
+    demo3_real omega_dot[3];
+    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * rho[1];
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    status = demo3_solve3(S, moment, omega_dot);
+    if (status != DEMO3_OK) { return status; }
+    y[0] = F[0] * stand->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
+    y[1] = F[1] * stand->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
+    y[2] = F[2] * stand->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+    return DEMO3_OK;
+}
+
+/* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
+ * (8). */
+DEMO3_CODE
+static demo3_status demo3_accelerate(const demo3_table *stand, const demo3_state *x,
+                                     const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6])
+{
+    demo3_status status;
+    demo3_sums sum;
+    demo3_start_sums(stand, &sum);
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+    }
+    demo3_real F[6];  /* wrench (7); then what K V* must equal */
+    demo3_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    demo3_momentum_screw(stand, &sum, x->V, Z);
+    demo3_subtract_rates(&sum, x->V, Z, F);
+    status = demo3_solve_carrier(stand, &sum, F, V_dot);
+    if (status != DEMO3_OK) { return status; }
+    return DEMO3_OK;
+}
+
+/* (8) */
+DEMO3_CODE
+demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
+                           demo3_real V_dot[6])
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real result[6];
+    status = demo3_accelerate(stand, x, phi_ddot, result);
+    if (status != DEMO3_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
+    return DEMO3_OK;
+}
+
+/* M = Phi K + K*, (9). */
+DEMO3_CODE
+static void demo3_velocity_matrix(const demo3_real V[6], demo3_equations *out)
+{
+    for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
+        out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
+        out->M[1][j] = out->K[0][j] * V[5] - out->K[2][j] * V[3] + out->K_dot[1][j];
+        out->M[2][j] = out->K[1][j] * V[3] - out->K[0][j] * V[4] + out->K_dot[2][j];
+        out->M[3][j] = out->K[2][j] * V[1] + out->K[5][j] * V[4] - out->K[1][j] * V[2] - out->K[4][j] * V[5]
+            + out->K_dot[3][j];
+        out->M[4][j] = out->K[0][j] * V[2] + out->K[3][j] * V[5] - out->K[2][j] * V[0] - out->K[5][j] * V[3]
+            + out->K_dot[4][j];
+        out->M[5][j] = out->K[1][j] * V[0] + out->K[4][j] * V[3] - out->K[0][j] * V[1] - out->K[3][j] * V[4]
+            + out->K_dot[5][j];
+    }
+}
+
+/* (2), (6)-(9) */
+DEMO3_CODE
+demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo3_equations *out)
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    demo3_sums sum;
+    demo3_start_sums(stand, &sum);
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    demo3_real F[6];
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
+    out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
+    /* K (2) and its rate (6) */
+    out->K[0][0] = stand->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
+    out->K[0][3] = 0.0;          out->K[0][4] = sum.mu[2];    out->K[0][5] = -sum.mu[1];
+    out->K[1][0] = 0.0;          out->K[1][1] = stand->mass;  out->K[1][2] = 0.0;
+    out->K[1][3] = -sum.mu[2];   out->K[1][4] = 0.0;          out->K[1][5] = sum.mu[0];
+    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = stand->mass;
+    out->K[2][3] = sum.mu[1];    out->K[2][4] = -sum.mu[0];   out->K[2][5] = 0.0;
+    out->K[3][0] = 0.0;         out->K[3][1] = -sum.mu[2];  out->K[3][2] = sum.mu[1];
+    out->K[3][3] = sum.J[0];    out->K[3][4] = sum.J[3];    out->K[3][5] = sum.J[4];
+    out->K[4][0] = sum.mu[2];   out->K[4][1] = 0.0;         out->K[4][2] = -sum.mu[0];
+    out->K[4][3] = sum.J[3];    out->K[4][4] = sum.J[1];    out->K[4][5] = sum.J[5];
+    out->K[5][0] = -sum.mu[1];  out->K[5][1] = sum.mu[0];   out->K[5][2] = 0.0;
+    out->K[5][3] = sum.J[4];    out->K[5][4] = sum.J[5];    out->K[5][5] = sum.J[2];
+    out->K_dot[0][0] = 0.0;             out->K_dot[0][1] = 0.0;             out->K_dot[0][2] = 0.0;
+    out->K_dot[0][3] = 0.0;             out->K_dot[0][4] = sum.mu_dot[2];   out->K_dot[0][5] = -sum.mu_dot[1];
+    out->K_dot[1][0] = 0.0;             out->K_dot[1][1] = 0.0;             out->K_dot[1][2] = 0.0;
+    out->K_dot[1][3] = -sum.mu_dot[2];  out->K_dot[1][4] = 0.0;             out->K_dot[1][5] = sum.mu_dot[0];
+    out->K_dot[2][0] = 0.0;             out->K_dot[2][1] = 0.0;             out->K_dot[2][2] = 0.0;
+    out->K_dot[2][3] = sum.mu_dot[1];   out->K_dot[2][4] = -sum.mu_dot[0];  out->K_dot[2][5] = 0.0;
+    out->K_dot[3][0] = 0.0;             out->K_dot[3][1] = -sum.mu_dot[2];  out->K_dot[3][2] = sum.mu_dot[1];
+    out->K_dot[3][3] = sum.J_dot[0];    out->K_dot[3][4] = sum.J_dot[3];    out->K_dot[3][5] = sum.J_dot[4];
+    out->K_dot[4][0] = sum.mu_dot[2];   out->K_dot[4][1] = 0.0;             out->K_dot[4][2] = -sum.mu_dot[0];
+    out->K_dot[4][3] = sum.J_dot[3];    out->K_dot[4][4] = sum.J_dot[1];    out->K_dot[4][5] = sum.J_dot[5];
+    out->K_dot[5][0] = -sum.mu_dot[1];  out->K_dot[5][1] = sum.mu_dot[0];   out->K_dot[5][2] = 0.0;
+    out->K_dot[5][3] = sum.J_dot[4];    out->K_dot[5][4] = sum.J_dot[5];    out->K_dot[5][5] = sum.J_dot[2];
+    demo3_velocity_matrix(x->V, out);
+    demo3_real column[6];  /* I_s */
+    demo3_real rate[6];  /* dI_s / dphi */
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
+        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
+        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
+        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0];
+        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1];
+        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2];
+        rate[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
+        rate[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
+        rate[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+        out->I[0][s] = column[0];
+        out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
+        out->I[1][s] = column[1];
+        out->J[1][s] = column[0] * x->V[5] - column[2] * x->V[3] + rate[1] * x->phi_dot[s];
+        out->I[2][s] = column[2];
+        out->J[2][s] = column[1] * x->V[3] - column[0] * x->V[4] + rate[2] * x->phi_dot[s];
+        out->I[3][s] = column[3];
+        out->J[3][s] = column[2] * x->V[1] + column[5] * x->V[4] - column[1] * x->V[2] - column[4] * x->V[5]
+            + rate[3] * x->phi_dot[s];
+        out->I[4][s] = column[4];
+        out->J[4][s] = column[0] * x->V[2] + column[3] * x->V[5] - column[2] * x->V[0] - column[5] * x->V[3]
+            + rate[4] * x->phi_dot[s];
+        out->I[5][s] = column[5];
+        out->J[5][s] = column[1] * x->V[0] + column[4] * x->V[3] - column[0] * x->V[1] - column[3] * x->V[4]
+            + rate[5] * x->phi_dot[s];
+    }
+    return DEMO3_OK;
+}
+
+/* (1), (2) */
+DEMO3_CODE
+demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo3_momenta *out)
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real C[9];  /* attitude */
+    demo3_rotation(x->attitude, C);
+    demo3_sums sum;
+    demo3_start_sums(stand, &sum);
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    demo3_real Z[6];  /* momentum screw (2) */
+    demo3_momentum_screw(stand, &sum, x->V, Z);
+    demo3_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        /* I_s . V */
+        const demo3_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
+            * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
+            + (stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi) * x->V[2]
+            + (stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0]) * x->V[3]
+            + (stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1]) * x->V[4]
+            + (stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2]) * x->V[5];
+        spin += x->phi_dot[s] * (along + stand->flywheel[s].spin * x->phi_dot[s]);
+    }
+    demo3_real energy = 0.5 * Z[3] * x->V[3] + 0.5 * Z[4] * x->V[4] + 0.5 * Z[5] * x->V[5]
+        + 0.5 * Z[0] * x->V[0] + 0.5 * Z[1] * x->V[1] + 0.5 * Z[2] * x->V[2] + 0.5 * spin;
+    out->Z[0] = Z[0];  out->Z[1] = Z[1];  out->Z[2] = Z[2];
+    out->Z[3] = Z[3];  out->Z[4] = Z[4];  out->Z[5] = Z[5];
+    /* Z0 = L1 Z of (1) */
+    out->Z0[0] = C[0] * Z[0] + C[1] * Z[1] + C[2] * Z[2];
+    out->Z0[1] = C[3] * Z[0] + C[4] * Z[1] + C[5] * Z[2];
+    out->Z0[2] = C[6] * Z[0] + C[7] * Z[1] + C[8] * Z[2];
+    out->Z0[3] = C[0] * Z[3] + C[1] * Z[4] + C[2] * Z[5] + out->Z0[2] * x->position[1]
+        - out->Z0[1] * x->position[2];
+    out->Z0[4] = C[3] * Z[3] + C[4] * Z[4] + C[5] * Z[5] + out->Z0[0] * x->position[2]
+        - out->Z0[2] * x->position[0];
+    out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
+        - out->Z0[0] * x->position[1];
+    out->energy = energy;
+    out->center_of_mass[0] = sum.mu[0] * stand->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * stand->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * stand->mass_inverse;
+    return DEMO3_OK;
+}
+
+/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+DEMO3_CODE
+static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c, const demo3_real V[6],
+                         const demo3_real swing[3], demo3_coupling *out)
+{
+    const demo3_real c2 = 1.0 - 2.0 * (s * s);
+    const demo3_real s2 = 2.0 * c * s;
+    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    demo3_real J_p[6];  /* dJ / dphi */
+    J_p[0] = 2.0 * row->J_2s[0] * c2 + row->J_s[0] * c - 2.0 * row->J_2c[0] * s2 - row->J_c[0] * s;
+    J_p[1] = 2.0 * row->J_2s[1] * c2 + row->J_s[1] * c - 2.0 * row->J_2c[1] * s2 - row->J_c[1] * s;
+    J_p[2] = 2.0 * row->J_2s[2] * c2 + row->J_s[2] * c - 2.0 * row->J_2c[2] * s2 - row->J_c[2] * s;
+    J_p[3] = 2.0 * row->J_2s[3] * c2 + row->J_s[3] * c - 2.0 * row->J_2c[3] * s2 - row->J_c[3] * s;
+    J_p[4] = 2.0 * row->J_2s[4] * c2 + row->J_s[4] * c - 2.0 * row->J_2c[4] * s2 - row->J_c[4] * s;
+    J_p[5] = 2.0 * row->J_2s[5] * c2 + row->J_s[5] * c - 2.0 * row->J_2c[5] * s2 - row->J_c[5] * s;
+    demo3_real turned[3];  /* J' omega */
+    turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
+    turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
+    turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
+    out->bias = out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2] - 0.5 * V[3] * turned[0]
+        - 0.5 * V[4] * turned[1] - 0.5 * V[5] * turned[2];
+}
+
+/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+DEMO3_CODE
+demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N])
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_coupling drive;
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        demo3_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive);
+        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + drive.bias;
+    }
+    return DEMO3_OK;
+}
+
+/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+DEMO3_CODE
+static void demo3_eliminate(const demo3_real I[6], demo3_real spin_inv, demo3_real rate, demo3_schur *K,
+                            demo3_real F[6])
+{
+    demo3_real scaled[6];  /* I / Theta_ff */
+    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
+    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
+    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
+    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
+    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
+    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
+    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
+    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
+    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
+    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
+    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+}
+
+/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+DEMO3_CODE
+static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6], demo3_real y[6])
+{
+    demo3_status status;
+    const demo3_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
+    const demo3_real c22 = K->A[0] * K->A[2] - K->A[4] * K->A[4];
+    const demo3_real c33 = K->A[0] * K->A[1] - K->A[3] * K->A[3];
+    const demo3_real c12 = K->A[4] * K->A[5] - K->A[2] * K->A[3];
+    const demo3_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
+    const demo3_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
+    const demo3_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+    const demo3_real r = 1.0 / det;
+    demo3_real A_inv[6];
+    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
+    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
+    demo3_real U[9];  /* A^-1 B^T */
+    demo3_real S[6];  /* D - B A^-1 B^T */
+    demo3_real moment[3];  /* n - B A^-1 f */
+    demo3_real omega_dot[3];
+    U[0] = A_inv[0] * K->B[0] + A_inv[3] * K->B[1] + A_inv[4] * K->B[2];
+    U[1] = A_inv[0] * K->B[3] + A_inv[3] * K->B[4] + A_inv[4] * K->B[5];
+    U[2] = A_inv[0] * K->B[6] + A_inv[3] * K->B[7] + A_inv[4] * K->B[8];
+    U[3] = A_inv[1] * K->B[1] + A_inv[3] * K->B[0] + A_inv[5] * K->B[2];
+    U[4] = A_inv[1] * K->B[4] + A_inv[3] * K->B[3] + A_inv[5] * K->B[5];
+    U[5] = A_inv[1] * K->B[7] + A_inv[3] * K->B[6] + A_inv[5] * K->B[8];
+    U[6] = A_inv[2] * K->B[2] + A_inv[4] * K->B[0] + A_inv[5] * K->B[1];
+    U[7] = A_inv[2] * K->B[5] + A_inv[4] * K->B[3] + A_inv[5] * K->B[4];
+    U[8] = A_inv[2] * K->B[8] + A_inv[4] * K->B[6] + A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * U[0] - K->B[1] * U[3] - K->B[2] * U[6];
+    S[1] = K->D[1] - K->B[3] * U[1] - K->B[4] * U[4] - K->B[5] * U[7];
+    S[2] = K->D[2] - K->B[6] * U[2] - K->B[7] * U[5] - K->B[8] * U[8];
+    S[3] = K->D[3] - K->B[0] * U[1] - K->B[1] * U[4] - K->B[2] * U[7];
+    S[4] = K->D[4] - K->B[0] * U[2] - K->B[1] * U[5] - K->B[2] * U[8];
+    S[5] = K->D[5] - K->B[3] * U[2] - K->B[4] * U[5] - K->B[5] * U[8];
+    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
+    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
+    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
+    status = demo3_solve3(S, moment, omega_dot);
+    if (status != DEMO3_OK) { return status; }
+    y[0] = A_inv[0] * F[0] + A_inv[3] * F[1] + A_inv[4] * F[2] - U[0] * omega_dot[0] - U[1] * omega_dot[1]
+        - U[2] * omega_dot[2];
+    y[1] = A_inv[1] * F[1] + A_inv[3] * F[0] + A_inv[5] * F[2] - U[3] * omega_dot[0] - U[4] * omega_dot[1]
+        - U[5] * omega_dot[2];
+    y[2] = A_inv[2] * F[2] + A_inv[4] * F[0] + A_inv[5] * F[1] - U[6] * omega_dot[0] - U[7] * omega_dot[1]
+        - U[8] * omega_dot[2];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+    return DEMO3_OK;
+}
+
+/* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
+DEMO3_CODE
+static demo3_status demo3_move(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+                               const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N])
+{
+    demo3_status status;
+    demo3_sums sum;
+    demo3_coupling drive[DEMO3_N];
+    demo3_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_start_sums(stand, &sum);
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        demo3_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive[s]);
+        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    demo3_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    demo3_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    demo3_momentum_screw(stand, &sum, x->V, Z);
+    demo3_subtract_rates(&sum, x->V, Z, F);
+    demo3_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    demo3_real rate[DEMO3_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < DEMO3_N; ++s) {
+        rate[s] = 0.0;
+        if (locked[s] == 0) {
+            rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
+            demo3_eliminate(drive[s].I, stand->flywheel[s].spin_inv, rate[s], &K, F);
+        }
+    }
+    status = demo3_solve_schur(&K, F, V_dot);
+    if (status != DEMO3_OK) { return status; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        phi_ddot[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
+                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
+                + V_dot[5] * drive[s].I[5]) * stand->flywheel[s].spin_inv;
+        }
+    }
+    return DEMO3_OK;
+}
+
+/* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
+DEMO3_CODE
+demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+                           const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N])
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real V_result[6];
+    demo3_real phi_result[DEMO3_N];
+    status = demo3_move(stand, x, tau, locked, V_result, phi_result);
+    if (status != DEMO3_OK) { return status; }
+    V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
+    V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        phi_ddot[s] = phi_result[s];
+    }
+    return DEMO3_OK;
+}
+
+/* to = x + h rate; phases are brought within half a turn. */
+DEMO3_CODE
+static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_real h, demo3_state *to)
+{
+    for (int i = 0; i < 3; ++i) {
+        to->position[i] = x->position[i] + h * rate->position[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        to->attitude[i] = x->attitude[i] + h * rate->attitude[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        to->V[i] = x->V[i] + h * rate->V[i];
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        to->phi[i] = demo3_wrapped(x->phi[i] + h * rate->phi[i]);
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
+    }
+}
+
+/* brings the quaternion to unit length; RANGE where the state has left its ranges. */
+DEMO3_CODE
+static demo3_status demo3_finish(demo3_state *x)
+{
+    const demo3_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return DEMO3_RANGE; }
+    const demo3_real inverse = 1.0 / demo3_sqrt(square);
+    x->attitude[0] = x->attitude[0] * inverse;
+    x->attitude[1] = x->attitude[1] * inverse;
+    x->attitude[2] = x->attitude[2] * inverse;
+    x->attitude[3] = x->attitude[3] * inverse;
+    return demo3_check_state(x);
+}
+
+/* rates of the state under drive torques. */
+DEMO3_CODE
+static demo3_status demo3_rate(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+                               const int locked[DEMO3_N], demo3_state *rate)
+{
+    demo3_status status;
+    demo3_real C[9];  /* attitude */
+    status = demo3_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    if (status != DEMO3_OK) { return status; }
+    demo3_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+    }
+    return DEMO3_OK;
+}
+
+/* State a time step later, under drive torques and wrenches held constant. */
+DEMO3_CODE
+demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+                        const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next)
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
+    if (status != DEMO3_OK) { return status; }
+    if (!(dt > 0.0 && dt <= DEMO3_MAX_STEP)) { return DEMO3_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
+    demo3_state k;  /* rates of a stage */
+    demo3_state y;  /* state of a stage; then the new state */
+    status = demo3_rate(stand, x, tau, locked, &k);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real half = 0.5 * dt;
+    if (order == 2) {
+        demo3_advance(x, &k, half, &y);
+        status = demo3_rate(stand, &y, tau, locked, &k);
+        if (status != DEMO3_OK) { return status; }
+        demo3_advance(x, &k, dt, &y);
+    } else {
+        demo3_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
+        total = k;
+        demo3_advance(x, &k, half, &y);
+        status = demo3_rate(stand, &y, tau, locked, &k);
+        if (status != DEMO3_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, half, &y);
+        status = demo3_rate(stand, &y, tau, locked, &k);
+        if (status != DEMO3_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, dt, &y);
+        status = demo3_rate(stand, &y, tau, locked, &k);
+        if (status != DEMO3_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi_dot[i] += k.phi_dot[i];
+        }
+        const demo3_real sixth = dt / 6.0;
+        demo3_advance(x, &total, sixth, &y);
+    }
+    status = demo3_finish(&y);
+    if (status != DEMO3_OK) { return status; }
+    *next = y;
+    return DEMO3_OK;
+}
+
+/* rates of the state under given flywheel accelerations. */
+DEMO3_CODE
+static demo3_status demo3_rate_driven(const demo3_table *stand, const demo3_state *x,
+                                      const demo3_real phi_ddot[DEMO3_N], demo3_state *rate)
+{
+    demo3_status status;
+    demo3_real C[9];  /* attitude */
+    status = demo3_accelerate(stand, x, phi_ddot, rate->V);
+    if (status != DEMO3_OK) { return status; }
+    demo3_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+        rate->phi_dot[s] = phi_ddot[s];
+    }
+    return DEMO3_OK;
+}
+
+/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+DEMO3_CODE
+demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
+                               const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
+                               demo3_state *next)
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    if (!(dt > 0.0 && dt <= DEMO3_MAX_STEP)) { return DEMO3_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
+    demo3_state k;  /* rates of a stage */
+    demo3_state y;  /* state of a stage; then the new state */
+    status = demo3_rate_driven(stand, x, phi_ddot, &k);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real half = 0.5 * dt;
+    if (order == 2) {
+        demo3_advance(x, &k, half, &y);
+        status = demo3_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != DEMO3_OK) { return status; }
+        demo3_advance(x, &k, dt, &y);
+    } else {
+        demo3_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
+        total = k;
+        demo3_advance(x, &k, half, &y);
+        status = demo3_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != DEMO3_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, half, &y);
+        status = demo3_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != DEMO3_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, dt, &y);
+        status = demo3_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != DEMO3_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total.phi_dot[i] += k.phi_dot[i];
+        }
+        const demo3_real sixth = dt / 6.0;
+        demo3_advance(x, &total, sixth, &y);
+    }
+    status = demo3_finish(&y);
+    if (status != DEMO3_OK) { return status; }
+    *next = y;
+    return DEMO3_OK;
+}
+
+/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+ * condition. */
+DEMO3_CODE
+static void demo3_orthogonalise(demo3_inverse_work *work)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            work->U[i][j] = 0.0;
+        }
+        work->U[i][i] = 1.0;
+    }
+    for (int sweep = 0; sweep < 9; ++sweep) {
+        for (int p = 0; p < 5; ++p) {
+            for (int q = p + 1; q < 6; ++q) {
+                demo3_real a, b, g;
+                a = 0.0;
+                b = 0.0;
+                g = 0.0;
+                for (int j = 0; j < DEMO3_N; ++j) {
+                    a += work->W[p][j] * work->W[p][j];
+                    b += work->W[q][j] * work->W[q][j];
+                    g += work->W[p][j] * work->W[q][j];
+                }
+                /* tangent of the smaller angle that makes the rows orthogonal */
+                const demo3_real d = b - a;
+                const demo3_real root = demo3_sqrt(d * d + 4.0 * (g * g));
+                const demo3_real below = (d < 0.0) ? d - root : d + root;
+                const demo3_real t = (((below < 0.0) ? -below : below) > 0.0)
+                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                const demo3_real c = 1.0 / demo3_sqrt(1.0 + t * t);
+                const demo3_real s = c * t;
+                for (int j = 0; j < DEMO3_N; ++j) {
+                    const demo3_real x = work->W[p][j];
+                    const demo3_real y = work->W[q][j];
+                    work->W[p][j] = c * x - s * y;
+                    work->W[q][j] = s * x + c * y;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const demo3_real x = work->U[j][p];
+                    const demo3_real y = work->U[j][q];
+                    work->U[j][p] = c * x - s * y;  work->U[j][q] = s * x + c * y;
+                }
+                const demo3_real x = work->r[p];
+                const demo3_real y = work->r[q];
+                work->r[p] = c * x - s * y;  work->r[q] = s * x + c * y;
+            }
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        demo3_real total = 0.0;
+        for (int j = 0; j < DEMO3_N; ++j) {
+            total += work->W[i][j] * work->W[i][j];
+        }
+        work->sigma[i] = demo3_sqrt(total);
+    }
+}
+
+/* cholesky factor of the mass matrix, in place: K = G G^T. */
+DEMO3_CODE
+static demo3_status demo3_factor(demo3_inverse_work *work)
+{
+    for (int j = 0; j < 6; ++j) {
+        demo3_real pivot = work->G[j][j];
+        for (int k = 0; k < j; ++k) {
+            pivot -= work->G[j][k] * work->G[j][k];
+        }
+        if (!(pivot > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+        const demo3_real root = demo3_sqrt(pivot);
+        work->G[j][j] = root;
+        for (int i = j + 1; i < 6; ++i) {
+            demo3_real rest = work->G[i][j];
+            for (int k = 0; k < j; ++k) {
+                rest -= work->G[i][k] * work->G[j][k];
+            }
+            work->G[i][j] = rest / root;
+        }
+    }
+    return DEMO3_OK;
+}
+
+/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+DEMO3_CODE
+static demo3_status demo3_demand(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+                                 const demo3_real weight[DEMO3_N], demo3_inverse_work *work)
+{
+    demo3_status status;
+    demo3_sums sum;
+    demo3_start_sums(stand, &sum);
+    demo3_real column[6];  /* I_s */
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
+        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
+        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
+        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0];
+        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1];
+        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2];
+        for (int i = 0; i < 6; ++i) {
+            work->I[i][s] = column[i];
+        }
+    }
+    demo3_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    demo3_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    demo3_momentum_screw(stand, &sum, x->V, Z);
+    demo3_subtract_rates(&sum, x->V, Z, F);
+    work->G[0][0] = stand->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
+    work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
+    work->G[1][0] = 0.0;          work->G[1][1] = stand->mass;  work->G[1][2] = 0.0;
+    work->G[1][3] = -sum.mu[2];   work->G[1][4] = 0.0;          work->G[1][5] = sum.mu[0];
+    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = stand->mass;
+    work->G[2][3] = sum.mu[1];    work->G[2][4] = -sum.mu[0];   work->G[2][5] = 0.0;
+    work->G[3][0] = 0.0;         work->G[3][1] = -sum.mu[2];  work->G[3][2] = sum.mu[1];
+    work->G[3][3] = sum.J[0];    work->G[3][4] = sum.J[3];    work->G[3][5] = sum.J[4];
+    work->G[4][0] = sum.mu[2];   work->G[4][1] = 0.0;         work->G[4][2] = -sum.mu[0];
+    work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
+    work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
+    work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
+    /* b = F - K V*: what the flywheels must give */
+    for (int i = 0; i < 6; ++i) {
+        work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
+            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
+        work->r[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
+            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
+    }
+    status = demo3_factor(work);
+    if (status != DEMO3_OK) { return status; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        work->scale[s] = 1.0 / demo3_sqrt(stand->flywheel[s].spin * weight[s]);
+        for (int i = 0; i < 6; ++i) {
+            work->W[i][s] = work->I[i][s] * work->scale[s];
+        }
+    }
+    /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < i; ++k) {
+            for (int s = 0; s < DEMO3_N; ++s) {
+                work->W[i][s] -= work->G[i][k] * work->W[k][s];
+            }
+            work->r[i] -= work->G[i][k] * work->r[k];
+        }
+        const demo3_real inverse = 1.0 / work->G[i][i];
+        for (int s = 0; s < DEMO3_N; ++s) {
+            work->W[i][s] = work->W[i][s] * inverse;
+        }
+        work->r[i] = work->r[i] * inverse;
+    }
+    return DEMO3_OK;
+}
+
+/* (12) */
+DEMO3_CODE
+demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+                           const demo3_inverse_options *options, demo3_inverse_result *out)
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(options->weight, DEMO3_N, DEMO3_MAX_PARAMETER);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(options->limit, DEMO3_N, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return status; }
+    if (!(options->near >= 0.0 && options->near <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
+    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return DEMO3_BAD_ARGUMENT; }
+    }
+    demo3_inverse_work work;
+    status = demo3_demand(stand, x, V_dot, options->weight, &work);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real wanted = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        wanted += work.r[i] * work.r[i];
+    }
+    demo3_orthogonalise(&work);
+    /* descending singular values, by exchanging neighbours */
+    for (int pass = 0; pass < 5; ++pass) {
+        for (int i = 0; i < 5; ++i) {
+            if (work.sigma[i] < work.sigma[i + 1]) {
+                const demo3_real kept_sigma = work.sigma[i];
+                work.sigma[i] = work.sigma[i + 1];  work.sigma[i + 1] = kept_sigma;
+                const demo3_real kept_r = work.r[i];
+                work.r[i] = work.r[i + 1];  work.r[i + 1] = kept_r;
+                for (int j = 0; j < DEMO3_N; ++j) {
+                    const demo3_real kept = work.W[i][j];
+                    work.W[i][j] = work.W[i + 1][j];
+                    work.W[i + 1][j] = kept;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const demo3_real kept = work.U[j][i];
+                    work.U[j][i] = work.U[j][i + 1];  work.U[j][i + 1] = kept;
+                }
+            }
+        }
+    }
+    int flags, rank;
+    demo3_real damping;
+    flags = 0;
+    rank = 0;
+    damping = 0.0;
+    for (int s = 0; s < DEMO3_N; ++s) {
+        out->phi_ddot[s] = 0.0;
+    }
+    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
+    for (int i = 0; i < 6; ++i) {
+        if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
+            rank = rank + 1;
+            const demo3_real ratio = work.sigma[i] / work.sigma[0];
+            demo3_real lambda = 0.0;
+            if (ratio < options->near) {
+                flags = flags | 1;
+                if (options->damping > 0.0) {
+                    flags = flags | 2;
+                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    damping = (lambda > damping) ? lambda : damping;
+                }
+            }
+            const demo3_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
+            for (int s = 0; s < DEMO3_N; ++s) {
+                out->phi_ddot[s] += part * work.W[i][s];
+            }
+        }
+    }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        const demo3_real free = out->phi_ddot[s] * work.scale[s];
+        const demo3_real over = ((free < 0.0) ? -free : free) - options->limit[s];
+        out->phi_ddot[s] = free;
+        out->limited[s] = 0;
+        if (over > 0.0) {
+            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
+            out->limited[s] = 1;
+            flags = flags | 4;
+        }
+    }
+    if (rank < 3) {
+        flags = flags | 16;
+    }
+    demo3_real left;
+    demo3_real z[6];  /* G^-1 residual */
+    left = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = work.b[i];
+        for (int s = 0; s < DEMO3_N; ++s) {
+            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        z[i] = out->residual[i];
+        for (int k = 0; k < i; ++k) {
+            z[i] -= work.G[i][k] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        left += z[i] * z[i];
+        /* G u of the least singular value */
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * work.U[k][5];
+        }
+    }
+    if (left > 1.0e-18 * wanted) {
+        flags = flags | 8;
+    }
+    out->rank = rank;
+    out->damping = damping;
+    for (int i = 0; i < 3; ++i) {
+        out->sigma[i] = work.sigma[i];
+    }
+    return (demo3_status)flags;
+}
+
+/* Attitude quaternion of three angles. */
+DEMO3_CODE
+demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4])
+{
+    demo3_status status = demo3_within(angles, 3, DEMO3_MAX_PHASE);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real s_psi, c_psi;
+    demo3_sincos(0.5 * angles[0], &s_psi, &c_psi);
+    demo3_real s_theta, c_theta;
+    demo3_sincos(0.5 * angles[1], &s_theta, &c_theta);
+    demo3_real s_phi, c_phi;
+    demo3_sincos(0.5 * angles[2], &s_phi, &c_phi);
+    attitude[0] = c_phi * c_psi * c_theta + s_phi * s_psi * s_theta;
+    attitude[1] = c_psi * c_theta * s_phi - c_phi * s_psi * s_theta;
+    attitude[2] = c_phi * c_psi * s_theta + c_theta * s_phi * s_psi;
+    attitude[3] = c_phi * c_theta * s_psi - c_psi * s_phi * s_theta;
+    return DEMO3_OK;
+}
+
+/* I0 = K A, J0 = K D + M A, (11). */
+DEMO3_CODE
+static void demo3_products(const demo3_equations *m, demo3_generalized *out)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            demo3_real I0, J0;
+            I0 = 0.0;
+            J0 = 0.0;
+            for (int k = 0; k < 6; ++k) {
+                I0 += m->K[i][k] * out->A[k][j];
+                J0 += m->K[i][k] * out->D[k][j] + m->M[i][k] * out->A[k][j];
+            }
+            out->I0[i][j] = I0;
+            out->J0[i][j] = J0;
+        }
+    }
+}
+
+/* (10), (11) */
+DEMO3_CODE
+demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, const demo3_real angles[3],
+                            const demo3_real phi_ddot[DEMO3_N], demo3_generalized *out)
+{
+    demo3_status status;
+    demo3_state y;  /* the state with the attitude of the angles */
+    demo3_real V_dot[6];
+    demo3_equations m;
+    y = *x;
+    status = demo3_quaternion(angles, y.attitude);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real s_theta, c_theta;
+    demo3_sincos(angles[1], &s_theta, &c_theta);
+    demo3_real s_phi, c_phi;
+    demo3_sincos(angles[2], &s_phi, &c_phi);
+    const demo3_real singular = c_theta;  /* A has no inverse where this is 0 */
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return DEMO3_SINGULAR_ATTITUDE; }
+    status = demo3_forward(stand, &y, phi_ddot, V_dot);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_matrices(stand, &y, &m);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real C[9];
+    demo3_rotation(y.attitude, C);
+    const demo3_real singular_inv = 1.0 / singular;
+    /* q' = A^-1 V */
+    out->q_dot[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    out->q_dot[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    out->q_dot[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    out->q_dot[3] = x->V[4] * s_phi * singular_inv + x->V[5] * c_phi * singular_inv;
+    out->q_dot[4] = x->V[4] * c_phi - x->V[5] * s_phi;
+    out->q_dot[5] = x->V[3] + x->V[4] * s_phi * s_theta * singular_inv
+        + x->V[5] * c_phi * s_theta * singular_inv;
+    out->A[0][0] = C[0];  out->A[0][1] = C[3];  out->A[0][2] = C[6];
+    out->A[0][3] = 0.0;   out->A[0][4] = 0.0;   out->A[0][5] = 0.0;
+    out->A[1][0] = C[1];  out->A[1][1] = C[4];  out->A[1][2] = C[7];
+    out->A[1][3] = 0.0;   out->A[1][4] = 0.0;   out->A[1][5] = 0.0;
+    out->A[2][0] = C[2];  out->A[2][1] = C[5];  out->A[2][2] = C[8];
+    out->A[2][3] = 0.0;   out->A[2][4] = 0.0;   out->A[2][5] = 0.0;
+    out->A[3][0] = 0.0;       out->A[3][1] = 0.0;       out->A[3][2] = 0.0;
+    out->A[3][3] = -s_theta;  out->A[3][4] = 0.0;       out->A[3][5] = 1.0;
+    out->A[4][0] = 0.0;              out->A[4][1] = 0.0;              out->A[4][2] = 0.0;
+    out->A[4][3] = c_theta * s_phi;  out->A[4][4] = c_phi;            out->A[4][5] = 0.0;
+    out->A[5][0] = 0.0;              out->A[5][1] = 0.0;              out->A[5][2] = 0.0;
+    out->A[5][3] = c_phi * c_theta;  out->A[5][4] = -s_phi;           out->A[5][5] = 0.0;
+    out->D[0][0] = C[1] * x->V[5] - C[2] * x->V[4];
+    out->D[0][1] = C[4] * x->V[5] - C[5] * x->V[4];
+    out->D[0][2] = C[7] * x->V[5] - C[8] * x->V[4];
+    out->D[0][3] = 0.0;  out->D[0][4] = 0.0;  out->D[0][5] = 0.0;
+    out->D[1][0] = C[2] * x->V[3] - C[0] * x->V[5];
+    out->D[1][1] = C[5] * x->V[3] - C[3] * x->V[5];
+    out->D[1][2] = C[8] * x->V[3] - C[6] * x->V[5];
+    out->D[1][3] = 0.0;  out->D[1][4] = 0.0;  out->D[1][5] = 0.0;
+    out->D[2][0] = C[0] * x->V[4] - C[1] * x->V[3];
+    out->D[2][1] = C[3] * x->V[4] - C[4] * x->V[3];
+    out->D[2][2] = C[6] * x->V[4] - C[7] * x->V[3];
+    out->D[2][3] = 0.0;  out->D[2][4] = 0.0;  out->D[2][5] = 0.0;
+    out->D[3][0] = 0.0;  out->D[3][1] = 0.0;  out->D[3][2] = 0.0;
+    out->D[3][3] = -c_theta * out->q_dot[4];
+    out->D[3][4] = 0.0;  out->D[3][5] = 0.0;
+    out->D[4][0] = 0.0;  out->D[4][1] = 0.0;  out->D[4][2] = 0.0;
+    out->D[4][3] = c_phi * c_theta * out->q_dot[5] - s_phi * s_theta * out->q_dot[4];
+    out->D[4][4] = -out->q_dot[5] * s_phi;
+    out->D[4][5] = 0.0;
+    out->D[5][0] = 0.0;  out->D[5][1] = 0.0;  out->D[5][2] = 0.0;
+    out->D[5][3] = -c_phi * s_theta * out->q_dot[4] - c_theta * out->q_dot[5] * s_phi;
+    out->D[5][4] = -c_phi * out->q_dot[5];
+    out->D[5][5] = 0.0;
+    demo3_real rest[6];  /* V* - D q' */
+    for (int i = 0; i < 6; ++i) {
+        rest[i] = V_dot[i] - out->D[i][0] * out->q_dot[0] - out->D[i][1] * out->q_dot[1]
+            - out->D[i][2] * out->q_dot[2] - out->D[i][3] * out->q_dot[3] - out->D[i][4] * out->q_dot[4]
+            - out->D[i][5] * out->q_dot[5];
+    }
+    /* q'' = A^-1 (V* - D q') */
+    out->q_ddot[0] = C[0] * rest[0] + C[1] * rest[1] + C[2] * rest[2];
+    out->q_ddot[1] = C[3] * rest[0] + C[4] * rest[1] + C[5] * rest[2];
+    out->q_ddot[2] = C[6] * rest[0] + C[7] * rest[1] + C[8] * rest[2];
+    out->q_ddot[3] = rest[4] * s_phi * singular_inv + rest[5] * c_phi * singular_inv;
+    out->q_ddot[4] = rest[4] * c_phi - rest[5] * s_phi;
+    out->q_ddot[5] = rest[3] + rest[4] * s_phi * s_theta * singular_inv
+        + rest[5] * c_phi * s_theta * singular_inv;
+    demo3_products(&m, out);
+    return DEMO3_OK;
+}
+
+/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+DEMO3_CODE
+static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_real zero[3], demo3_real R[9])
+{
+    demo3_status status = demo3_within(axis, 3, DEMO3_MAX_PARAMETER);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(zero, 3, DEMO3_MAX_PARAMETER);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real e1[3];
+    demo3_real e2[3];
+    const demo3_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+    if (!(axis2 > 1.0e-30)) { return DEMO3_RANGE; }
+    const demo3_real axis2_root = 1.0 / demo3_sqrt(axis2);
+    e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    /* of zero along the axis */
+    const demo3_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];
+    demo3_real across[3];
+    across[0] = zero[0] - along * e1[0];
+    across[1] = zero[1] - along * e1[1];
+    across[2] = zero[2] - along * e1[2];
+    const demo3_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
+    if (!(across2 > 1.0e-30)) { return DEMO3_RANGE; }
+    const demo3_real across2_root = 1.0 / demo3_sqrt(across2);
+    e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
+    R[0] = e1[0];  R[1] = e2[0];
+    R[2] = e1[1] * e2[2] - e1[2] * e2[1];
+    R[3] = e1[1];  R[4] = e2[1];
+    R[5] = e1[2] * e2[0] - e1[0] * e2[2];
+    R[6] = e1[2];  R[7] = e2[2];
+    R[8] = e1[0] * e2[1] - e1[1] * e2[0];
+    return DEMO3_OK;
+}
+
+/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+DEMO3_CODE
+static void demo3_carry(demo3_real m, const demo3_real b[3], const demo3_real J[6], const demo3_real O[3],
+                        const demo3_real R[9], demo3_real mu[3], demo3_real J1[6], demo3_real t[3])
+{
+    demo3_real b1[3];  /* R b */
+    demo3_real RJ[9];  /* R J */
+    demo3_real Jr[6];  /* R J R^T */
+    b1[0] = R[0] * b[0] + R[1] * b[1] + R[2] * b[2];
+    b1[1] = R[3] * b[0] + R[4] * b[1] + R[5] * b[2];
+    b1[2] = R[6] * b[0] + R[7] * b[1] + R[8] * b[2];
+    RJ[0] = J[0] * R[0] + J[3] * R[1] + J[4] * R[2];
+    RJ[1] = J[1] * R[1] + J[3] * R[0] + J[5] * R[2];
+    RJ[2] = J[2] * R[2] + J[4] * R[0] + J[5] * R[1];
+    RJ[3] = J[0] * R[3] + J[3] * R[4] + J[4] * R[5];
+    RJ[4] = J[1] * R[4] + J[3] * R[3] + J[5] * R[5];
+    RJ[5] = J[2] * R[5] + J[4] * R[3] + J[5] * R[4];
+    RJ[6] = J[0] * R[6] + J[3] * R[7] + J[4] * R[8];
+    RJ[7] = J[1] * R[7] + J[3] * R[6] + J[5] * R[8];
+    RJ[8] = J[2] * R[8] + J[4] * R[6] + J[5] * R[7];
+    Jr[0] = RJ[0] * R[0] + RJ[1] * R[1] + RJ[2] * R[2];
+    Jr[1] = RJ[3] * R[3] + RJ[4] * R[4] + RJ[5] * R[5];
+    Jr[2] = RJ[6] * R[6] + RJ[7] * R[7] + RJ[8] * R[8];
+    Jr[3] = RJ[0] * R[3] + RJ[1] * R[4] + RJ[2] * R[5];
+    Jr[4] = RJ[0] * R[6] + RJ[1] * R[7] + RJ[2] * R[8];
+    Jr[5] = RJ[3] * R[6] + RJ[4] * R[7] + RJ[5] * R[8];
+    /* T Theta T^T: about O1 */
+    mu[0] = O[0] * m + b1[0];  mu[1] = O[1] * m + b1[1];  mu[2] = O[2] * m + b1[2];
+    J1[0] = Jr[0] + O[1] * b1[1] + O[1] * mu[1] + O[2] * b1[2] + O[2] * mu[2];
+    J1[1] = Jr[1] + O[0] * b1[0] + O[0] * mu[0] + O[2] * b1[2] + O[2] * mu[2];
+    J1[2] = Jr[2] + O[0] * b1[0] + O[0] * mu[0] + O[1] * b1[1] + O[1] * mu[1];
+    J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
+    J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
+    J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
+    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+        + (Jr[4] - O[2] * b1[0]) * R[6];
+    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+        + (Jr[5] - O[2] * b1[1]) * R[6];
+    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+        + (Jr[5] - O[1] * b1[2]) * R[3];
+}
+
+/* are the mass properties finite and the mass not negative? */
+DEMO3_CODE
+static demo3_status demo3_check_body(const demo3_body *body)
+{
+    demo3_status status;
+    demo3_real masses[1];
+    masses[0] = body->mass;
+    status = demo3_within(masses, 1, DEMO3_MAX_PARAMETER);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(body->center_of_mass, 3, DEMO3_MAX_PARAMETER);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(body->inertia, 6, DEMO3_MAX_PARAMETER);
+    if (status != DEMO3_OK) { return status; }
+    if (body->mass < 0.0) { return DEMO3_RANGE; }
+    return DEMO3_OK;
+}
+
+/* origin and axes (at phi = 0) of a flywheel in E1. */
+DEMO3_CODE
+static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real O[3], demo3_real R[9])
+{
+    demo3_status status = demo3_within(w->position, 3, DEMO3_MAX_PARAMETER);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_frame_of_axes(w->axis, w->zero, R);
+    if (status != DEMO3_OK) { return status; }
+    O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
+    return DEMO3_OK;
+}
+
+/* are the parameters finite, in range, their axes directions, and the masses positive? */
+DEMO3_CODE
+static demo3_status demo3_check_parameters(const demo3_parameters *parameters)
+{
+    demo3_status status;
+    demo3_real mass;
+    demo3_real O[3];
+    demo3_real R[9];
+    status = demo3_check_body(&parameters->carrier);
+    if (status != DEMO3_OK) { return status; }
+    mass = parameters->carrier.mass;
+    for (int s = 0; s < DEMO3_N; ++s) {
+        status = demo3_check_body(&parameters->flywheel[s].body);
+        if (status != DEMO3_OK) { return status; }
+        if (!(parameters->flywheel[s].body.inertia[0] > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+        status = demo3_place_flywheel(&parameters->flywheel[s], O, R);
+        if (status != DEMO3_OK) { return status; }
+        mass += parameters->flywheel[s].body.mass;
+    }
+    if (!(mass > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+    return DEMO3_OK;
+}
+
+/* (2) */
+DEMO3_CODE
+demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stand)
+{
+    demo3_status status = demo3_check_parameters(parameters);
+    if (status != DEMO3_OK) { return status; }
+    /* all is good: from here on the table is written and nothing can fail */
+    demo3_real mass;
+    demo3_real first_moment[3];
+    demo3_real inertia[6];
+    mass = 0.0;
+    first_moment[0] = 0.0;  first_moment[1] = 0.0;  first_moment[2] = 0.0;
+    inertia[0] = 0.0;  inertia[1] = 0.0;  inertia[2] = 0.0;
+    inertia[3] = 0.0;  inertia[4] = 0.0;  inertia[5] = 0.0;
+    /* carrier: its frame is E1 */
+    demo3_real O[3];  /* origin of a body in E1 */
+    demo3_real R[9];  /* axes of a body in E1 */
+    demo3_real b[3];  /* first moment in the body's frame */
+    demo3_real mu[3];
+    demo3_real J1[6];
+    demo3_real t[3];
+    O[0] = 0.0;  O[1] = 0.0;  O[2] = 0.0;
+    R[0] = 1.0;  R[1] = 0.0;  R[2] = 0.0;
+    R[3] = 0.0;  R[4] = 1.0;  R[5] = 0.0;
+    R[6] = 0.0;  R[7] = 0.0;  R[8] = 1.0;
+    b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
+    b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
+    b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
+    demo3_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    mass += parameters->carrier.mass;
+    first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+    inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+    inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+    /* flywheels: constant part to the totals, harmonics to the row */
+    for (int s = 0; s < DEMO3_N; ++s) {
+        (void)demo3_place_flywheel(&parameters->flywheel[s], O, R);
+        b[0] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[0];
+        b[1] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[1];
+        b[2] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[2];
+        demo3_real bh[3];  /* first moment of one harmonic, in mounting axes */
+        demo3_real Jh[6];  /* its inertia */
+        /* harmonic 0 of Theta(phi) */
+        bh[0] = b[0];  bh[1] = 0.0;   bh[2] = 0.0;
+        Jh[0] = parameters->flywheel[s].body.inertia[0];
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
+        demo3_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, stand->flywheel[s].t_0);
+        mass += parameters->flywheel[s].body.mass;
+        first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+        inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+        inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+        /* harmonic c of Theta(phi) */
+        bh[0] = 0.0;   bh[1] = b[1];  bh[2] = b[2];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = parameters->flywheel[s].body.inertia[3];
+        Jh[4] = parameters->flywheel[s].body.inertia[4];
+        Jh[5] = 0.0;
+        demo3_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_c, stand->flywheel[s].J_c,
+            stand->flywheel[s].t_c);
+        /* harmonic s of Theta(phi) */
+        bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = -parameters->flywheel[s].body.inertia[4];
+        Jh[4] = parameters->flywheel[s].body.inertia[3];
+        Jh[5] = 0.0;
+        demo3_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_s, stand->flywheel[s].J_s,
+            stand->flywheel[s].t_s);
+        /* harmonic 2c of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = parameters->flywheel[s].body.inertia[5];
+        demo3_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2c, t);
+        /* harmonic 2s of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = -parameters->flywheel[s].body.inertia[5];
+        Jh[2] = parameters->flywheel[s].body.inertia[5];
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        demo3_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2s, t);
+        stand->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        stand->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+    }
+    stand->mass = mass;
+    stand->mass_inverse = 1.0 / mass;
+    stand->first_moment[0] = first_moment[0];
+    stand->first_moment[1] = first_moment[1];
+    stand->first_moment[2] = first_moment[2];
+    stand->inertia[0] = inertia[0];  stand->inertia[1] = inertia[1];  stand->inertia[2] = inertia[2];
+    stand->inertia[3] = inertia[3];  stand->inertia[4] = inertia[4];  stand->inertia[5] = inertia[5];
+    return DEMO3_OK;
+}
+
+/* L^T of a twist, to mounting axes at Os. */
+DEMO3_CODE
+static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], demo3_real U[6])
+{
+    demo3_real velocity[3];  /* of Os */
+    velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
+    velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
+    velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
+    U[0] = mount->axes[0] * velocity[0] + mount->axes[3] * velocity[1] + mount->axes[6] * velocity[2];
+    U[1] = mount->axes[1] * velocity[0] + mount->axes[4] * velocity[1] + mount->axes[7] * velocity[2];
+    U[2] = mount->axes[2] * velocity[0] + mount->axes[5] * velocity[1] + mount->axes[8] * velocity[2];
+    U[3] = mount->axes[0] * V[3] + mount->axes[3] * V[4] + mount->axes[6] * V[5];
+    U[4] = mount->axes[1] * V[3] + mount->axes[4] * V[4] + mount->axes[7] * V[5];
+    U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
+}
+
+/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+DEMO3_CODE
+static void demo3_mount_wrench(const demo3_mount *mount, demo3_real s, demo3_real c, demo3_real phi_dot,
+                               demo3_real phi_ddot, const demo3_real V[6], const demo3_real V_dot[6],
+                               demo3_real W[6])
+{
+    demo3_real U[6];  /* twist of the mount at Os */
+    demo3_real turned[6];  /* in Es */
+    demo3_real turned_dot[6];
+    demo3_real V_s[6];  /* twist of the flywheel, in Es */
+    demo3_real V_s_dot[6];
+    demo3_real Z_s[6];  /* its momentum screw */
+    demo3_carry_twist(mount, V, U);
+    turned[0] = U[0];                 turned[1] = U[1] * c + U[2] * s;  turned[2] = U[2] * c - U[1] * s;
+    turned[3] = U[3];                 turned[4] = U[4] * c + U[5] * s;  turned[5] = U[5] * c - U[4] * s;
+    demo3_carry_twist(mount, V_dot, U);
+    turned_dot[0] = U[0];
+    turned_dot[1] = U[1] * c + U[2] * s;
+    turned_dot[2] = U[2] * c - U[1] * s;
+    turned_dot[3] = U[3];
+    turned_dot[4] = U[4] * c + U[5] * s;
+    turned_dot[5] = U[5] * c - U[4] * s;
+    V_s[0] = turned[0];            V_s[1] = turned[1];            V_s[2] = turned[2];
+    V_s[3] = turned[3] + phi_dot;  V_s[4] = turned[4];            V_s[5] = turned[5];
+    V_s_dot[0] = turned_dot[0];
+    V_s_dot[1] = phi_dot * turned[2] + turned_dot[1];
+    V_s_dot[2] = turned_dot[2] - phi_dot * turned[1];
+    V_s_dot[3] = phi_ddot + turned_dot[3];
+    V_s_dot[4] = phi_dot * turned[5] + turned_dot[4];
+    V_s_dot[5] = turned_dot[5] - phi_dot * turned[4];
+    Z_s[0] = V_s[0] * mount->mass + V_s[4] * mount->first_moment[2] - V_s[5] * mount->first_moment[1];
+    Z_s[1] = V_s[1] * mount->mass + V_s[5] * mount->first_moment[0] - V_s[3] * mount->first_moment[2];
+    Z_s[2] = V_s[2] * mount->mass + V_s[3] * mount->first_moment[1] - V_s[4] * mount->first_moment[0];
+    Z_s[3] = mount->inertia[0] * V_s[3] + mount->inertia[3] * V_s[4] + mount->inertia[4] * V_s[5]
+        + V_s[2] * mount->first_moment[1] - V_s[1] * mount->first_moment[2];
+    Z_s[4] = mount->inertia[1] * V_s[4] + mount->inertia[3] * V_s[3] + mount->inertia[5] * V_s[5]
+        + V_s[0] * mount->first_moment[2] - V_s[2] * mount->first_moment[0];
+    Z_s[5] = mount->inertia[2] * V_s[5] + mount->inertia[4] * V_s[3] + mount->inertia[5] * V_s[4]
+        + V_s[1] * mount->first_moment[0] - V_s[0] * mount->first_moment[1];
+    W[0] += V_s[4] * Z_s[2] + V_s_dot[0] * mount->mass + V_s_dot[4] * mount->first_moment[2] - V_s[5] * Z_s[1]
+        - V_s_dot[5] * mount->first_moment[1];
+    W[1] += V_s[5] * Z_s[0] + V_s_dot[1] * mount->mass + V_s_dot[5] * mount->first_moment[0] - V_s[3] * Z_s[2]
+        - V_s_dot[3] * mount->first_moment[2];
+    W[2] += V_s[3] * Z_s[1] + V_s_dot[2] * mount->mass + V_s_dot[3] * mount->first_moment[1] - V_s[4] * Z_s[0]
+        - V_s_dot[4] * mount->first_moment[0];
+    W[3] += mount->inertia[0] * V_s_dot[3] + mount->inertia[3] * V_s_dot[4] + mount->inertia[4] * V_s_dot[5]
+        + V_s[1] * Z_s[2] + V_s[4] * Z_s[5] + V_s_dot[2] * mount->first_moment[1] - V_s[2] * Z_s[1]
+        - V_s[5] * Z_s[4] - V_s_dot[1] * mount->first_moment[2];
+    W[4] += mount->inertia[1] * V_s_dot[4] + mount->inertia[3] * V_s_dot[3] + mount->inertia[5] * V_s_dot[5]
+        + V_s[2] * Z_s[0] + V_s[5] * Z_s[3] + V_s_dot[0] * mount->first_moment[2] - V_s[0] * Z_s[2]
+        - V_s[3] * Z_s[5] - V_s_dot[2] * mount->first_moment[0];
+    W[5] += mount->inertia[2] * V_s_dot[5] + mount->inertia[4] * V_s_dot[3] + mount->inertia[5] * V_s_dot[4]
+        + V_s[0] * Z_s[1] + V_s[3] * Z_s[4] + V_s_dot[1] * mount->first_moment[0] - V_s[1] * Z_s[0]
+        - V_s[4] * Z_s[3] - V_s_dot[0] * mount->first_moment[1];
+    demo3_real own[6];  /* in Es */
+    own[0] = W[0];  own[1] = W[1];  own[2] = W[2];
+    own[3] = W[3];  own[4] = W[4];  own[5] = W[5];
+    W[0] = own[0];                   W[1] = own[1] * c - own[2] * s;  W[2] = own[1] * s + own[2] * c;
+    W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
+}
+
+/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+DEMO3_CODE
+demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real loads[18])
+{
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real W[6];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
+        W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
+        demo3_real s_phi, c_phi;
+        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        demo3_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, W);
+        for (int i = 0; i < 6; ++i) {
+            loads[s * 6 + i] = W[i];
+        }
+    }
+    return DEMO3_OK;
+}
+
+/* Makes the table that mounts needs beside the stand's. */
+DEMO3_CODE
+demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting)
+{
+    demo3_status status = demo3_check_parameters(parameters);
+    if (status != DEMO3_OK) { return status; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        mounting->flywheel[s].mass = parameters->flywheel[s].body.mass;
+        mounting->flywheel[s].first_moment[0] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[0];
+        mounting->flywheel[s].first_moment[1] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[1];
+        mounting->flywheel[s].first_moment[2] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[2];
+        mounting->flywheel[s].inertia[0] = parameters->flywheel[s].body.inertia[0];
+        mounting->flywheel[s].inertia[1] = parameters->flywheel[s].body.inertia[1];
+        mounting->flywheel[s].inertia[2] = parameters->flywheel[s].body.inertia[2];
+        mounting->flywheel[s].inertia[3] = parameters->flywheel[s].body.inertia[3];
+        mounting->flywheel[s].inertia[4] = parameters->flywheel[s].body.inertia[4];
+        mounting->flywheel[s].inertia[5] = parameters->flywheel[s].body.inertia[5];
+        (void)demo3_place_flywheel(&parameters->flywheel[s], mounting->flywheel[s].origin,
+            mounting->flywheel[s].axes);
+    }
+    return DEMO3_OK;
+}
+
+/* ---- tables ---- */
+
+DEMO3_CONST
+const demo3_parameters demo3_default_parameters =
+{
+    .carrier = {
+        .mass = 10.0,
+        .center_of_mass = { 0.0, 0.0, 0.0 },
+        .inertia = { 0.12, 0.14, 0.16, 0.0, 0.0, 0.0 },
+    },
+    .flywheel = {
+        /*     mass      center_of_mass[3]        inertia[6]                                  position[3]                               axis[3]                                                          zero[3] */
+        { { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 } }, {  0.12,  0.0, -0.02 }, {                     1.0,                 0.0,               -0.0 }, {                0.0,                     1.0, 0.0 } },  /* w1 */
+        { { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 } }, { -0.06,  0.1,  0.05 }, { -1.0341155355510722e-13,                 1.0,               -0.0 }, {               -1.0, -1.0341155355510722e-13, 0.0 } },  /* w2 */
+        { { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 } }, { -0.06, -0.1, -0.03 }, {      0.2822162605147367, 0.18814417367666741, 0.9407208683837105 }, { -0.554700196225589,      0.8320502943376038, 0.0 } },  /* w3 */
+    },
+};
+
+DEMO3_CONST
+const demo3_table demo3_default =
+{
+    .mass = 16.0,
+    .mass_inverse = 0.0625,
+    .first_moment = { 0.0, 0.0, 6.938893903907228e-18 },
+    .inertia = { 0.17671946902654836, 0.19985309734513274, 0.2520274336283189, 7.964601769884158e-5, 0.007598230088495141, -0.015734513274336327 },
+    .flywheel = {
+        /*     mu_c[3]            mu_s[3]            J_c[6]                            J_s[6]                            J_2c[6]                           J_2s[6]                                              t_0[3]                                                 t_c[3]             t_s[3]             spin        spin_inv */
+        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {                  0.004,                   0.0,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w1 */
+        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { -4.136462142204289e-16,                 0.004,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w2 */
+        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {   0.001128865042058947, 0.0007525766947066698, 0.0037628834735348427 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w3 */
+    },
+};
+
+DEMO3_CONST
+const demo3_mount_table demo3_default_mounts =
+{
+    .flywheel = {
+        /*   mass      first_moment[3]        inertia[6]                                origin[3]                                 axes[9] */
+        { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 }, {  0.12,  0.0, -0.02 }, {                     1.0,                0.0,                 0.0,                 0.0,                     1.0,                -0.0,               -0.0, 0.0,                1.0 } },  /* w1 */
+        { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 }, { -0.06,  0.1,  0.05 }, { -1.0341155355510722e-13,               -1.0,                 0.0,                 1.0, -1.0341155355510722e-13,                 0.0,               -0.0, 0.0,                1.0 } },  /* w2 */
+        { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 }, { -0.06, -0.1, -0.03 }, {      0.2822162605147367, -0.554700196225589, -0.7827270754281925, 0.18814417367666741,      0.8320502943376038, -0.5218180502859506, 0.9407208683837105, 0.0, 0.3391817326852932 } },  /* w3 */
+    },
+};

@@ -1,0 +1,326 @@
+/* demo3.h: motion of the stand "demo3": carrier, 0 instruments, 3 flywheels.
+ * mahovik 0.1.0; structure d7df2554, physics 6be26344. Generated: change the stand file instead.
+ *
+ * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
+ * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
+ * the same bits. gcc may call memcpy, memmove and memset.
+ *
+ * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
+ * mahovik. */
+#ifndef DEMO3_H
+#define DEMO3_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define DEMO3_STRUCTURE 0xd7df2554u  /* of the stand: names, counts, kinds of wrench */
+#define DEMO3_PHYSICS   0x6be26344u  /* of the stand: structure and all numbers */
+
+typedef double demo3_real;
+
+/* ---- ranges of inputs: magnitudes ---- */
+
+#define DEMO3_MAX_POSITION       1.0e6     /* m; each component of the position of O1 */
+#define DEMO3_MAX_VELOCITY       1.0e4     /* m/s; each component of v */
+#define DEMO3_MAX_SPEED          1.0e5     /* rad/s; each component of omega, each phi_dot */
+#define DEMO3_MAX_PHASE          1.0e7     /* rad; each phase and attitude angle */
+#define DEMO3_MAX_ACCELERATION   1.0e9     /* rad/s2; each phi_ddot */
+#define DEMO3_MAX_WRENCH         1.0e9     /* N, N m; each component of a run-time wrench */
+#define DEMO3_MAX_STEP           10.0      /* s; a time step */
+#define DEMO3_MAX_PARAMETER      1.0e9     /* SI; each mass, length and moment of inertia */
+#define DEMO3_LARGEST            1.7976931348623157e308  /* largest finite number */
+
+/* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
+
+typedef enum demo3_status {
+    DEMO3_OK = 0,                         /* good */
+    DEMO3_NEAR_SINGULAR = 1,              /* smallest kept singular value below the given threshold */
+    DEMO3_DAMPED = 2,                     /* damping was applied */
+    DEMO3_LIMITED = 4,                    /* a limit was reached; the mask says whose */
+    DEMO3_UNREACHABLE = 8,                /* least-squares answer: the demand is out of reach */
+    DEMO3_RANK_DEFICIENT = 16,            /* rank below min(6, N) */
+    DEMO3_NOT_FINITE = -1,                /* an input is NaN or infinite */
+    DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length, leg of no length */
+    DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* a mass or inertia that no body has */
+    DEMO3_SINGULAR_ATTITUDE = -4,         /* the attitude angles are at their singularity */
+    DEMO3_BAD_ARGUMENT = -5               /* a count or an index */
+} demo3_status;
+
+/* ---- numbers of bodies ---- */
+
+/* flywheels, in the order of the stand file */
+enum { DEMO3_W1, DEMO3_W2, DEMO3_W3, DEMO3_N = 3 };
+
+/* ---- data ---- */
+
+/* State of the whole system. */
+typedef struct demo3_state {
+    demo3_real position[3];       /* m; of O1, in E0 */
+    demo3_real attitude[4];       /* unit quaternion, w first: x0 = C x1 */
+    demo3_real V[6];              /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
+    demo3_real phi[DEMO3_N];      /* rad; phases */
+    demo3_real phi_dot[DEMO3_N];  /* rad/s; speeds relative to the mount */
+} demo3_state;
+
+/* Mass properties of one body, in its own frame. */
+typedef struct demo3_body {
+    demo3_real mass;               /* kg */
+    demo3_real center_of_mass[3];  /* m; rc, from the body's origin, in its own axes */
+    demo3_real inertia[6];         /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+} demo3_body;
+
+/* A flywheel and how it is mounted. */
+typedef struct demo3_flywheel {
+    demo3_body body;
+    demo3_real position[3];  /* m; Os, in the frame of the mount */
+    demo3_real axis[3];      /* spin axis in the frame of the mount, any length */
+    demo3_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+} demo3_flywheel;
+
+/* What prepare makes the table of: masses, inertias and mountings. */
+typedef struct demo3_parameters {
+    demo3_body carrier;
+    demo3_flywheel flywheel[DEMO3_N];
+} demo3_parameters;
+
+/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+typedef struct demo3_row {
+    demo3_real mu_c[3];   /* kg m; first moment about O1: cos phi */
+    demo3_real mu_s[3];   /* kg m; sin phi */
+    demo3_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    demo3_real J_s[6];    /* kg m2; sin phi */
+    demo3_real J_2c[6];   /* kg m2; cos 2 phi */
+    demo3_real J_2s[6];   /* kg m2; sin 2 phi */
+    demo3_real t_0[3];    /* kg m2; moment part of I: constant */
+    demo3_real t_c[3];    /* kg m2; cos phi */
+    demo3_real t_s[3];    /* kg m2; sin phi */
+    demo3_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
+    demo3_real spin_inv;  /* 1/(kg m2) */
+} demo3_row;
+
+/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+typedef struct demo3_table {
+    demo3_real mass;              /* kg; of all bodies */
+    demo3_real mass_inverse;      /* 1/kg */
+    demo3_real first_moment[3];   /* kg m; mu about O1, constant part */
+    demo3_real inertia[6];        /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added mass */
+    demo3_row flywheel[DEMO3_N];
+} demo3_table;
+
+/* The matrices of (8). */
+typedef struct demo3_equations {
+    demo3_real K[6][6];        /* kg, kg m, kg m2; mass matrix (2) */
+    demo3_real K_dot[6][6];    /* per s; its rate (6) */
+    demo3_real M[6][6];        /* per s; velocity matrix (9) */
+    demo3_real I[6][DEMO3_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
+    demo3_real J[6][DEMO3_N];  /* per s; its velocity part (9) */
+    demo3_real F[6];           /* N, N m; total external wrench (7) */
+} demo3_equations;
+
+/* Momentum, energy and mass centre. */
+typedef struct demo3_momenta {
+    demo3_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    demo3_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
+    demo3_real energy;             /* J; kinetic */
+    demo3_real center_of_mass[3];  /* m; of all bodies, in E1 */
+} demo3_momenta;
+
+/* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
+typedef struct demo3_generalized {
+    demo3_real A[6][6];    /* V = A q' (10) */
+    demo3_real D[6][6];    /* 1/s; A' along the motion (10) */
+    demo3_real I0[6][6];   /* K A (11) */
+    demo3_real J0[6][6];   /* K D + M A (11) */
+    demo3_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
+    demo3_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+} demo3_generalized;
+
+/* One flywheel and how it sits: for mounts only. */
+typedef struct demo3_mount {
+    demo3_real mass;             /* kg */
+    demo3_real first_moment[3];  /* kg m; m rc, in Es */
+    demo3_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
+    demo3_real origin[3];        /* m; Os in E1 */
+    demo3_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+} demo3_mount;
+
+/* What mounts needs beside the table. Made by prepare_mounts. */
+typedef struct demo3_mount_table {
+    demo3_mount flywheel[DEMO3_N];
+} demo3_mount_table;
+
+/* How inverse chooses among flywheels, and near singularity. */
+typedef struct demo3_inverse_options {
+    demo3_real weight[DEMO3_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    demo3_real limit[DEMO3_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    demo3_real near;             /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
+    demo3_real damping;          /* part of the largest singular value that damps those near zero, 0..1; 0:
+                                  * none */
+} demo3_inverse_options;
+
+/* Answer of inverse, and how good it is. */
+typedef struct demo3_inverse_result {
+    demo3_real phi_ddot[DEMO3_N];  /* rad/s2; flywheel accelerations */
+    demo3_real residual[6];        /* N, N m; F - K V* - M V - J phi' - I phi'' */
+    demo3_real sigma[3];           /* singular values of the scaled I, descending */
+    int rank;                      /* of them that count */
+    demo3_real damping;            /* largest damping applied; 0: none */
+    int limited[DEMO3_N];          /* 1 where the limit of a flywheel was reached */
+    demo3_real hardest[6];         /* wrench of unit size in the norm of K^-1 that is hardest to give */
+} demo3_inverse_result;
+
+extern const demo3_parameters demo3_default_parameters;           /* of the stand file */
+extern const demo3_table demo3_default;                           /* what prepare makes of them */
+extern const demo3_mount_table demo3_default_mounts;              /* what prepare_mounts makes of them */
+
+/* ---- functions ---- */
+
+/* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
+ * phi'' + J phi'), (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[3]  rad/s2; flywheel accelerations
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 1030 operations on reals, 1 of them a division. */
+demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
+                           demo3_real V_dot[6]);
+
+/* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: K, K_dot, M, I, J, F
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1393 operations on reals, no division. */
+demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo3_equations *out);
+
+/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: Z, Z0, energy, mass centre
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1201 operations on reals, 1 of them a division. */
+demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo3_momenta *out);
+
+/* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[3]  rad/s2; flywheel accelerations
+ *   tau[3]       out: N m; drive torques, mount on flywheel, about the spin axis
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 652 operations on reals, no division. */
+demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N]);
+
+/* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
+ * eliminated first.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   tau[3]       N m; drive torques, mount on flywheel
+ *   locked[3]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[3]  out: rad/s2; flywheel accelerations
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 1708 operations on reals, 2 of them divisions. */
+demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+                           const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
+
+/* step: state a time step later, under drive torques and wrenches held constant.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[3]     N m; drive torques, mount on flywheel
+ *   locked[3]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next       out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 7375 operations on reals, 14 of them divisions. */
+demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+                        const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
+
+/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[3]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next         out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 4663 operations on reals, 10 of them divisions. */
+demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
+                               const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
+                               demo3_state *next);
+
+/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
+ * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
+ *   options   weights, limits, damping; the default is in the source
+ *   out       out: phi_ddot and how good it is
+ * Positive statuses are bits that may come together.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 22278 operations on reals, 318 of them divisions. */
+demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+                           const demo3_inverse_options *options, demo3_inverse_result *out);
+
+/* quaternion: attitude quaternion of three angles.
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   attitude[4]  out: unit quaternion, w first
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 176 operations on reals, no division. */
+demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
+
+/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+ * (11).
+ *   stand        the prepared table
+ *   x            state; its attitude is not read, the angles take its place
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   phi_ddot[3]  rad/s2; flywheel accelerations
+ *   out          out: A, D, I0, J0, q_dot, q_ddot
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
+ * status is negative.
+ * At most 4216 operations on reals, 3 of them divisions. */
+demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, const demo3_real angles[3],
+                            const demo3_real phi_ddot[DEMO3_N], demo3_generalized *out);
+
+/* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
+ *   parameters  masses, inertias, mountings
+ *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 3737 operations on reals, 16 of them divisions. */
+demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stand);
+
+/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+ *   mounting     made by prepare_mounts
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[3]  rad/s2; flywheel accelerations
+ *   loads[18]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
+ *                at phi = 0; the fourth is tau
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1042 operations on reals, no division. */
+demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real loads[18]);
+
+/* prepare_mounts: makes the table that mounts needs beside the stand's.
+ *   parameters  masses, inertias, mountings
+ *   mounting    out: what mounts needs
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 924 operations on reals, 12 of them divisions. */
+demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,2426 @@
+/* remus6.c: motion of the stand "remus6". What each function does and takes: remus6.h.
+ * mahovik 0.1.0; structure 7b01c6fe, physics 35f5a308. Generated: change the stand file instead. */
+#include "remus6.h"
+
+#include <stdint.h>
+
+#if REMUS6_STRUCTURE != 0x7b01c6feu || REMUS6_PHYSICS != 0x35f5a308u
+#error "remus6.h and remus6.c are of different stands"
+#endif
+
+/* Attributes for sections, such as fast memory: define them to place code and tables. */
+#ifndef REMUS6_CODE
+#define REMUS6_CODE
+#endif
+#ifndef REMUS6_CONST
+#define REMUS6_CONST
+#endif
+
+/* Sums over all bodies at one state. */
+typedef struct remus6_sums {
+    remus6_real mu[3];      /* kg m; first moment of all bodies about O1 */
+    remus6_real mu_dot[3];  /* kg m/s; its rate in E1 */
+    remus6_real J[6];       /* kg m2; inertia about O1 */
+    remus6_real J_dot[6];   /* kg m2/s; its rate in E1 */
+    remus6_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
+    remus6_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
+    remus6_real g_rel[3];   /* N m; d/dt of its moment part */
+} remus6_sums;
+
+/* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
+typedef struct remus6_coupling {
+    remus6_real I[6];  /* kg m, kg m2; column of I (9) */
+    remus6_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+} remus6_coupling;
+
+/* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
+typedef struct remus6_schur {
+    remus6_real A[6];  /* kg; force by v*: 11 22 33 12 13 23 */
+    remus6_real B[9];  /* kg m; moment by v*, row by row */
+    remus6_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
+} remus6_schur;
+
+/* Scratch of inverse. */
+typedef struct remus6_inverse_work {
+    remus6_real I[6][REMUS6_N];   /* kg m, kg m2; flywheel coupling (9) */
+    remus6_real W[6][REMUS6_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
+    remus6_real U[6][6];          /* rotations of the rows */
+    remus6_real G[6][6];          /* Cholesky factor of K, lower triangle */
+    remus6_real b[6];             /* N, N m; what the flywheels must give */
+    remus6_real r[6];             /* scaled: G^-1 b; then U^T r */
+    remus6_real sigma[6];         /* singular values */
+    remus6_real scale[REMUS6_N];  /* D^-1 */
+} remus6_inverse_work;
+
+typedef uint64_t remus6_word;  /* the bits of a real */
+
+REMUS6_CODE
+static remus6_word remus6_bits_of(remus6_real value)
+{
+    union { remus6_real real; remus6_word word; } both;
+    both.real = value;
+    return both.word;
+}
+
+REMUS6_CODE
+static remus6_real remus6_real_of(remus6_word word)
+{
+    union { remus6_real real; remus6_word word; } both;
+    both.word = word;
+    return both.real;
+}
+
+/* sine and cosine of an angle.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+REMUS6_CODE
+static void remus6_sincos(remus6_real x, remus6_real *sine, remus6_real *cosine)
+{
+    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    const remus6_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
+    const remus6_word quadrant = remus6_bits_of(shifted);  /* mod 4: its last two bits */
+    const remus6_real k = shifted - 6755399441055744.0;
+    /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+    const remus6_real rest = x - k * 1.570796325802803;
+    const remus6_real second = k * 9.920935796805365e-10;
+    const remus6_real r_hi = rest - second;
+    /* rounding error of r_hi, and the third part */
+    const remus6_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+    const remus6_real z = r_hi * r_hi;
+    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    const remus6_real half_z = z * 0.5;
+    const remus6_real flat = 1.0 - half_z;
+    const remus6_real cos_fit = 0.0416666666666666
+        + z * (-0.001388888888887447 + z * (2.4801587289666868e-5
+        + z * (-2.755731439924032e-7 + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+    const remus6_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+    /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+    const remus6_real sin_fit = 0.1666666666666663
+        + z * (-0.00833333333332184 + z * (0.00019841269829358541
+        + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+    const remus6_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+    /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+    const remus6_word sin_bits = remus6_bits_of(sin_r);
+    const remus6_word cos_bits = remus6_bits_of(cos_r);
+    const remus6_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+    const remus6_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+    const remus6_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+    *sine = remus6_real_of(sin_bits ^ exchange ^ sine_sign);
+    *cosine = remus6_real_of(cos_bits ^ exchange ^ cosine_sign);
+}
+
+/* square root, correctly rounded.
+ * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
+REMUS6_CODE
+static remus6_real remus6_sqrt(remus6_real x)
+{
+    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+    const int subnormal = x < 2.2250738585072014e-308;
+    const remus6_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
+    const remus6_word lowered = (subnormal) ? 27u : 0u;
+    const remus6_word bits = remus6_bits_of(x * lift);
+    const remus6_word exponent = bits >> 52u;
+    const remus6_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const remus6_word fraction = bits & 0xfffffffffffffu;
+    const remus6_word m_bits = fraction + ((odd + 1023u) << 52u);
+    const remus6_real m = remus6_real_of(m_bits);
+    const remus6_real half_m = m * 0.5;
+    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    const remus6_real y0 = remus6_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
+    const remus6_real y1 = y0 * (1.5 - half_m * y0 * y0);
+    const remus6_real y2 = y1 * (1.5 - half_m * y1 * y1);
+    const remus6_real y3 = y2 * (1.5 - half_m * y2 * y2);
+    const remus6_real s = m * y3;
+    const remus6_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+     * place. */
+    const remus6_word root = remus6_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const remus6_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
+    const remus6_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
+    const remus6_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const remus6_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
+    const remus6_real result = remus6_real_of(root + up - down + ((halved - 1u) << 52u));
+    return (x > 0.0) ? result : x;
+}
+
+/* the equal angle within half a turn of zero.
+ * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+REMUS6_CODE
+static remus6_real remus6_wrapped(remus6_real phi)
+{
+    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    const remus6_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
+/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+REMUS6_CODE
+static remus6_status remus6_within(const remus6_real values[], int count, remus6_real limit)
+{
+    for (int i = 0; i < count; ++i) {
+        if (!(values[i] >= -limit && values[i] <= limit)) {
+            if (values[i] >= -REMUS6_LARGEST && values[i] <= REMUS6_LARGEST) { return REMUS6_RANGE; }
+            return REMUS6_NOT_FINITE;
+        }
+    }
+    return REMUS6_OK;
+}
+
+/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+REMUS6_CODE
+static remus6_status remus6_check_state(const remus6_state *x)
+{
+    remus6_status status = remus6_within(x->position, 3, REMUS6_MAX_POSITION);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(x->attitude, 4, 2.0);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(x->V, 6, REMUS6_MAX_SPEED);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(x->V, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(x->phi, REMUS6_N, REMUS6_MAX_PHASE);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(x->phi_dot, REMUS6_N, REMUS6_MAX_SPEED);
+    if (status != REMUS6_OK) { return status; }
+    const remus6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return REMUS6_RANGE; }
+    return REMUS6_OK;
+}
+
+/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+REMUS6_CODE
+static void remus6_rotation(const remus6_real q[4], remus6_real C[9])
+{
+    const remus6_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
+    C[1] = k * (q[1] * q[2] - q[0] * q[3]);
+    C[2] = k * (q[0] * q[2] + q[1] * q[3]);
+    C[3] = k * (q[0] * q[3] + q[1] * q[2]);
+    C[4] = 1.0 + k * (-(q[1] * q[1]) - q[3] * q[3]);
+    C[5] = k * (q[2] * q[3] - q[0] * q[1]);
+    C[6] = k * (q[1] * q[3] - q[0] * q[2]);
+    C[7] = k * (q[0] * q[1] + q[2] * q[3]);
+    C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
+}
+
+/* C^T a: from the outer axes to the turned ones. */
+REMUS6_CODE
+static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], remus6_real out[3])
+{
+    out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
+    out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
+    out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
+}
+
+/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+REMUS6_CODE
+static void remus6_add_flywheel(const remus6_row *row, remus6_real s, remus6_real c, remus6_real phi_dot,
+                                remus6_real phi_ddot, remus6_sums *sum)
+{
+    const remus6_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const remus6_real s2 = 2.0 * c * s;
+    const remus6_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const remus6_real ds = phi_dot * c;
+    const remus6_real dc2 = -2.0 * phi_dot * s2;
+    const remus6_real ds2 = 2.0 * phi_dot * c2;
+    const remus6_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const remus6_real dds = phi_ddot * c + phi_dot * dc;
+    /* first moment and its rate */
+    sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
+    sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
+    sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
+    sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
+    sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
+    sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
+    /* inertia and its rate: K_dot of (6) */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    /* moment part of I phi' (its force part is mu_dot) */
+    sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
+    sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
+    sum->h_rel[2] += row->t_c[2] * ds + phi_dot * row->t_0[2] - row->t_s[2] * dc;
+    /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+    sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
+    sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
+    sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
+    sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
+    sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
+    sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
+}
+
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+REMUS6_CODE
+static void remus6_start_sums(const remus6_table *stand, remus6_sums *sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* adds the damping of one body to its wrench, both in the body's own frame, (7). */
+REMUS6_CODE
+static void remus6_damp(const remus6_table *stand, const remus6_damper *damper, const remus6_real V[6],
+                        remus6_real P[6])
+{
+    remus6_real x[12];  /* u v w p q r and their magnitudes */
+    x[0] = V[0];  x[1] = V[1];  x[2] = V[2];
+    x[3] = V[3];  x[4] = V[4];  x[5] = V[5];
+    x[6] = (V[0] < 0.0) ? -V[0] : V[0];
+    x[7] = (V[1] < 0.0) ? -V[1] : V[1];
+    x[8] = (V[2] < 0.0) ? -V[2] : V[2];
+    x[9] = (V[3] < 0.0) ? -V[3] : V[3];
+    x[10] = (V[4] < 0.0) ? -V[4] : V[4];
+    x[11] = (V[5] < 0.0) ? -V[5] : V[5];
+    for (int t = damper->first_term; t < damper->last_term; ++t) {
+        P[stand->term[t].wrench] += stand->term[t].value * x[stand->term[t].first] * x[stand->term[t].second];
+    }
+}
+
+/* total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
+REMUS6_CODE
+static void remus6_external(const remus6_table *stand, const remus6_sums *sum, const remus6_real V[6],
+                            const remus6_real g[3], remus6_real F[6])
+{
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    /* weight of every body: its line of action moves with the flywheels */
+    F[0] += g[0] * stand->weight_mass;  F[1] += g[1] * stand->weight_mass;  F[2] += g[2] * stand->weight_mass;
+    F[3] += (sum->mu[1] - stand->displaced_moment[1]) * g[2]
+        + (stand->displaced_moment[2] - sum->mu[2]) * g[1];
+    F[4] += (stand->displaced_moment[0] - sum->mu[0]) * g[2]
+        + (sum->mu[2] - stand->displaced_moment[2]) * g[0];
+    F[5] += (sum->mu[0] - stand->displaced_moment[0]) * g[1]
+        + (stand->displaced_moment[1] - sum->mu[1]) * g[0];
+    remus6_damp(stand, &stand->damper, V, F);
+}
+
+/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+REMUS6_CODE
+static void remus6_momentum_screw(const remus6_table *stand, const remus6_sums *sum, const remus6_real V[6],
+                                  remus6_real Z[6])
+{
+    Z[0] = stand->A[0] * V[0] + stand->A[3] * V[1] + stand->A[4] * V[2] + stand->G[0] * V[3]
+        + (stand->G[3] + sum->mu[2]) * V[4] + (stand->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
+    Z[1] = stand->A[1] * V[1] + stand->A[3] * V[0] + stand->A[5] * V[2] + (stand->G[1] - sum->mu[2]) * V[3]
+        + stand->G[4] * V[4] + (stand->G[7] + sum->mu[0]) * V[5] + sum->mu_dot[1];
+    Z[2] = stand->A[2] * V[2] + stand->A[4] * V[0] + stand->A[5] * V[1] + (stand->G[2] + sum->mu[1]) * V[3]
+        + (stand->G[5] - sum->mu[0]) * V[4] + stand->G[8] * V[5] + sum->mu_dot[2];
+    Z[3] = stand->G[0] * V[0] + (stand->G[1] - sum->mu[2]) * V[1] + (stand->G[2] + sum->mu[1]) * V[2]
+        + sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0];
+    Z[4] = (stand->G[3] + sum->mu[2]) * V[0] + stand->G[4] * V[1] + (stand->G[5] - sum->mu[0]) * V[2]
+        + sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1];
+    Z[5] = (stand->G[6] - sum->mu[1]) * V[0] + (stand->G[7] + sum->mu[0]) * V[1] + stand->G[8] * V[2]
+        + sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2];
+}
+
+/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+REMUS6_CODE
+static void remus6_subtract_rates(const remus6_sums *sum, const remus6_real V[6], const remus6_real Z[6],
+                                  remus6_real F[6])
+{
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z[0] - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z[1];
+    F[3] = F[3] + Z[4] * V[5] + sum->mu_dot[2] * V[1] + Z[1] * V[2] - sum->J_dot[0] * V[3]
+        - sum->J_dot[3] * V[4] - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z[5] * V[4] - sum->mu_dot[1] * V[2]
+        - Z[2] * V[1];
+    F[4] = F[4] + Z[5] * V[3] + sum->mu_dot[0] * V[2] + Z[2] * V[0] - sum->J_dot[1] * V[4]
+        - sum->J_dot[3] * V[3] - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z[3] * V[5] - sum->mu_dot[2] * V[0]
+        - Z[0] * V[2];
+    F[5] = F[5] + Z[3] * V[4] + sum->mu_dot[1] * V[0] + Z[0] * V[1] - sum->J_dot[2] * V[5]
+        - sum->J_dot[4] * V[3] - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z[4] * V[3] - sum->mu_dot[0] * V[1]
+        - Z[1] * V[0];
+}
+
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+REMUS6_CODE
+static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3], remus6_real y[3])
+{
+    const remus6_real c11 = S[1] * S[2] - S[5] * S[5];
+    const remus6_real c22 = S[0] * S[2] - S[4] * S[4];
+    const remus6_real c33 = S[0] * S[1] - S[3] * S[3];
+    const remus6_real c12 = S[4] * S[5] - S[2] * S[3];
+    const remus6_real c13 = S[3] * S[5] - S[1] * S[4];
+    const remus6_real c23 = S[3] * S[4] - S[0] * S[5];
+    const remus6_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
+    /* Sylvester: the leading minors are positive. NaN fails too */
+    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    const remus6_real r = 1.0 / det;
+    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
+    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
+    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    return REMUS6_OK;
+}
+
+/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+REMUS6_CODE
+static remus6_status remus6_solve_carrier(const remus6_table *stand, const remus6_sums *sum,
+                                          const remus6_real F[6], remus6_real y[6])
+{
+    remus6_status status;
+    remus6_real B[9];  /* <mu> + Lambda_21: lower left block of K */
+    remus6_real U[9];  /* A^-1 B^T */
+    B[0] = stand->G[0];               B[1] = stand->G[1] - sum->mu[2];  B[2] = stand->G[2] + sum->mu[1];
+    B[3] = stand->G[3] + sum->mu[2];  B[4] = stand->G[4];               B[5] = stand->G[5] - sum->mu[0];
+    B[6] = stand->G[6] - sum->mu[1];  B[7] = stand->G[7] + sum->mu[0];  B[8] = stand->G[8];
+    U[0] = stand->A_inv[0] * B[0] + stand->A_inv[3] * B[1] + stand->A_inv[4] * B[2];
+    U[1] = stand->A_inv[0] * B[3] + stand->A_inv[3] * B[4] + stand->A_inv[4] * B[5];
+    U[2] = stand->A_inv[0] * B[6] + stand->A_inv[3] * B[7] + stand->A_inv[4] * B[8];
+    U[3] = stand->A_inv[1] * B[1] + stand->A_inv[3] * B[0] + stand->A_inv[5] * B[2];
+    U[4] = stand->A_inv[1] * B[4] + stand->A_inv[3] * B[3] + stand->A_inv[5] * B[5];
+    U[5] = stand->A_inv[1] * B[7] + stand->A_inv[3] * B[6] + stand->A_inv[5] * B[8];
+    U[6] = stand->A_inv[2] * B[2] + stand->A_inv[4] * B[0] + stand->A_inv[5] * B[1];
+    U[7] = stand->A_inv[2] * B[5] + stand->A_inv[4] * B[3] + stand->A_inv[5] * B[4];
+    U[8] = stand->A_inv[2] * B[8] + stand->A_inv[4] * B[6] + stand->A_inv[5] * B[7];
+    remus6_real S[6];  /* J - B A^-1 B^T */
+    remus6_real moment[3];  /* n - B A^-1 f */
+    remus6_real omega_dot[3];
+    S[0] = sum->J[0] - B[0] * U[0] - B[1] * U[3] - B[2] * U[6];
+    S[1] = sum->J[1] - B[3] * U[1] - B[4] * U[4] - B[5] * U[7];
+    S[2] = sum->J[2] - B[6] * U[2] - B[7] * U[5] - B[8] * U[8];
+    S[3] = sum->J[3] - B[0] * U[1] - B[1] * U[4] - B[2] * U[7];
+    S[4] = sum->J[4] - B[0] * U[2] - B[1] * U[5] - B[2] * U[8];
+    S[5] = sum->J[5] - B[3] * U[2] - B[4] * U[5] - B[5] * U[8];
+    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
+    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
+    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
+    status = remus6_solve3(S, moment, omega_dot);
+    if (status != REMUS6_OK) { return status; }
+    y[0] = stand->A_inv[0] * F[0] + stand->A_inv[3] * F[1] + stand->A_inv[4] * F[2] - U[0] * omega_dot[0]
+        - U[1] * omega_dot[1] - U[2] * omega_dot[2];
+    y[1] = stand->A_inv[1] * F[1] + stand->A_inv[3] * F[0] + stand->A_inv[5] * F[2] - U[3] * omega_dot[0]
+        - U[4] * omega_dot[1] - U[5] * omega_dot[2];
+    y[2] = stand->A_inv[2] * F[2] + stand->A_inv[4] * F[0] + stand->A_inv[5] * F[1] - U[6] * omega_dot[0]
+        - U[7] * omega_dot[1] - U[8] * omega_dot[2];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+    return REMUS6_OK;
+}
+
+/* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
+ * (8). */
+REMUS6_CODE
+static remus6_status remus6_accelerate(const remus6_table *stand, const remus6_state *x,
+                                       const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6])
+{
+    remus6_status status;
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_sums sum;
+    remus6_start_sums(stand, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+    }
+    remus6_real F[6];  /* wrench (7); then what K V* must equal */
+    remus6_real Z[6];  /* momentum screw (2) */
+    remus6_external(stand, &sum, V, g, F);
+    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_subtract_rates(&sum, V, Z, F);
+    status = remus6_solve_carrier(stand, &sum, F, V_dot);
+    if (status != REMUS6_OK) { return status; }
+    /* V* = V_r* - (omega x C^T u, 0) */
+    remus6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    V_dot[0] = V_dot[0] - drift[0];  V_dot[1] = V_dot[1] - drift[1];  V_dot[2] = V_dot[2] - drift[2];
+    return REMUS6_OK;
+}
+
+/* (8) */
+REMUS6_CODE
+remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
+                             const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6])
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real result[6];
+    status = remus6_accelerate(stand, x, phi_ddot, result);
+    if (status != REMUS6_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
+    return REMUS6_OK;
+}
+
+/* (7) */
+REMUS6_CODE
+remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, remus6_real F[6])
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_sums sum;
+    remus6_start_sums(stand, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    remus6_real result[6];
+    remus6_external(stand, &sum, V, g, result);
+    F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
+    F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
+    return REMUS6_OK;
+}
+
+/* M = Phi K + K*, (9). */
+REMUS6_CODE
+static void remus6_velocity_matrix(const remus6_real V[6], remus6_equations *out)
+{
+    for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
+        out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
+        out->M[1][j] = out->K[0][j] * V[5] - out->K[2][j] * V[3] + out->K_dot[1][j];
+        out->M[2][j] = out->K[1][j] * V[3] - out->K[0][j] * V[4] + out->K_dot[2][j];
+        out->M[3][j] = out->K[2][j] * V[1] + out->K[5][j] * V[4] - out->K[1][j] * V[2] - out->K[4][j] * V[5]
+            + out->K_dot[3][j];
+        out->M[4][j] = out->K[0][j] * V[2] + out->K[3][j] * V[5] - out->K[2][j] * V[0] - out->K[5][j] * V[3]
+            + out->K_dot[4][j];
+        out->M[5][j] = out->K[1][j] * V[0] + out->K[4][j] * V[3] - out->K[0][j] * V[1] - out->K[3][j] * V[4]
+            + out->K_dot[5][j];
+    }
+}
+
+/* (2), (6)-(9) */
+REMUS6_CODE
+remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, remus6_equations *out)
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_sums sum;
+    remus6_start_sums(stand, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    remus6_real F[6];
+    remus6_external(stand, &sum, V, g, F);
+    out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
+    out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
+    /* K (2) and its rate (6) */
+    out->K[0][0] = stand->A[0];  out->K[0][1] = stand->A[3];  out->K[0][2] = stand->A[4];
+    out->K[0][3] = stand->G[0];
+    out->K[0][4] = stand->G[3] + sum.mu[2];
+    out->K[0][5] = stand->G[6] - sum.mu[1];
+    out->K[1][0] = stand->A[3];  out->K[1][1] = stand->A[1];  out->K[1][2] = stand->A[5];
+    out->K[1][3] = stand->G[1] - sum.mu[2];
+    out->K[1][4] = stand->G[4];
+    out->K[1][5] = stand->G[7] + sum.mu[0];
+    out->K[2][0] = stand->A[4];  out->K[2][1] = stand->A[5];  out->K[2][2] = stand->A[2];
+    out->K[2][3] = stand->G[2] + sum.mu[1];
+    out->K[2][4] = stand->G[5] - sum.mu[0];
+    out->K[2][5] = stand->G[8];
+    out->K[3][0] = stand->G[0];
+    out->K[3][1] = stand->G[1] - sum.mu[2];
+    out->K[3][2] = stand->G[2] + sum.mu[1];
+    out->K[3][3] = sum.J[0];  out->K[3][4] = sum.J[3];  out->K[3][5] = sum.J[4];
+    out->K[4][0] = stand->G[3] + sum.mu[2];
+    out->K[4][1] = stand->G[4];
+    out->K[4][2] = stand->G[5] - sum.mu[0];
+    out->K[4][3] = sum.J[3];  out->K[4][4] = sum.J[1];  out->K[4][5] = sum.J[5];
+    out->K[5][0] = stand->G[6] - sum.mu[1];
+    out->K[5][1] = stand->G[7] + sum.mu[0];
+    out->K[5][2] = stand->G[8];  out->K[5][3] = sum.J[4];     out->K[5][4] = sum.J[5];
+    out->K[5][5] = sum.J[2];
+    out->K_dot[0][0] = 0.0;             out->K_dot[0][1] = 0.0;             out->K_dot[0][2] = 0.0;
+    out->K_dot[0][3] = 0.0;             out->K_dot[0][4] = sum.mu_dot[2];   out->K_dot[0][5] = -sum.mu_dot[1];
+    out->K_dot[1][0] = 0.0;             out->K_dot[1][1] = 0.0;             out->K_dot[1][2] = 0.0;
+    out->K_dot[1][3] = -sum.mu_dot[2];  out->K_dot[1][4] = 0.0;             out->K_dot[1][5] = sum.mu_dot[0];
+    out->K_dot[2][0] = 0.0;             out->K_dot[2][1] = 0.0;             out->K_dot[2][2] = 0.0;
+    out->K_dot[2][3] = sum.mu_dot[1];   out->K_dot[2][4] = -sum.mu_dot[0];  out->K_dot[2][5] = 0.0;
+    out->K_dot[3][0] = 0.0;             out->K_dot[3][1] = -sum.mu_dot[2];  out->K_dot[3][2] = sum.mu_dot[1];
+    out->K_dot[3][3] = sum.J_dot[0];    out->K_dot[3][4] = sum.J_dot[3];    out->K_dot[3][5] = sum.J_dot[4];
+    out->K_dot[4][0] = sum.mu_dot[2];   out->K_dot[4][1] = 0.0;             out->K_dot[4][2] = -sum.mu_dot[0];
+    out->K_dot[4][3] = sum.J_dot[3];    out->K_dot[4][4] = sum.J_dot[1];    out->K_dot[4][5] = sum.J_dot[5];
+    out->K_dot[5][0] = -sum.mu_dot[1];  out->K_dot[5][1] = sum.mu_dot[0];   out->K_dot[5][2] = 0.0;
+    out->K_dot[5][3] = sum.J_dot[4];    out->K_dot[5][4] = sum.J_dot[5];    out->K_dot[5][5] = sum.J_dot[2];
+    remus6_velocity_matrix(V, out);
+    remus6_real column[6];  /* I_s */
+    remus6_real rate[6];  /* dI_s / dphi */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
+        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
+        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
+        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0];
+        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1];
+        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2];
+        rate[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
+        rate[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
+        rate[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+        out->I[0][s] = column[0];
+        out->J[0][s] = column[2] * V[4] - column[1] * V[5] + rate[0] * x->phi_dot[s];
+        out->I[1][s] = column[1];
+        out->J[1][s] = column[0] * V[5] - column[2] * V[3] + rate[1] * x->phi_dot[s];
+        out->I[2][s] = column[2];
+        out->J[2][s] = column[1] * V[3] - column[0] * V[4] + rate[2] * x->phi_dot[s];
+        out->I[3][s] = column[3];
+        out->J[3][s] = column[2] * V[1] + column[5] * V[4] - column[1] * V[2] - column[4] * V[5]
+            + rate[3] * x->phi_dot[s];
+        out->I[4][s] = column[4];
+        out->J[4][s] = column[0] * V[2] + column[3] * V[5] - column[2] * V[0] - column[5] * V[3]
+            + rate[4] * x->phi_dot[s];
+        out->I[5][s] = column[5];
+        out->J[5][s] = column[1] * V[0] + column[4] * V[3] - column[0] * V[1] - column[3] * V[4]
+            + rate[5] * x->phi_dot[s];
+    }
+    return REMUS6_OK;
+}
+
+/* (1), (2) */
+REMUS6_CODE
+remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, remus6_momenta *out)
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_sums sum;
+    remus6_start_sums(stand, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    remus6_real Z[6];  /* momentum screw (2) */
+    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        /* I_s . V */
+        const remus6_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
+            * V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * V[1]
+            + (stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi) * V[2]
+            + (stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0]) * V[3]
+            + (stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1]) * V[4]
+            + (stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2]) * V[5];
+        spin += x->phi_dot[s] * (along + stand->flywheel[s].spin * x->phi_dot[s]);
+    }
+    remus6_real energy = 0.5 * Z[3] * V[3] + 0.5 * Z[4] * V[4] + 0.5 * Z[5] * V[5] + 0.5 * Z[0] * V[0]
+        + 0.5 * Z[1] * V[1] + 0.5 * Z[2] * V[2] + 0.5 * spin;
+    /* bodies at V, added mass at V relative to the stream */
+    remus6_real p[3];  /* momentum of the bodies relative to the stream */
+    p[0] = stand->mass * V[0] + sum.mu[2] * V[4] + sum.mu_dot[0] - sum.mu[1] * V[5];
+    p[1] = stand->mass * V[1] + sum.mu[0] * V[5] + sum.mu_dot[1] - sum.mu[2] * V[3];
+    p[2] = stand->mass * V[2] + sum.mu[1] * V[3] + sum.mu_dot[2] - sum.mu[0] * V[4];
+    energy += p[0] * u[0] + p[1] * u[1] + p[2] * u[2]
+        + 0.5 * stand->mass * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    Z[0] += stand->mass * u[0];  Z[1] += stand->mass * u[1];  Z[2] += stand->mass * u[2];
+    Z[3] += sum.mu[1] * u[2] - sum.mu[2] * u[1];
+    Z[4] += sum.mu[2] * u[0] - sum.mu[0] * u[2];
+    Z[5] += sum.mu[0] * u[1] - sum.mu[1] * u[0];
+    out->Z[0] = Z[0];  out->Z[1] = Z[1];  out->Z[2] = Z[2];
+    out->Z[3] = Z[3];  out->Z[4] = Z[4];  out->Z[5] = Z[5];
+    /* Z0 = L1 Z of (1) */
+    out->Z0[0] = C[0] * Z[0] + C[1] * Z[1] + C[2] * Z[2];
+    out->Z0[1] = C[3] * Z[0] + C[4] * Z[1] + C[5] * Z[2];
+    out->Z0[2] = C[6] * Z[0] + C[7] * Z[1] + C[8] * Z[2];
+    out->Z0[3] = C[0] * Z[3] + C[1] * Z[4] + C[2] * Z[5] + out->Z0[2] * x->position[1]
+        - out->Z0[1] * x->position[2];
+    out->Z0[4] = C[3] * Z[3] + C[4] * Z[4] + C[5] * Z[5] + out->Z0[0] * x->position[2]
+        - out->Z0[2] * x->position[0];
+    out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
+        - out->Z0[0] * x->position[1];
+    out->energy = energy;
+    out->center_of_mass[0] = sum.mu[0] * stand->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * stand->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * stand->mass_inverse;
+    return REMUS6_OK;
+}
+
+/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+REMUS6_CODE
+static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c, const remus6_real V[6],
+                          const remus6_real swing[3], remus6_coupling *out)
+{
+    const remus6_real c2 = 1.0 - 2.0 * (s * s);
+    const remus6_real s2 = 2.0 * c * s;
+    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    remus6_real J_p[6];  /* dJ / dphi */
+    J_p[0] = 2.0 * row->J_2s[0] * c2 + row->J_s[0] * c - 2.0 * row->J_2c[0] * s2 - row->J_c[0] * s;
+    J_p[1] = 2.0 * row->J_2s[1] * c2 + row->J_s[1] * c - 2.0 * row->J_2c[1] * s2 - row->J_c[1] * s;
+    J_p[2] = 2.0 * row->J_2s[2] * c2 + row->J_s[2] * c - 2.0 * row->J_2c[2] * s2 - row->J_c[2] * s;
+    J_p[3] = 2.0 * row->J_2s[3] * c2 + row->J_s[3] * c - 2.0 * row->J_2c[3] * s2 - row->J_c[3] * s;
+    J_p[4] = 2.0 * row->J_2s[4] * c2 + row->J_s[4] * c - 2.0 * row->J_2c[4] * s2 - row->J_c[4] * s;
+    J_p[5] = 2.0 * row->J_2s[5] * c2 + row->J_s[5] * c - 2.0 * row->J_2c[5] * s2 - row->J_c[5] * s;
+    remus6_real turned[3];  /* J' omega */
+    turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
+    turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
+    turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
+    out->bias = out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2] - 0.5 * V[3] * turned[0]
+        - 0.5 * V[4] * turned[1] - 0.5 * V[5] * turned[2];
+}
+
+/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+REMUS6_CODE
+remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+                            const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N])
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    remus6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
+    V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
+    V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
+    remus6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_coupling drive;
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive);
+        tau[s] = V_r_dot[0] * drive.I[0] + V_r_dot[1] * drive.I[1] + V_r_dot[2] * drive.I[2]
+            + V_r_dot[3] * drive.I[3] + V_r_dot[4] * drive.I[4] + V_r_dot[5] * drive.I[5]
+            + stand->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+    return REMUS6_OK;
+}
+
+/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+REMUS6_CODE
+static void remus6_eliminate(const remus6_real I[6], remus6_real spin_inv, remus6_real rate, remus6_schur *K,
+                             remus6_real F[6])
+{
+    remus6_real scaled[6];  /* I / Theta_ff */
+    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
+    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
+    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
+    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
+    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
+    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
+    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
+    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
+    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
+    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
+    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+}
+
+/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+REMUS6_CODE
+static remus6_status remus6_solve_schur(const remus6_schur *K, const remus6_real F[6], remus6_real y[6])
+{
+    remus6_status status;
+    const remus6_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
+    const remus6_real c22 = K->A[0] * K->A[2] - K->A[4] * K->A[4];
+    const remus6_real c33 = K->A[0] * K->A[1] - K->A[3] * K->A[3];
+    const remus6_real c12 = K->A[4] * K->A[5] - K->A[2] * K->A[3];
+    const remus6_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
+    const remus6_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
+    const remus6_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    const remus6_real r = 1.0 / det;
+    remus6_real A_inv[6];
+    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
+    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
+    remus6_real U[9];  /* A^-1 B^T */
+    remus6_real S[6];  /* D - B A^-1 B^T */
+    remus6_real moment[3];  /* n - B A^-1 f */
+    remus6_real omega_dot[3];
+    U[0] = A_inv[0] * K->B[0] + A_inv[3] * K->B[1] + A_inv[4] * K->B[2];
+    U[1] = A_inv[0] * K->B[3] + A_inv[3] * K->B[4] + A_inv[4] * K->B[5];
+    U[2] = A_inv[0] * K->B[6] + A_inv[3] * K->B[7] + A_inv[4] * K->B[8];
+    U[3] = A_inv[1] * K->B[1] + A_inv[3] * K->B[0] + A_inv[5] * K->B[2];
+    U[4] = A_inv[1] * K->B[4] + A_inv[3] * K->B[3] + A_inv[5] * K->B[5];
+    U[5] = A_inv[1] * K->B[7] + A_inv[3] * K->B[6] + A_inv[5] * K->B[8];
+    U[6] = A_inv[2] * K->B[2] + A_inv[4] * K->B[0] + A_inv[5] * K->B[1];
+    U[7] = A_inv[2] * K->B[5] + A_inv[4] * K->B[3] + A_inv[5] * K->B[4];
+    U[8] = A_inv[2] * K->B[8] + A_inv[4] * K->B[6] + A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * U[0] - K->B[1] * U[3] - K->B[2] * U[6];
+    S[1] = K->D[1] - K->B[3] * U[1] - K->B[4] * U[4] - K->B[5] * U[7];
+    S[2] = K->D[2] - K->B[6] * U[2] - K->B[7] * U[5] - K->B[8] * U[8];
+    S[3] = K->D[3] - K->B[0] * U[1] - K->B[1] * U[4] - K->B[2] * U[7];
+    S[4] = K->D[4] - K->B[0] * U[2] - K->B[1] * U[5] - K->B[2] * U[8];
+    S[5] = K->D[5] - K->B[3] * U[2] - K->B[4] * U[5] - K->B[5] * U[8];
+    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
+    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
+    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
+    status = remus6_solve3(S, moment, omega_dot);
+    if (status != REMUS6_OK) { return status; }
+    y[0] = A_inv[0] * F[0] + A_inv[3] * F[1] + A_inv[4] * F[2] - U[0] * omega_dot[0] - U[1] * omega_dot[1]
+        - U[2] * omega_dot[2];
+    y[1] = A_inv[1] * F[1] + A_inv[3] * F[0] + A_inv[5] * F[2] - U[3] * omega_dot[0] - U[4] * omega_dot[1]
+        - U[5] * omega_dot[2];
+    y[2] = A_inv[2] * F[2] + A_inv[4] * F[0] + A_inv[5] * F[1] - U[6] * omega_dot[0] - U[7] * omega_dot[1]
+        - U[8] * omega_dot[2];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+    return REMUS6_OK;
+}
+
+/* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
+REMUS6_CODE
+static remus6_status remus6_move(const remus6_table *stand, const remus6_state *x,
+                                 const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                 remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N])
+{
+    remus6_status status;
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_sums sum;
+    remus6_coupling drive[REMUS6_N];
+    remus6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_start_sums(stand, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive[s]);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    remus6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    remus6_real Z[6];  /* momentum screw (2) */
+    remus6_external(stand, &sum, V, g, F);
+    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_subtract_rates(&sum, V, Z, F);
+    remus6_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = stand->A[0];  K.A[1] = stand->A[1];  K.A[2] = stand->A[2];
+    K.A[3] = stand->A[3];  K.A[4] = stand->A[4];  K.A[5] = stand->A[5];
+    K.B[0] = stand->G[0];              K.B[1] = stand->G[1] - sum.mu[2];  K.B[2] = stand->G[2] + sum.mu[1];
+    K.B[3] = stand->G[3] + sum.mu[2];  K.B[4] = stand->G[4];              K.B[5] = stand->G[5] - sum.mu[0];
+    K.B[6] = stand->G[6] - sum.mu[1];  K.B[7] = stand->G[7] + sum.mu[0];  K.B[8] = stand->G[8];
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    remus6_real rate[REMUS6_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        rate[s] = 0.0;
+        if (locked[s] == 0) {
+            rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
+            remus6_eliminate(drive[s].I, stand->flywheel[s].spin_inv, rate[s], &K, F);
+        }
+    }
+    status = remus6_solve_schur(&K, F, V_dot);
+    if (status != REMUS6_OK) { return status; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        phi_ddot[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
+                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
+                + V_dot[5] * drive[s].I[5]) * stand->flywheel[s].spin_inv;
+        }
+    }
+    /* V* = V_r* - (omega x C^T u, 0) */
+    remus6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    V_dot[0] = V_dot[0] - drift[0];  V_dot[1] = V_dot[1] - drift[1];  V_dot[2] = V_dot[2] - drift[2];
+    return REMUS6_OK;
+}
+
+/* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
+REMUS6_CODE
+remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
+                             const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                             remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N])
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real V_result[6];
+    remus6_real phi_result[REMUS6_N];
+    status = remus6_move(stand, x, tau, locked, V_result, phi_result);
+    if (status != REMUS6_OK) { return status; }
+    V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
+    V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        phi_ddot[s] = phi_result[s];
+    }
+    return REMUS6_OK;
+}
+
+/* to = x + h rate; phases are brought within half a turn. */
+REMUS6_CODE
+static void remus6_advance(const remus6_state *x, const remus6_state *rate, remus6_real h, remus6_state *to)
+{
+    for (int i = 0; i < 3; ++i) {
+        to->position[i] = x->position[i] + h * rate->position[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        to->attitude[i] = x->attitude[i] + h * rate->attitude[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        to->V[i] = x->V[i] + h * rate->V[i];
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        to->phi[i] = remus6_wrapped(x->phi[i] + h * rate->phi[i]);
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
+    }
+}
+
+/* brings the quaternion to unit length; RANGE where the state has left its ranges. */
+REMUS6_CODE
+static remus6_status remus6_finish(remus6_state *x)
+{
+    const remus6_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return REMUS6_RANGE; }
+    const remus6_real inverse = 1.0 / remus6_sqrt(square);
+    x->attitude[0] = x->attitude[0] * inverse;
+    x->attitude[1] = x->attitude[1] * inverse;
+    x->attitude[2] = x->attitude[2] * inverse;
+    x->attitude[3] = x->attitude[3] * inverse;
+    return remus6_check_state(x);
+}
+
+/* rates of the state under drive torques. */
+REMUS6_CODE
+static remus6_status remus6_rate(const remus6_table *stand, const remus6_state *x,
+                                 const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                 remus6_state *rate)
+{
+    remus6_status status;
+    remus6_real C[9];  /* attitude */
+    status = remus6_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    if (status != REMUS6_OK) { return status; }
+    remus6_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+    }
+    return REMUS6_OK;
+}
+
+/* State a time step later, under drive torques and wrenches held constant. */
+REMUS6_CODE
+remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
+                          const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next)
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
+    if (status != REMUS6_OK) { return status; }
+    if (!(dt > 0.0 && dt <= REMUS6_MAX_STEP)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
+    remus6_state k;  /* rates of a stage */
+    remus6_state y;  /* state of a stage; then the new state */
+    status = remus6_rate(stand, x, tau, locked, &k);
+    if (status != REMUS6_OK) { return status; }
+    const remus6_real half = 0.5 * dt;
+    if (order == 2) {
+        remus6_advance(x, &k, half, &y);
+        status = remus6_rate(stand, &y, tau, locked, &k);
+        if (status != REMUS6_OK) { return status; }
+        remus6_advance(x, &k, dt, &y);
+    } else {
+        remus6_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
+        total = k;
+        remus6_advance(x, &k, half, &y);
+        status = remus6_rate(stand, &y, tau, locked, &k);
+        if (status != REMUS6_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, half, &y);
+        status = remus6_rate(stand, &y, tau, locked, &k);
+        if (status != REMUS6_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, dt, &y);
+        status = remus6_rate(stand, &y, tau, locked, &k);
+        if (status != REMUS6_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi_dot[i] += k.phi_dot[i];
+        }
+        const remus6_real sixth = dt / 6.0;
+        remus6_advance(x, &total, sixth, &y);
+    }
+    status = remus6_finish(&y);
+    if (status != REMUS6_OK) { return status; }
+    *next = y;
+    return REMUS6_OK;
+}
+
+/* rates of the state under given flywheel accelerations. */
+REMUS6_CODE
+static remus6_status remus6_rate_driven(const remus6_table *stand, const remus6_state *x,
+                                        const remus6_real phi_ddot[REMUS6_N], remus6_state *rate)
+{
+    remus6_status status;
+    remus6_real C[9];  /* attitude */
+    status = remus6_accelerate(stand, x, phi_ddot, rate->V);
+    if (status != REMUS6_OK) { return status; }
+    remus6_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+        rate->phi_dot[s] = phi_ddot[s];
+    }
+    return REMUS6_OK;
+}
+
+/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+REMUS6_CODE
+remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *x,
+                                 const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
+                                 remus6_state *next)
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    if (!(dt > 0.0 && dt <= REMUS6_MAX_STEP)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
+    remus6_state k;  /* rates of a stage */
+    remus6_state y;  /* state of a stage; then the new state */
+    status = remus6_rate_driven(stand, x, phi_ddot, &k);
+    if (status != REMUS6_OK) { return status; }
+    const remus6_real half = 0.5 * dt;
+    if (order == 2) {
+        remus6_advance(x, &k, half, &y);
+        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != REMUS6_OK) { return status; }
+        remus6_advance(x, &k, dt, &y);
+    } else {
+        remus6_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
+        total = k;
+        remus6_advance(x, &k, half, &y);
+        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != REMUS6_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, half, &y);
+        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != REMUS6_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, dt, &y);
+        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != REMUS6_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total.phi_dot[i] += k.phi_dot[i];
+        }
+        const remus6_real sixth = dt / 6.0;
+        remus6_advance(x, &total, sixth, &y);
+    }
+    status = remus6_finish(&y);
+    if (status != REMUS6_OK) { return status; }
+    *next = y;
+    return REMUS6_OK;
+}
+
+/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+ * condition. */
+REMUS6_CODE
+static void remus6_orthogonalise(remus6_inverse_work *work)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            work->U[i][j] = 0.0;
+        }
+        work->U[i][i] = 1.0;
+    }
+    for (int sweep = 0; sweep < 9; ++sweep) {
+        for (int p = 0; p < 5; ++p) {
+            for (int q = p + 1; q < 6; ++q) {
+                remus6_real a, b, g;
+                a = 0.0;
+                b = 0.0;
+                g = 0.0;
+                for (int j = 0; j < REMUS6_N; ++j) {
+                    a += work->W[p][j] * work->W[p][j];
+                    b += work->W[q][j] * work->W[q][j];
+                    g += work->W[p][j] * work->W[q][j];
+                }
+                /* tangent of the smaller angle that makes the rows orthogonal */
+                const remus6_real d = b - a;
+                const remus6_real root = remus6_sqrt(d * d + 4.0 * (g * g));
+                const remus6_real below = (d < 0.0) ? d - root : d + root;
+                const remus6_real t = (((below < 0.0) ? -below : below) > 0.0)
+                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                const remus6_real c = 1.0 / remus6_sqrt(1.0 + t * t);
+                const remus6_real s = c * t;
+                for (int j = 0; j < REMUS6_N; ++j) {
+                    const remus6_real x = work->W[p][j];
+                    const remus6_real y = work->W[q][j];
+                    work->W[p][j] = c * x - s * y;
+                    work->W[q][j] = s * x + c * y;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const remus6_real x = work->U[j][p];
+                    const remus6_real y = work->U[j][q];
+                    work->U[j][p] = c * x - s * y;  work->U[j][q] = s * x + c * y;
+                }
+                const remus6_real x = work->r[p];
+                const remus6_real y = work->r[q];
+                work->r[p] = c * x - s * y;  work->r[q] = s * x + c * y;
+            }
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        remus6_real total = 0.0;
+        for (int j = 0; j < REMUS6_N; ++j) {
+            total += work->W[i][j] * work->W[i][j];
+        }
+        work->sigma[i] = remus6_sqrt(total);
+    }
+}
+
+/* cholesky factor of the mass matrix, in place: K = G G^T. */
+REMUS6_CODE
+static remus6_status remus6_factor(remus6_inverse_work *work)
+{
+    for (int j = 0; j < 6; ++j) {
+        remus6_real pivot = work->G[j][j];
+        for (int k = 0; k < j; ++k) {
+            pivot -= work->G[j][k] * work->G[j][k];
+        }
+        if (!(pivot > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        const remus6_real root = remus6_sqrt(pivot);
+        work->G[j][j] = root;
+        for (int i = j + 1; i < 6; ++i) {
+            remus6_real rest = work->G[i][j];
+            for (int k = 0; k < j; ++k) {
+                rest -= work->G[i][k] * work->G[j][k];
+            }
+            work->G[i][j] = rest / root;
+        }
+    }
+    return REMUS6_OK;
+}
+
+/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+REMUS6_CODE
+static remus6_status remus6_demand(const remus6_table *stand, const remus6_state *x,
+                                   const remus6_real V_dot[6], const remus6_real weight[REMUS6_N],
+                                   remus6_inverse_work *work)
+{
+    remus6_status status;
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_sums sum;
+    remus6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    remus6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
+    V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
+    V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
+    remus6_start_sums(stand, &sum);
+    remus6_real column[6];  /* I_s */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
+        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
+        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
+        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0];
+        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1];
+        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2];
+        for (int i = 0; i < 6; ++i) {
+            work->I[i][s] = column[i];
+        }
+    }
+    remus6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    remus6_real Z[6];  /* momentum screw (2) */
+    remus6_external(stand, &sum, V, g, F);
+    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_subtract_rates(&sum, V, Z, F);
+    work->G[0][0] = stand->A[0];  work->G[0][1] = stand->A[3];  work->G[0][2] = stand->A[4];
+    work->G[0][3] = stand->G[0];
+    work->G[0][4] = stand->G[3] + sum.mu[2];
+    work->G[0][5] = stand->G[6] - sum.mu[1];
+    work->G[1][0] = stand->A[3];  work->G[1][1] = stand->A[1];  work->G[1][2] = stand->A[5];
+    work->G[1][3] = stand->G[1] - sum.mu[2];
+    work->G[1][4] = stand->G[4];
+    work->G[1][5] = stand->G[7] + sum.mu[0];
+    work->G[2][0] = stand->A[4];  work->G[2][1] = stand->A[5];  work->G[2][2] = stand->A[2];
+    work->G[2][3] = stand->G[2] + sum.mu[1];
+    work->G[2][4] = stand->G[5] - sum.mu[0];
+    work->G[2][5] = stand->G[8];
+    work->G[3][0] = stand->G[0];
+    work->G[3][1] = stand->G[1] - sum.mu[2];
+    work->G[3][2] = stand->G[2] + sum.mu[1];
+    work->G[3][3] = sum.J[0];  work->G[3][4] = sum.J[3];  work->G[3][5] = sum.J[4];
+    work->G[4][0] = stand->G[3] + sum.mu[2];
+    work->G[4][1] = stand->G[4];
+    work->G[4][2] = stand->G[5] - sum.mu[0];
+    work->G[4][3] = sum.J[3];  work->G[4][4] = sum.J[1];  work->G[4][5] = sum.J[5];
+    work->G[5][0] = stand->G[6] - sum.mu[1];
+    work->G[5][1] = stand->G[7] + sum.mu[0];
+    work->G[5][2] = stand->G[8];  work->G[5][3] = sum.J[4];     work->G[5][4] = sum.J[5];
+    work->G[5][5] = sum.J[2];
+    /* b = F - K V*: what the flywheels must give */
+    for (int i = 0; i < 6; ++i) {
+        work->b[i] = F[i] - work->G[i][0] * V_r_dot[0] - work->G[i][1] * V_r_dot[1]
+            - work->G[i][2] * V_r_dot[2] - work->G[i][3] * V_r_dot[3] - work->G[i][4] * V_r_dot[4]
+            - work->G[i][5] * V_r_dot[5];
+        work->r[i] = F[i] - work->G[i][0] * V_r_dot[0] - work->G[i][1] * V_r_dot[1]
+            - work->G[i][2] * V_r_dot[2] - work->G[i][3] * V_r_dot[3] - work->G[i][4] * V_r_dot[4]
+            - work->G[i][5] * V_r_dot[5];
+    }
+    status = remus6_factor(work);
+    if (status != REMUS6_OK) { return status; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        work->scale[s] = 1.0 / remus6_sqrt(stand->flywheel[s].spin * weight[s]);
+        for (int i = 0; i < 6; ++i) {
+            work->W[i][s] = work->I[i][s] * work->scale[s];
+        }
+    }
+    /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < i; ++k) {
+            for (int s = 0; s < REMUS6_N; ++s) {
+                work->W[i][s] -= work->G[i][k] * work->W[k][s];
+            }
+            work->r[i] -= work->G[i][k] * work->r[k];
+        }
+        const remus6_real inverse = 1.0 / work->G[i][i];
+        for (int s = 0; s < REMUS6_N; ++s) {
+            work->W[i][s] = work->W[i][s] * inverse;
+        }
+        work->r[i] = work->r[i] * inverse;
+    }
+    return REMUS6_OK;
+}
+
+/* (12) */
+REMUS6_CODE
+remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+                             const remus6_inverse_options *options, remus6_inverse_result *out)
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(options->weight, REMUS6_N, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(options->limit, REMUS6_N, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return status; }
+    if (!(options->near >= 0.0 && options->near <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return REMUS6_BAD_ARGUMENT; }
+    }
+    remus6_inverse_work work;
+    status = remus6_demand(stand, x, V_dot, options->weight, &work);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real wanted = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        wanted += work.r[i] * work.r[i];
+    }
+    remus6_orthogonalise(&work);
+    /* descending singular values, by exchanging neighbours */
+    for (int pass = 0; pass < 5; ++pass) {
+        for (int i = 0; i < 5; ++i) {
+            if (work.sigma[i] < work.sigma[i + 1]) {
+                const remus6_real kept_sigma = work.sigma[i];
+                work.sigma[i] = work.sigma[i + 1];  work.sigma[i + 1] = kept_sigma;
+                const remus6_real kept_r = work.r[i];
+                work.r[i] = work.r[i + 1];  work.r[i + 1] = kept_r;
+                for (int j = 0; j < REMUS6_N; ++j) {
+                    const remus6_real kept = work.W[i][j];
+                    work.W[i][j] = work.W[i + 1][j];
+                    work.W[i + 1][j] = kept;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const remus6_real kept = work.U[j][i];
+                    work.U[j][i] = work.U[j][i + 1];  work.U[j][i + 1] = kept;
+                }
+            }
+        }
+    }
+    int flags, rank;
+    remus6_real damping;
+    flags = 0;
+    rank = 0;
+    damping = 0.0;
+    for (int s = 0; s < REMUS6_N; ++s) {
+        out->phi_ddot[s] = 0.0;
+    }
+    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
+    for (int i = 0; i < 6; ++i) {
+        if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
+            rank = rank + 1;
+            const remus6_real ratio = work.sigma[i] / work.sigma[0];
+            remus6_real lambda = 0.0;
+            if (ratio < options->near) {
+                flags = flags | 1;
+                if (options->damping > 0.0) {
+                    flags = flags | 2;
+                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    damping = (lambda > damping) ? lambda : damping;
+                }
+            }
+            const remus6_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
+            for (int s = 0; s < REMUS6_N; ++s) {
+                out->phi_ddot[s] += part * work.W[i][s];
+            }
+        }
+    }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        const remus6_real free = out->phi_ddot[s] * work.scale[s];
+        const remus6_real over = ((free < 0.0) ? -free : free) - options->limit[s];
+        out->phi_ddot[s] = free;
+        out->limited[s] = 0;
+        if (over > 0.0) {
+            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
+            out->limited[s] = 1;
+            flags = flags | 4;
+        }
+    }
+    if (rank < 6) {
+        flags = flags | 16;
+    }
+    remus6_real left;
+    remus6_real z[6];  /* G^-1 residual */
+    left = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = work.b[i];
+        for (int s = 0; s < REMUS6_N; ++s) {
+            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        z[i] = out->residual[i];
+        for (int k = 0; k < i; ++k) {
+            z[i] -= work.G[i][k] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        left += z[i] * z[i];
+        /* G u of the least singular value */
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * work.U[k][5];
+        }
+    }
+    if (left > 1.0e-18 * wanted) {
+        flags = flags | 8;
+    }
+    out->rank = rank;
+    out->damping = damping;
+    for (int i = 0; i < 6; ++i) {
+        out->sigma[i] = work.sigma[i];
+    }
+    return (remus6_status)flags;
+}
+
+/* reading of one sensor. */
+REMUS6_CODE
+static void remus6_sense(const remus6_sensor *sensor, const remus6_real r[3], const remus6_real V[6],
+                         const remus6_real V_dot[6], const remus6_real C[9], const remus6_real g[3],
+                         remus6_reading *out)
+{
+    remus6_real velocity[3];  /* in E1 */
+    remus6_real force[3];  /* acceleration less gravity, in E1 */
+    velocity[0] = sensor->origin[2] * V[4] + V[0] - sensor->origin[1] * V[5];
+    velocity[1] = sensor->origin[0] * V[5] + V[1] - sensor->origin[2] * V[3];
+    velocity[2] = sensor->origin[1] * V[3] + V[2] - sensor->origin[0] * V[4];
+    force[0] = sensor->origin[2] * V_dot[4] + V[4] * velocity[2] + V_dot[0] - sensor->origin[1] * V_dot[5]
+        - g[0] - V[5] * velocity[1];
+    force[1] = sensor->origin[0] * V_dot[5] + V[5] * velocity[0] + V_dot[1] - sensor->origin[2] * V_dot[3]
+        - g[1] - V[3] * velocity[2];
+    force[2] = sensor->origin[1] * V_dot[3] + V[3] * velocity[1] + V_dot[2] - sensor->origin[0] * V_dot[4]
+        - g[2] - V[4] * velocity[0];
+    out->position[0] = C[0] * sensor->origin[0] + C[1] * sensor->origin[1] + C[2] * sensor->origin[2] + r[0];
+    out->position[1] = C[3] * sensor->origin[0] + C[4] * sensor->origin[1] + C[5] * sensor->origin[2] + r[1];
+    out->position[2] = C[6] * sensor->origin[0] + C[7] * sensor->origin[1] + C[8] * sensor->origin[2] + r[2];
+    out->C[0][0] = C[0] * sensor->axes[0] + C[1] * sensor->axes[3] + C[2] * sensor->axes[6];
+    out->C[0][1] = C[0] * sensor->axes[1] + C[1] * sensor->axes[4] + C[2] * sensor->axes[7];
+    out->C[0][2] = C[0] * sensor->axes[2] + C[1] * sensor->axes[5] + C[2] * sensor->axes[8];
+    out->C[1][0] = C[3] * sensor->axes[0] + C[4] * sensor->axes[3] + C[5] * sensor->axes[6];
+    out->C[1][1] = C[3] * sensor->axes[1] + C[4] * sensor->axes[4] + C[5] * sensor->axes[7];
+    out->C[1][2] = C[3] * sensor->axes[2] + C[4] * sensor->axes[5] + C[5] * sensor->axes[8];
+    out->C[2][0] = C[6] * sensor->axes[0] + C[7] * sensor->axes[3] + C[8] * sensor->axes[6];
+    out->C[2][1] = C[6] * sensor->axes[1] + C[7] * sensor->axes[4] + C[8] * sensor->axes[7];
+    out->C[2][2] = C[6] * sensor->axes[2] + C[7] * sensor->axes[5] + C[8] * sensor->axes[8];
+    out->twist[0] = sensor->axes[0] * velocity[0] + sensor->axes[3] * velocity[1]
+        + sensor->axes[6] * velocity[2];
+    out->twist[1] = sensor->axes[1] * velocity[0] + sensor->axes[4] * velocity[1]
+        + sensor->axes[7] * velocity[2];
+    out->twist[2] = sensor->axes[2] * velocity[0] + sensor->axes[5] * velocity[1]
+        + sensor->axes[8] * velocity[2];
+    out->twist[3] = sensor->axes[0] * V[3] + sensor->axes[3] * V[4] + sensor->axes[6] * V[5];
+    out->twist[4] = sensor->axes[1] * V[3] + sensor->axes[4] * V[4] + sensor->axes[7] * V[5];
+    out->twist[5] = sensor->axes[2] * V[3] + sensor->axes[5] * V[4] + sensor->axes[8] * V[5];
+    out->specific_force[0] = sensor->axes[0] * force[0] + sensor->axes[3] * force[1]
+        + sensor->axes[6] * force[2];
+    out->specific_force[1] = sensor->axes[1] * force[0] + sensor->axes[4] * force[1]
+        + sensor->axes[7] * force[2];
+    out->specific_force[2] = sensor->axes[2] * force[0] + sensor->axes[5] * force[1]
+        + sensor->axes[8] * force[2];
+    out->angular_acceleration[0] = sensor->axes[0] * V_dot[3] + sensor->axes[3] * V_dot[4]
+        + sensor->axes[6] * V_dot[5];
+    out->angular_acceleration[1] = sensor->axes[1] * V_dot[3] + sensor->axes[4] * V_dot[4]
+        + sensor->axes[7] * V_dot[5];
+    out->angular_acceleration[2] = sensor->axes[2] * V_dot[3] + sensor->axes[5] * V_dot[4]
+        + sensor->axes[8] * V_dot[5];
+}
+
+/* What an accelerometer and a gyro read at each instrument and point. */
+REMUS6_CODE
+remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+                             remus6_reading out[REMUS6_SENSORS])
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    for (int k = 0; k < REMUS6_SENSORS; ++k) {
+        remus6_sense(&stand->sensor[k], x->position, x->V, V_dot, C, g, &out[k]);
+    }
+    return REMUS6_OK;
+}
+
+/* Attitude quaternion of three angles. */
+REMUS6_CODE
+remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4])
+{
+    remus6_status status = remus6_within(angles, 3, REMUS6_MAX_PHASE);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real s_psi, c_psi;
+    remus6_sincos(0.5 * angles[0], &s_psi, &c_psi);
+    remus6_real s_theta, c_theta;
+    remus6_sincos(0.5 * angles[1], &s_theta, &c_theta);
+    remus6_real s_phi, c_phi;
+    remus6_sincos(0.5 * angles[2], &s_phi, &c_phi);
+    attitude[0] = c_phi * c_psi * c_theta + s_phi * s_psi * s_theta;
+    attitude[1] = c_psi * c_theta * s_phi - c_phi * s_psi * s_theta;
+    attitude[2] = c_phi * c_psi * s_theta + c_theta * s_phi * s_psi;
+    attitude[3] = c_phi * c_theta * s_psi - c_psi * s_phi * s_theta;
+    return REMUS6_OK;
+}
+
+/* I0 = K A, J0 = K D + M A, (11). */
+REMUS6_CODE
+static void remus6_products(const remus6_equations *m, remus6_generalized *out)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            remus6_real I0, J0;
+            I0 = 0.0;
+            J0 = 0.0;
+            for (int k = 0; k < 6; ++k) {
+                I0 += m->K[i][k] * out->A[k][j];
+                J0 += m->K[i][k] * out->D[k][j] + m->M[i][k] * out->A[k][j];
+            }
+            out->I0[i][j] = I0;
+            out->J0[i][j] = J0;
+        }
+    }
+}
+
+/* (10), (11) */
+REMUS6_CODE
+remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
+                              const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out)
+{
+    remus6_status status;
+    remus6_state y;  /* the state with the attitude of the angles */
+    remus6_real V_dot[6];
+    remus6_equations m;
+    y = *x;
+    status = remus6_quaternion(angles, y.attitude);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real s_theta, c_theta;
+    remus6_sincos(angles[1], &s_theta, &c_theta);
+    remus6_real s_phi, c_phi;
+    remus6_sincos(angles[2], &s_phi, &c_phi);
+    const remus6_real singular = c_theta;  /* A has no inverse where this is 0 */
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return REMUS6_SINGULAR_ATTITUDE; }
+    status = remus6_forward(stand, &y, phi_ddot, V_dot);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_matrices(stand, &y, &m);
+    if (status != REMUS6_OK) { return status; }
+    /* J0 of (11) holds M at V itself, not relative to the stream */
+    remus6_velocity_matrix(x->V, &m);
+    remus6_real C[9];
+    remus6_rotation(y.attitude, C);
+    const remus6_real singular_inv = 1.0 / singular;
+    /* q' = A^-1 V */
+    out->q_dot[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    out->q_dot[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    out->q_dot[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    out->q_dot[3] = x->V[4] * s_phi * singular_inv + x->V[5] * c_phi * singular_inv;
+    out->q_dot[4] = x->V[4] * c_phi - x->V[5] * s_phi;
+    out->q_dot[5] = x->V[3] + x->V[4] * s_phi * s_theta * singular_inv
+        + x->V[5] * c_phi * s_theta * singular_inv;
+    out->A[0][0] = C[0];  out->A[0][1] = C[3];  out->A[0][2] = C[6];
+    out->A[0][3] = 0.0;   out->A[0][4] = 0.0;   out->A[0][5] = 0.0;
+    out->A[1][0] = C[1];  out->A[1][1] = C[4];  out->A[1][2] = C[7];
+    out->A[1][3] = 0.0;   out->A[1][4] = 0.0;   out->A[1][5] = 0.0;
+    out->A[2][0] = C[2];  out->A[2][1] = C[5];  out->A[2][2] = C[8];
+    out->A[2][3] = 0.0;   out->A[2][4] = 0.0;   out->A[2][5] = 0.0;
+    out->A[3][0] = 0.0;       out->A[3][1] = 0.0;       out->A[3][2] = 0.0;
+    out->A[3][3] = -s_theta;  out->A[3][4] = 0.0;       out->A[3][5] = 1.0;
+    out->A[4][0] = 0.0;              out->A[4][1] = 0.0;              out->A[4][2] = 0.0;
+    out->A[4][3] = c_theta * s_phi;  out->A[4][4] = c_phi;            out->A[4][5] = 0.0;
+    out->A[5][0] = 0.0;              out->A[5][1] = 0.0;              out->A[5][2] = 0.0;
+    out->A[5][3] = c_phi * c_theta;  out->A[5][4] = -s_phi;           out->A[5][5] = 0.0;
+    out->D[0][0] = C[1] * x->V[5] - C[2] * x->V[4];
+    out->D[0][1] = C[4] * x->V[5] - C[5] * x->V[4];
+    out->D[0][2] = C[7] * x->V[5] - C[8] * x->V[4];
+    out->D[0][3] = 0.0;  out->D[0][4] = 0.0;  out->D[0][5] = 0.0;
+    out->D[1][0] = C[2] * x->V[3] - C[0] * x->V[5];
+    out->D[1][1] = C[5] * x->V[3] - C[3] * x->V[5];
+    out->D[1][2] = C[8] * x->V[3] - C[6] * x->V[5];
+    out->D[1][3] = 0.0;  out->D[1][4] = 0.0;  out->D[1][5] = 0.0;
+    out->D[2][0] = C[0] * x->V[4] - C[1] * x->V[3];
+    out->D[2][1] = C[3] * x->V[4] - C[4] * x->V[3];
+    out->D[2][2] = C[6] * x->V[4] - C[7] * x->V[3];
+    out->D[2][3] = 0.0;  out->D[2][4] = 0.0;  out->D[2][5] = 0.0;
+    out->D[3][0] = 0.0;  out->D[3][1] = 0.0;  out->D[3][2] = 0.0;
+    out->D[3][3] = -c_theta * out->q_dot[4];
+    out->D[3][4] = 0.0;  out->D[3][5] = 0.0;
+    out->D[4][0] = 0.0;  out->D[4][1] = 0.0;  out->D[4][2] = 0.0;
+    out->D[4][3] = c_phi * c_theta * out->q_dot[5] - s_phi * s_theta * out->q_dot[4];
+    out->D[4][4] = -out->q_dot[5] * s_phi;
+    out->D[4][5] = 0.0;
+    out->D[5][0] = 0.0;  out->D[5][1] = 0.0;  out->D[5][2] = 0.0;
+    out->D[5][3] = -c_phi * s_theta * out->q_dot[4] - c_theta * out->q_dot[5] * s_phi;
+    out->D[5][4] = -c_phi * out->q_dot[5];
+    out->D[5][5] = 0.0;
+    remus6_real rest[6];  /* V* - D q' */
+    for (int i = 0; i < 6; ++i) {
+        rest[i] = V_dot[i] - out->D[i][0] * out->q_dot[0] - out->D[i][1] * out->q_dot[1]
+            - out->D[i][2] * out->q_dot[2] - out->D[i][3] * out->q_dot[3] - out->D[i][4] * out->q_dot[4]
+            - out->D[i][5] * out->q_dot[5];
+    }
+    /* q'' = A^-1 (V* - D q') */
+    out->q_ddot[0] = C[0] * rest[0] + C[1] * rest[1] + C[2] * rest[2];
+    out->q_ddot[1] = C[3] * rest[0] + C[4] * rest[1] + C[5] * rest[2];
+    out->q_ddot[2] = C[6] * rest[0] + C[7] * rest[1] + C[8] * rest[2];
+    out->q_ddot[3] = rest[4] * s_phi * singular_inv + rest[5] * c_phi * singular_inv;
+    out->q_ddot[4] = rest[4] * c_phi - rest[5] * s_phi;
+    out->q_ddot[5] = rest[3] + rest[4] * s_phi * s_theta * singular_inv
+        + rest[5] * c_phi * s_theta * singular_inv;
+    remus6_products(&m, out);
+    return REMUS6_OK;
+}
+
+/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+REMUS6_CODE
+static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus6_real zero[3],
+                                          remus6_real R[9])
+{
+    remus6_status status = remus6_within(axis, 3, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(zero, 3, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real e1[3];
+    remus6_real e2[3];
+    const remus6_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+    if (!(axis2 > 1.0e-30)) { return REMUS6_RANGE; }
+    const remus6_real axis2_root = 1.0 / remus6_sqrt(axis2);
+    e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    /* of zero along the axis */
+    const remus6_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];
+    remus6_real across[3];
+    across[0] = zero[0] - along * e1[0];
+    across[1] = zero[1] - along * e1[1];
+    across[2] = zero[2] - along * e1[2];
+    const remus6_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
+    if (!(across2 > 1.0e-30)) { return REMUS6_RANGE; }
+    const remus6_real across2_root = 1.0 / remus6_sqrt(across2);
+    e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
+    R[0] = e1[0];  R[1] = e2[0];
+    R[2] = e1[1] * e2[2] - e1[2] * e2[1];
+    R[3] = e1[1];  R[4] = e2[1];
+    R[5] = e1[2] * e2[0] - e1[0] * e2[2];
+    R[6] = e1[2];  R[7] = e2[2];
+    R[8] = e1[0] * e2[1] - e1[1] * e2[0];
+    return REMUS6_OK;
+}
+
+/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+REMUS6_CODE
+static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_real J[6],
+                         const remus6_real O[3], const remus6_real R[9], remus6_real mu[3], remus6_real J1[6],
+                         remus6_real t[3])
+{
+    remus6_real b1[3];  /* R b */
+    remus6_real RJ[9];  /* R J */
+    remus6_real Jr[6];  /* R J R^T */
+    b1[0] = R[0] * b[0] + R[1] * b[1] + R[2] * b[2];
+    b1[1] = R[3] * b[0] + R[4] * b[1] + R[5] * b[2];
+    b1[2] = R[6] * b[0] + R[7] * b[1] + R[8] * b[2];
+    RJ[0] = J[0] * R[0] + J[3] * R[1] + J[4] * R[2];
+    RJ[1] = J[1] * R[1] + J[3] * R[0] + J[5] * R[2];
+    RJ[2] = J[2] * R[2] + J[4] * R[0] + J[5] * R[1];
+    RJ[3] = J[0] * R[3] + J[3] * R[4] + J[4] * R[5];
+    RJ[4] = J[1] * R[4] + J[3] * R[3] + J[5] * R[5];
+    RJ[5] = J[2] * R[5] + J[4] * R[3] + J[5] * R[4];
+    RJ[6] = J[0] * R[6] + J[3] * R[7] + J[4] * R[8];
+    RJ[7] = J[1] * R[7] + J[3] * R[6] + J[5] * R[8];
+    RJ[8] = J[2] * R[8] + J[4] * R[6] + J[5] * R[7];
+    Jr[0] = RJ[0] * R[0] + RJ[1] * R[1] + RJ[2] * R[2];
+    Jr[1] = RJ[3] * R[3] + RJ[4] * R[4] + RJ[5] * R[5];
+    Jr[2] = RJ[6] * R[6] + RJ[7] * R[7] + RJ[8] * R[8];
+    Jr[3] = RJ[0] * R[3] + RJ[1] * R[4] + RJ[2] * R[5];
+    Jr[4] = RJ[0] * R[6] + RJ[1] * R[7] + RJ[2] * R[8];
+    Jr[5] = RJ[3] * R[6] + RJ[4] * R[7] + RJ[5] * R[8];
+    /* T Theta T^T: about O1 */
+    mu[0] = O[0] * m + b1[0];  mu[1] = O[1] * m + b1[1];  mu[2] = O[2] * m + b1[2];
+    J1[0] = Jr[0] + O[1] * b1[1] + O[1] * mu[1] + O[2] * b1[2] + O[2] * mu[2];
+    J1[1] = Jr[1] + O[0] * b1[0] + O[0] * mu[0] + O[2] * b1[2] + O[2] * mu[2];
+    J1[2] = Jr[2] + O[0] * b1[0] + O[0] * mu[0] + O[1] * b1[1] + O[1] * mu[1];
+    J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
+    J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
+    J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
+    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+        + (Jr[4] - O[2] * b1[0]) * R[6];
+    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+        + (Jr[5] - O[2] * b1[1]) * R[6];
+    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+        + (Jr[5] - O[1] * b1[2]) * R[3];
+}
+
+/* are the mass properties finite and the mass not negative? */
+REMUS6_CODE
+static remus6_status remus6_check_body(const remus6_body *body)
+{
+    remus6_status status;
+    remus6_real masses[2];
+    masses[0] = body->mass;            masses[1] = body->displaced_mass;
+    status = remus6_within(masses, 2, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(body->center_of_mass, 3, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(body->inertia, 6, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(body->displaced_center, 3, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    if (body->mass < 0.0) { return REMUS6_RANGE; }
+    return REMUS6_OK;
+}
+
+/* are the mass properties finite and the mass not negative? */
+REMUS6_CODE
+static remus6_status remus6_check_dry_body(const remus6_dry_body *body)
+{
+    remus6_status status;
+    remus6_real masses[1];
+    masses[0] = body->mass;
+    status = remus6_within(masses, 1, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(body->center_of_mass, 3, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(body->inertia, 6, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    if (body->mass < 0.0) { return REMUS6_RANGE; }
+    return REMUS6_OK;
+}
+
+/* origin and axes (at phi = 0) of a flywheel in E1. */
+REMUS6_CODE
+static remus6_status remus6_place_flywheel(const remus6_parameters *parameters, const remus6_flywheel *w,
+                                           remus6_real O[3], remus6_real R[9])
+{
+    remus6_status status = remus6_within(w->position, 3, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_frame_of_axes(w->axis, w->zero, R);
+    if (status != REMUS6_OK) { return status; }
+    O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
+    if (!(w->mount >= -1 && w->mount < 1)) { return REMUS6_BAD_ARGUMENT; }
+    if (w->mount >= 0) {
+        /* Ls = Lp L_s in p */
+        remus6_real Rp[9];  /* axes of the instrument in E1 */
+        remus6_real Rs[9];  /* own axes in the instrument */
+        remus6_real at[3];
+        status = remus6_frame_of_axes(parameters->instrument[w->mount].axis,
+            parameters->instrument[w->mount].zero, Rp);
+        if (status != REMUS6_OK) { return status; }
+        Rs[0] = R[0];  Rs[1] = R[1];  Rs[2] = R[2];
+        Rs[3] = R[3];  Rs[4] = R[4];  Rs[5] = R[5];
+        Rs[6] = R[6];  Rs[7] = R[7];  Rs[8] = R[8];
+        R[0] = Rp[0] * Rs[0] + Rp[1] * Rs[3] + Rp[2] * Rs[6];
+        R[1] = Rp[0] * Rs[1] + Rp[1] * Rs[4] + Rp[2] * Rs[7];
+        R[2] = Rp[0] * Rs[2] + Rp[1] * Rs[5] + Rp[2] * Rs[8];
+        R[3] = Rp[3] * Rs[0] + Rp[4] * Rs[3] + Rp[5] * Rs[6];
+        R[4] = Rp[3] * Rs[1] + Rp[4] * Rs[4] + Rp[5] * Rs[7];
+        R[5] = Rp[3] * Rs[2] + Rp[4] * Rs[5] + Rp[5] * Rs[8];
+        R[6] = Rp[6] * Rs[0] + Rp[7] * Rs[3] + Rp[8] * Rs[6];
+        R[7] = Rp[6] * Rs[1] + Rp[7] * Rs[4] + Rp[8] * Rs[7];
+        R[8] = Rp[6] * Rs[2] + Rp[7] * Rs[5] + Rp[8] * Rs[8];
+        at[0] = Rp[0] * w->position[0] + Rp[1] * w->position[1] + Rp[2] * w->position[2];
+        at[1] = Rp[3] * w->position[0] + Rp[4] * w->position[1] + Rp[5] * w->position[2];
+        at[2] = Rp[6] * w->position[0] + Rp[7] * w->position[1] + Rp[8] * w->position[2];
+        O[0] = parameters->instrument[w->mount].position[0] + at[0];
+        O[1] = parameters->instrument[w->mount].position[1] + at[1];
+        O[2] = parameters->instrument[w->mount].position[2] + at[2];
+    }
+    return REMUS6_OK;
+}
+
+/* origin and axes of a point in E1. */
+REMUS6_CODE
+static remus6_status remus6_place_point(const remus6_parameters *parameters, const remus6_point *w,
+                                        remus6_real O[3], remus6_real R[9])
+{
+    remus6_status status = remus6_within(w->position, 3, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_frame_of_axes(w->axis, w->zero, R);
+    if (status != REMUS6_OK) { return status; }
+    O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
+    if (!(w->mount >= -1 && w->mount < 1)) { return REMUS6_BAD_ARGUMENT; }
+    if (w->mount >= 0) {
+        /* Ls = Lp L_s in p */
+        remus6_real Rp[9];  /* axes of the instrument in E1 */
+        remus6_real Rs[9];  /* own axes in the instrument */
+        remus6_real at[3];
+        status = remus6_frame_of_axes(parameters->instrument[w->mount].axis,
+            parameters->instrument[w->mount].zero, Rp);
+        if (status != REMUS6_OK) { return status; }
+        Rs[0] = R[0];  Rs[1] = R[1];  Rs[2] = R[2];
+        Rs[3] = R[3];  Rs[4] = R[4];  Rs[5] = R[5];
+        Rs[6] = R[6];  Rs[7] = R[7];  Rs[8] = R[8];
+        R[0] = Rp[0] * Rs[0] + Rp[1] * Rs[3] + Rp[2] * Rs[6];
+        R[1] = Rp[0] * Rs[1] + Rp[1] * Rs[4] + Rp[2] * Rs[7];
+        R[2] = Rp[0] * Rs[2] + Rp[1] * Rs[5] + Rp[2] * Rs[8];
+        R[3] = Rp[3] * Rs[0] + Rp[4] * Rs[3] + Rp[5] * Rs[6];
+        R[4] = Rp[3] * Rs[1] + Rp[4] * Rs[4] + Rp[5] * Rs[7];
+        R[5] = Rp[3] * Rs[2] + Rp[4] * Rs[5] + Rp[5] * Rs[8];
+        R[6] = Rp[6] * Rs[0] + Rp[7] * Rs[3] + Rp[8] * Rs[6];
+        R[7] = Rp[6] * Rs[1] + Rp[7] * Rs[4] + Rp[8] * Rs[7];
+        R[8] = Rp[6] * Rs[2] + Rp[7] * Rs[5] + Rp[8] * Rs[8];
+        at[0] = Rp[0] * w->position[0] + Rp[1] * w->position[1] + Rp[2] * w->position[2];
+        at[1] = Rp[3] * w->position[0] + Rp[4] * w->position[1] + Rp[5] * w->position[2];
+        at[2] = Rp[6] * w->position[0] + Rp[7] * w->position[1] + Rp[8] * w->position[2];
+        O[0] = parameters->instrument[w->mount].position[0] + at[0];
+        O[1] = parameters->instrument[w->mount].position[1] + at[1];
+        O[2] = parameters->instrument[w->mount].position[2] + at[2];
+    }
+    return REMUS6_OK;
+}
+
+/* constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
+REMUS6_CODE
+static remus6_status remus6_translation_block(const remus6_parameters *parameters, remus6_real mass,
+                                              remus6_real A[6], remus6_real A_inv[6])
+{
+    A[0] = mass + parameters->added_mass[0][0];
+    A[1] = mass + parameters->added_mass[1][1];
+    A[2] = mass + parameters->added_mass[2][2];
+    A[3] = parameters->added_mass[0][1];
+    A[4] = parameters->added_mass[0][2];
+    A[5] = parameters->added_mass[1][2];
+    const remus6_real c11 = A[1] * A[2] - A[5] * A[5];
+    const remus6_real c22 = A[0] * A[2] - A[4] * A[4];
+    const remus6_real c33 = A[0] * A[1] - A[3] * A[3];
+    const remus6_real c12 = A[4] * A[5] - A[2] * A[3];
+    const remus6_real c13 = A[3] * A[5] - A[1] * A[4];
+    const remus6_real c23 = A[3] * A[4] - A[0] * A[5];
+    const remus6_real det = A[0] * c11 + A[3] * c12 + A[4] * c13;
+    if (!(A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    const remus6_real r = 1.0 / det;
+    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
+    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
+    return REMUS6_OK;
+}
+
+/* are the parameters finite, in range, their axes directions, and the masses positive? */
+REMUS6_CODE
+static remus6_status remus6_check_parameters(const remus6_parameters *parameters)
+{
+    remus6_status status;
+    remus6_real mass;
+    remus6_real O[3];
+    remus6_real R[9];
+    status = remus6_check_body(&parameters->carrier);
+    if (status != REMUS6_OK) { return status; }
+    mass = parameters->carrier.mass;
+    for (int k = 0; k < 1; ++k) {
+        status = remus6_check_body(&parameters->instrument[k].body);
+        if (status != REMUS6_OK) { return status; }
+        status = remus6_within(parameters->instrument[k].position, 3, REMUS6_MAX_PARAMETER);
+        if (status != REMUS6_OK) { return status; }
+        status = remus6_frame_of_axes(parameters->instrument[k].axis, parameters->instrument[k].zero, R);
+        if (status != REMUS6_OK) { return status; }
+        mass += parameters->instrument[k].body.mass;
+    }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        status = remus6_check_dry_body(&parameters->flywheel[s].body);
+        if (status != REMUS6_OK) { return status; }
+        if (!(parameters->flywheel[s].body.inertia[0] > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        status = remus6_place_flywheel(parameters, &parameters->flywheel[s], O, R);
+        if (status != REMUS6_OK) { return status; }
+        mass += parameters->flywheel[s].body.mass;
+    }
+    for (int k = 0; k < 1; ++k) {
+        status = remus6_place_point(parameters, &parameters->point[k], O, R);
+        if (status != REMUS6_OK) { return status; }
+    }
+    if (!(mass > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    remus6_real A[6];
+    remus6_real A_inv[6];
+    for (int i = 0; i < 6; ++i) {
+        status = remus6_within(parameters->added_mass[i], 6, REMUS6_MAX_PARAMETER);
+        if (status != REMUS6_OK) { return status; }
+    }
+    status = remus6_translation_block(parameters, mass, A, A_inv);
+    if (status != REMUS6_OK) { return status; }
+    return REMUS6_OK;
+}
+
+/* (2) */
+REMUS6_CODE
+remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *stand)
+{
+    remus6_status status = remus6_check_parameters(parameters);
+    if (status != REMUS6_OK) { return status; }
+    /* all is good: from here on the table is written and nothing can fail */
+    remus6_real mass;
+    remus6_real first_moment[3];
+    remus6_real inertia[6];
+    mass = 0.0;
+    first_moment[0] = 0.0;  first_moment[1] = 0.0;  first_moment[2] = 0.0;
+    inertia[0] = 0.0;  inertia[1] = 0.0;  inertia[2] = 0.0;
+    inertia[3] = 0.0;  inertia[4] = 0.0;  inertia[5] = 0.0;
+    remus6_real weight_mass;
+    remus6_real displaced[3];
+    weight_mass = 0.0;
+    displaced[0] = 0.0;  displaced[1] = 0.0;  displaced[2] = 0.0;
+    /* carrier: its frame is E1 */
+    remus6_real O[3];  /* origin of a body in E1 */
+    remus6_real R[9];  /* axes of a body in E1 */
+    remus6_real b[3];  /* first moment in the body's frame */
+    remus6_real mu[3];
+    remus6_real J1[6];
+    remus6_real t[3];
+    O[0] = 0.0;  O[1] = 0.0;  O[2] = 0.0;
+    R[0] = 1.0;  R[1] = 0.0;  R[2] = 0.0;
+    R[3] = 0.0;  R[4] = 1.0;  R[5] = 0.0;
+    R[6] = 0.0;  R[7] = 0.0;  R[8] = 1.0;
+    b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
+    b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
+    b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
+    remus6_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    mass += parameters->carrier.mass;
+    first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+    inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+    inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+    weight_mass += parameters->carrier.mass - parameters->carrier.displaced_mass;
+    displaced[0] += parameters->carrier.displaced_mass
+        * (O[0] + (R[0] * parameters->carrier.displaced_center[0]
+        + (R[1] * parameters->carrier.displaced_center[1] + R[2] * parameters->carrier.displaced_center[2])));
+    displaced[1] += parameters->carrier.displaced_mass
+        * (O[1] + (R[3] * parameters->carrier.displaced_center[0]
+        + (R[4] * parameters->carrier.displaced_center[1] + R[5] * parameters->carrier.displaced_center[2])));
+    displaced[2] += parameters->carrier.displaced_mass
+        * (O[2] + (R[6] * parameters->carrier.displaced_center[0]
+        + (R[7] * parameters->carrier.displaced_center[1] + R[8] * parameters->carrier.displaced_center[2])));
+    /* instruments */
+    for (int k = 0; k < 1; ++k) {
+        (void)remus6_frame_of_axes(parameters->instrument[k].axis, parameters->instrument[k].zero, R);
+        O[0] = parameters->instrument[k].position[0];
+        O[1] = parameters->instrument[k].position[1];
+        O[2] = parameters->instrument[k].position[2];
+        b[0] = parameters->instrument[k].body.mass * parameters->instrument[k].body.center_of_mass[0];
+        b[1] = parameters->instrument[k].body.mass * parameters->instrument[k].body.center_of_mass[1];
+        b[2] = parameters->instrument[k].body.mass * parameters->instrument[k].body.center_of_mass[2];
+        remus6_carry(parameters->instrument[k].body.mass, b, parameters->instrument[k].body.inertia, O, R, mu,
+            J1, t);
+        mass += parameters->instrument[k].body.mass;
+        first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+        inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+        inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+        weight_mass += parameters->instrument[k].body.mass - parameters->instrument[k].body.displaced_mass;
+        displaced[0] += parameters->instrument[k].body.displaced_mass
+            * (O[0] + (R[0] * parameters->instrument[k].body.displaced_center[0]
+            + (R[1] * parameters->instrument[k].body.displaced_center[1]
+            + R[2] * parameters->instrument[k].body.displaced_center[2])));
+        displaced[1] += parameters->instrument[k].body.displaced_mass
+            * (O[1] + (R[3] * parameters->instrument[k].body.displaced_center[0]
+            + (R[4] * parameters->instrument[k].body.displaced_center[1]
+            + R[5] * parameters->instrument[k].body.displaced_center[2])));
+        displaced[2] += parameters->instrument[k].body.displaced_mass
+            * (O[2] + (R[6] * parameters->instrument[k].body.displaced_center[0]
+            + (R[7] * parameters->instrument[k].body.displaced_center[1]
+            + R[8] * parameters->instrument[k].body.displaced_center[2])));
+    }
+    /* flywheels: constant part to the totals, harmonics to the row */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        (void)remus6_place_flywheel(parameters, &parameters->flywheel[s], O, R);
+        b[0] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[0];
+        b[1] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[1];
+        b[2] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[2];
+        remus6_real bh[3];  /* first moment of one harmonic, in mounting axes */
+        remus6_real Jh[6];  /* its inertia */
+        /* harmonic 0 of Theta(phi) */
+        bh[0] = b[0];  bh[1] = 0.0;   bh[2] = 0.0;
+        Jh[0] = parameters->flywheel[s].body.inertia[0];
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
+        remus6_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, stand->flywheel[s].t_0);
+        mass += parameters->flywheel[s].body.mass;
+        first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+        inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+        inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+        /* harmonic c of Theta(phi) */
+        bh[0] = 0.0;   bh[1] = b[1];  bh[2] = b[2];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = parameters->flywheel[s].body.inertia[3];
+        Jh[4] = parameters->flywheel[s].body.inertia[4];
+        Jh[5] = 0.0;
+        remus6_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_c, stand->flywheel[s].J_c,
+            stand->flywheel[s].t_c);
+        /* harmonic s of Theta(phi) */
+        bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = -parameters->flywheel[s].body.inertia[4];
+        Jh[4] = parameters->flywheel[s].body.inertia[3];
+        Jh[5] = 0.0;
+        remus6_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_s, stand->flywheel[s].J_s,
+            stand->flywheel[s].t_s);
+        /* harmonic 2c of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = parameters->flywheel[s].body.inertia[5];
+        remus6_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2c, t);
+        /* harmonic 2s of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = -parameters->flywheel[s].body.inertia[5];
+        Jh[2] = parameters->flywheel[s].body.inertia[5];
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        remus6_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2s, t);
+        stand->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        stand->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        weight_mass += parameters->flywheel[s].body.mass;
+    }
+    (void)remus6_translation_block(parameters, mass, stand->A, stand->A_inv);
+    stand->G[0] = parameters->added_mass[3][0];
+    stand->G[1] = parameters->added_mass[3][1];
+    stand->G[2] = parameters->added_mass[3][2];
+    stand->G[3] = parameters->added_mass[4][0];
+    stand->G[4] = parameters->added_mass[4][1];
+    stand->G[5] = parameters->added_mass[4][2];
+    stand->G[6] = parameters->added_mass[5][0];
+    stand->G[7] = parameters->added_mass[5][1];
+    stand->G[8] = parameters->added_mass[5][2];
+    inertia[0] += parameters->added_mass[3][3];
+    inertia[1] += parameters->added_mass[4][4];
+    inertia[2] += parameters->added_mass[5][5];
+    inertia[3] += parameters->added_mass[3][4];
+    inertia[4] += parameters->added_mass[3][5];
+    inertia[5] += parameters->added_mass[4][5];
+    stand->mass = mass;
+    stand->mass_inverse = 1.0 / mass;
+    stand->first_moment[0] = first_moment[0];
+    stand->first_moment[1] = first_moment[1];
+    stand->first_moment[2] = first_moment[2];
+    stand->inertia[0] = inertia[0];  stand->inertia[1] = inertia[1];  stand->inertia[2] = inertia[2];
+    stand->inertia[3] = inertia[3];  stand->inertia[4] = inertia[4];  stand->inertia[5] = inertia[5];
+    stand->weight_mass = weight_mass;
+    stand->displaced_moment[0] = displaced[0];
+    stand->displaced_moment[1] = displaced[1];
+    stand->displaced_moment[2] = displaced[2];
+    /* poses of instruments and points */
+    for (int k = 0; k < 1; ++k) {
+        (void)remus6_frame_of_axes(parameters->instrument[k].axis, parameters->instrument[k].zero, R);
+        O[0] = parameters->instrument[k].position[0];
+        O[1] = parameters->instrument[k].position[1];
+        O[2] = parameters->instrument[k].position[2];
+        stand->sensor[k].origin[0] = O[0];  stand->sensor[k].origin[1] = O[1];
+        stand->sensor[k].origin[2] = O[2];
+        stand->sensor[k].axes[0] = R[0];  stand->sensor[k].axes[1] = R[1];  stand->sensor[k].axes[2] = R[2];
+        stand->sensor[k].axes[3] = R[3];  stand->sensor[k].axes[4] = R[4];  stand->sensor[k].axes[5] = R[5];
+        stand->sensor[k].axes[6] = R[6];  stand->sensor[k].axes[7] = R[7];  stand->sensor[k].axes[8] = R[8];
+    }
+    for (int k = 0; k < 1; ++k) {
+        (void)remus6_place_point(parameters, &parameters->point[k], O, R);
+        stand->sensor[k + 1].origin[0] = O[0];
+        stand->sensor[k + 1].origin[1] = O[1];
+        stand->sensor[k + 1].origin[2] = O[2];
+        stand->sensor[k + 1].axes[0] = R[0];
+        stand->sensor[k + 1].axes[1] = R[1];
+        stand->sensor[k + 1].axes[2] = R[2];
+        stand->sensor[k + 1].axes[3] = R[3];
+        stand->sensor[k + 1].axes[4] = R[4];
+        stand->sensor[k + 1].axes[5] = R[5];
+        stand->sensor[k + 1].axes[6] = R[6];
+        stand->sensor[k + 1].axes[7] = R[7];
+        stand->sensor[k + 1].axes[8] = R[8];
+    }
+    return REMUS6_OK;
+}
+
+/* L^T of a twist, to mounting axes at Os. */
+REMUS6_CODE
+static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6], remus6_real U[6])
+{
+    remus6_real velocity[3];  /* of Os */
+    velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
+    velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
+    velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
+    U[0] = mount->axes[0] * velocity[0] + mount->axes[3] * velocity[1] + mount->axes[6] * velocity[2];
+    U[1] = mount->axes[1] * velocity[0] + mount->axes[4] * velocity[1] + mount->axes[7] * velocity[2];
+    U[2] = mount->axes[2] * velocity[0] + mount->axes[5] * velocity[1] + mount->axes[8] * velocity[2];
+    U[3] = mount->axes[0] * V[3] + mount->axes[3] * V[4] + mount->axes[6] * V[5];
+    U[4] = mount->axes[1] * V[3] + mount->axes[4] * V[4] + mount->axes[7] * V[5];
+    U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
+}
+
+/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+REMUS6_CODE
+static void remus6_mount_wrench(const remus6_mount *mount, remus6_real s, remus6_real c, remus6_real phi_dot,
+                                remus6_real phi_ddot, const remus6_real V[6], const remus6_real V_dot[6],
+                                const remus6_real g[3], remus6_real W[6])
+{
+    remus6_real U[6];  /* twist of the mount at Os */
+    remus6_real turned[6];  /* in Es */
+    remus6_real turned_dot[6];
+    remus6_real V_s[6];  /* twist of the flywheel, in Es */
+    remus6_real V_s_dot[6];
+    remus6_real Z_s[6];  /* its momentum screw */
+    remus6_carry_twist(mount, V, U);
+    turned[0] = U[0];                 turned[1] = U[1] * c + U[2] * s;  turned[2] = U[2] * c - U[1] * s;
+    turned[3] = U[3];                 turned[4] = U[4] * c + U[5] * s;  turned[5] = U[5] * c - U[4] * s;
+    remus6_carry_twist(mount, V_dot, U);
+    turned_dot[0] = U[0];
+    turned_dot[1] = U[1] * c + U[2] * s;
+    turned_dot[2] = U[2] * c - U[1] * s;
+    turned_dot[3] = U[3];
+    turned_dot[4] = U[4] * c + U[5] * s;
+    turned_dot[5] = U[5] * c - U[4] * s;
+    V_s[0] = turned[0];            V_s[1] = turned[1];            V_s[2] = turned[2];
+    V_s[3] = turned[3] + phi_dot;  V_s[4] = turned[4];            V_s[5] = turned[5];
+    V_s_dot[0] = turned_dot[0];
+    V_s_dot[1] = phi_dot * turned[2] + turned_dot[1];
+    V_s_dot[2] = turned_dot[2] - phi_dot * turned[1];
+    V_s_dot[3] = phi_ddot + turned_dot[3];
+    V_s_dot[4] = phi_dot * turned[5] + turned_dot[4];
+    V_s_dot[5] = turned_dot[5] - phi_dot * turned[4];
+    Z_s[0] = V_s[0] * mount->mass + V_s[4] * mount->first_moment[2] - V_s[5] * mount->first_moment[1];
+    Z_s[1] = V_s[1] * mount->mass + V_s[5] * mount->first_moment[0] - V_s[3] * mount->first_moment[2];
+    Z_s[2] = V_s[2] * mount->mass + V_s[3] * mount->first_moment[1] - V_s[4] * mount->first_moment[0];
+    Z_s[3] = mount->inertia[0] * V_s[3] + mount->inertia[3] * V_s[4] + mount->inertia[4] * V_s[5]
+        + V_s[2] * mount->first_moment[1] - V_s[1] * mount->first_moment[2];
+    Z_s[4] = mount->inertia[1] * V_s[4] + mount->inertia[3] * V_s[3] + mount->inertia[5] * V_s[5]
+        + V_s[0] * mount->first_moment[2] - V_s[2] * mount->first_moment[0];
+    Z_s[5] = mount->inertia[2] * V_s[5] + mount->inertia[4] * V_s[3] + mount->inertia[5] * V_s[4]
+        + V_s[1] * mount->first_moment[0] - V_s[0] * mount->first_moment[1];
+    W[0] += V_s[4] * Z_s[2] + V_s_dot[0] * mount->mass + V_s_dot[4] * mount->first_moment[2] - V_s[5] * Z_s[1]
+        - V_s_dot[5] * mount->first_moment[1];
+    W[1] += V_s[5] * Z_s[0] + V_s_dot[1] * mount->mass + V_s_dot[5] * mount->first_moment[0] - V_s[3] * Z_s[2]
+        - V_s_dot[3] * mount->first_moment[2];
+    W[2] += V_s[3] * Z_s[1] + V_s_dot[2] * mount->mass + V_s_dot[3] * mount->first_moment[1] - V_s[4] * Z_s[0]
+        - V_s_dot[4] * mount->first_moment[0];
+    W[3] += mount->inertia[0] * V_s_dot[3] + mount->inertia[3] * V_s_dot[4] + mount->inertia[4] * V_s_dot[5]
+        + V_s[1] * Z_s[2] + V_s[4] * Z_s[5] + V_s_dot[2] * mount->first_moment[1] - V_s[2] * Z_s[1]
+        - V_s[5] * Z_s[4] - V_s_dot[1] * mount->first_moment[2];
+    W[4] += mount->inertia[1] * V_s_dot[4] + mount->inertia[3] * V_s_dot[3] + mount->inertia[5] * V_s_dot[5]
+        + V_s[2] * Z_s[0] + V_s[5] * Z_s[3] + V_s_dot[0] * mount->first_moment[2] - V_s[0] * Z_s[2]
+        - V_s[3] * Z_s[5] - V_s_dot[2] * mount->first_moment[0];
+    W[5] += mount->inertia[2] * V_s_dot[5] + mount->inertia[4] * V_s_dot[3] + mount->inertia[5] * V_s_dot[4]
+        + V_s[0] * Z_s[1] + V_s[3] * Z_s[4] + V_s_dot[1] * mount->first_moment[0] - V_s[1] * Z_s[0]
+        - V_s[4] * Z_s[3] - V_s_dot[0] * mount->first_moment[1];
+    remus6_real g_mounting[3];  /* gravity in mounting axes */
+    remus6_real g_s[3];  /* gravity in Es */
+    g_mounting[0] = mount->axes[0] * g[0] + mount->axes[3] * g[1] + mount->axes[6] * g[2];
+    g_mounting[1] = mount->axes[1] * g[0] + mount->axes[4] * g[1] + mount->axes[7] * g[2];
+    g_mounting[2] = mount->axes[2] * g[0] + mount->axes[5] * g[1] + mount->axes[8] * g[2];
+    g_s[0] = g_mounting[0];
+    g_s[1] = g_mounting[1] * c + g_mounting[2] * s;
+    g_s[2] = g_mounting[2] * c - g_mounting[1] * s;
+    W[0] += -g_s[0] * mount->mass;  W[1] += -g_s[1] * mount->mass;  W[2] += -g_s[2] * mount->mass;
+    W[3] += g_s[1] * mount->first_moment[2] - g_s[2] * mount->first_moment[1];
+    W[4] += g_s[2] * mount->first_moment[0] - g_s[0] * mount->first_moment[2];
+    W[5] += g_s[0] * mount->first_moment[1] - g_s[1] * mount->first_moment[0];
+    remus6_real own[6];  /* in Es */
+    own[0] = W[0];  own[1] = W[1];  own[2] = W[2];
+    own[3] = W[3];  own[4] = W[4];  own[5] = W[5];
+    W[0] = own[0];                   W[1] = own[1] * c - own[2] * s;  W[2] = own[1] * s + own[2] * c;
+    W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
+}
+
+/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+REMUS6_CODE
+remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table *mounting,
+                            const remus6_state *x, const remus6_real V_dot[6],
+                            const remus6_real phi_ddot[REMUS6_N], remus6_real loads[36])
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    remus6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
+    V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
+    V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
+    remus6_real W[6];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
+        W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], V, V_r_dot, g,
+            W);
+        for (int i = 0; i < 6; ++i) {
+            loads[s * 6 + i] = W[i];
+        }
+    }
+    return REMUS6_OK;
+}
+
+/* Makes the table that mounts needs beside the stand's. */
+REMUS6_CODE
+remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting)
+{
+    remus6_status status = remus6_check_parameters(parameters);
+    if (status != REMUS6_OK) { return status; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        mounting->flywheel[s].mass = parameters->flywheel[s].body.mass;
+        mounting->flywheel[s].first_moment[0] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[0];
+        mounting->flywheel[s].first_moment[1] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[1];
+        mounting->flywheel[s].first_moment[2] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[2];
+        mounting->flywheel[s].inertia[0] = parameters->flywheel[s].body.inertia[0];
+        mounting->flywheel[s].inertia[1] = parameters->flywheel[s].body.inertia[1];
+        mounting->flywheel[s].inertia[2] = parameters->flywheel[s].body.inertia[2];
+        mounting->flywheel[s].inertia[3] = parameters->flywheel[s].body.inertia[3];
+        mounting->flywheel[s].inertia[4] = parameters->flywheel[s].body.inertia[4];
+        mounting->flywheel[s].inertia[5] = parameters->flywheel[s].body.inertia[5];
+        (void)remus6_place_flywheel(parameters, &parameters->flywheel[s], mounting->flywheel[s].origin,
+            mounting->flywheel[s].axes);
+    }
+    return REMUS6_OK;
+}
+
+/* ---- tables ---- */
+
+REMUS6_CONST
+const remus6_parameters remus6_default_parameters =
+{
+    .carrier = {
+        .mass = 28.18,
+        .center_of_mass = { -0.0180437, -1.33e-5, 0.0195422 },
+        .inertia = { 0.1734562, 3.1692378, 3.1696413, 0.0027724, 0.0057263, 2.27e-5 },
+        .displaced_mass = 31.193,
+        .displaced_center = { 0.0, 0.0, 0.0 },
+    },
+    .added_mass = {
+        {   0.93,    0.0,    0.0,    0.0,    0.0,    0.0 },
+        {    0.0,   35.5,    0.0,    0.0,    0.0,  -1.93 },
+        {    0.0,    0.0,   35.5,    0.0,   1.93,    0.0 },
+        {    0.0,    0.0,    0.0, 0.0704,    0.0,    0.0 },
+        {    0.0,    0.0,   1.93,    0.0,   4.88,    0.0 },
+        {    0.0,  -1.93,    0.0,    0.0,    0.0,   4.88 },
+    },
+    .instrument = {
+        /*     mass        center_of_mass[3]            inertia[6]                                                                          displaced_mass      displaced_center[3]       position[3]                       axis[3]                             zero[3] */
+        { { 0.8, { 0.012, 0.0, -0.004 }, { 0.0009128, 0.0012280000000000001, 0.0012152, 0.0, 3.8400000000000005e-5, 0.0 },           0.0, { 0.0, 0.0, 0.0 } }, { 0.48, 0.0, 0.01 }, { 0.984807753012208, 0.0, 0.17364817766693033 }, { -0.0, 1.0, 0.0 } },  /* nose */
+    },
+    .flywheel = {
+        /*      mass      center_of_mass[3]                                           inertia[6]                                                                         position[3]             axis[3]             zero[3]             mount */
+        { { 0.25, { 0.0,                0.0008,                    0.0 }, { 0.00015, 8.5e-5, 9.0e-5, -3.6739403974420596e-23,                -6.0e-7, 0.0 } }, {  0.22,  0.035,  0.02 }, { 0.0,  1.0, 0.0 }, { 0.0,  0.0,  1.0 },  -1 },  /* w1 */
+        { { 0.25, { 0.0,               0.00084,                    0.0 }, { 0.00015, 8.5e-5, 8.8e-5,  -2.4999999999999994e-7, -4.3301270189221934e-7, 0.0 } }, { -0.22, -0.035,  0.02 }, { 0.0,  1.0, 0.0 }, { 0.0,  0.0, -1.0 },  -1 },  /* w2 */
+        { { 0.25, { 0.0,               0.00076,                    0.0 }, { 0.00015, 8.6e-5, 9.0e-5,                 -4.0e-7,                    0.0, 0.0 } }, {  0.12,  -0.02,  0.03 }, { 0.0,  0.3, 1.0 }, { 0.0,  1.0,  0.0 },  -1 },  /* w3 */
+        { { 0.25, { 0.0, 0.0007727406610312546, 0.00020705523608201664 }, { 0.00015, 8.4e-5, 8.9e-5,                     0.0,                    0.0, 0.0 } }, { -0.12,   0.02,  0.03 }, { 0.0, -0.3, 1.0 }, { 0.0, -1.0,  0.0 },  -1 },  /* w4 */
+        { { 0.25, { 0.0,                0.0008,                    0.0 }, { 0.00015, 8.5e-5, 9.0e-5,  -2.5980762113533156e-7,  1.5000000000000002e-7, 0.0 } }, {   0.0,    0.0,  0.04 }, { 1.0,  0.0, 0.2 }, { 0.0,  1.0,  0.0 },  -1 },  /* w5 */
+        { { 0.25, { 0.0,               0.00072,                    0.0 }, { 0.00015, 8.5e-5, 9.0e-5,    3.000000000000001e-7,  -5.196152422706631e-7, 0.0 } }, { -0.02,    0.0, 0.015 }, { 0.9,  0.1, 0.5 }, { 0.0,  1.0,  0.0 },   0 },  /* w6 */
+    },
+    .point = {
+        /*      position[3]          axis[3]             zero[3]           mount */
+        { { 0.15, 0.0, -0.03 }, { 1.0, 0.0, -0.0 }, { 0.0, 1.0, 0.0 },  -1 },
+    },
+};
+
+REMUS6_CONST
+const remus6_table remus6_default =
+{
+    .mass = 30.48,
+    .mass_inverse = 0.03280839895013123,
+    .first_moment = { -3.685683386059346e-5, -0.0003747939999999995, 0.5975396218814244 },
+    .inertia = { 0.2474121440199002, 8.330041529814594, 8.330040192799752, 0.0001270699935097979, 8.822837475413233e-5, 2.6076216923620165e-5 },
+    .A = { 31.41, 65.98, 65.98, 0.0, 0.0, 0.0 },
+    .A_inv = { 0.03183699458771092, 0.015156107911488331, 0.015156107911488331, 0.0, 0.0, 0.0 },
+    .G = { 0.0, 0.0, 0.0, 0.0, 0.0, 1.93, 0.0, -1.93, 0.0 },
+    .weight_mass = -0.7130000000000019,
+    .displaced_moment = { 0.0, 0.0, 0.0 },
+    .flywheel = {
+        /*                        mu_c[3]                                                                       mu_s[3]                                                                     J_c[6]                                                                                                                                             J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                           J_2s[6]                                                                                                                                          t_0[3]                                                                      t_c[3]                                                                     t_s[3]                                                    spin                   spin_inv */
+        { {                    0.0,                     0.0,                 0.0002 }, {                  0.0002,                    0.0,                    0.0 }, {   8.000000000000001e-6,   8.000000000000001e-6,                    0.0,                -6.0e-7, -4.4000000000000006e-5,  -7.000000000000001e-6 }, {                   0.0,   8.800000000000001e-5,    8.800000000000001e-5,  -7.000000000000001e-6, -4.000000000000001e-6,                 6.0e-7 }, { 2.4999999999999998e-6,                    0.0, -2.4999999999999998e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -2.4999999999999998e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {                -6.0e-7,   4.000000000000001e-6,  -7.000000000000001e-6 }, { -7.000000000000001e-6, 4.4000000000000006e-5,                 6.0e-7 }, 0.00015, 6666.666666666667 },  /* w1 */
+        { {                    0.0,                     0.0,               -0.00021 }, {                -0.00021,                    0.0,                    0.0 }, {  -8.400000000000001e-6,  -8.400000000000001e-6,                    0.0,  4.3301270189221934e-7, -4.6200000000000005e-5,  -7.100000000000001e-6 }, {                   0.0,   9.240000000000001e-5,    9.240000000000001e-5,  -7.100000000000001e-6, 4.2000000000000004e-6, -4.3301270189221934e-7 }, { 1.4999999999999958e-6,                    0.0, -1.4999999999999958e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -1.4999999999999958e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {  4.3301270189221934e-7, -4.2000000000000004e-6,  -7.100000000000001e-6 }, { -7.100000000000001e-6, 4.6200000000000005e-5, -4.3301270189221934e-7 }, 0.00015, 6666.666666666667 },  /* w2 */
+        { {                    0.0,   0.0001819869941920188,  -5.459609825760563e-5 }, {                -0.00019,                    0.0,                    0.0 }, {  -1.055524566313709e-5, -3.4959493816948696e-6, -7.0592962814422205e-6, -2.1838439303042257e-5,   6.551531790912675e-6,  -6.885476745041117e-6 }, {                   0.0, -4.5600000000000004e-5,  -4.5600000000000004e-5, -3.6850608457734625e-6,  6.083130514088461e-6,                    0.0 }, {  2.000000000000001e-6, -1.8348623853211026e-6, -1.6513761467889914e-7,                   0.0,                    0.0,  5.504587155963307e-7 }, {                    0.0,                    0.0,                   0.0, 1.9156525704423043e-6,  -5.746957711326911e-7,                   0.0 }, {                    0.0,  4.3102182834951804e-5, 0.00014367394278317266 }, {                    0.0,  -6.083130514088461e-6,  -3.685060845773462e-6 }, { 4.7676878606084506e-6, -6.551531790912676e-6, -2.1838439303042253e-5 }, 0.00015, 6666.666666666667 },  /* w3 */
+        { {   5.176380902050416e-5, -0.00018503782919872591,  -5.551134875961776e-5 }, {  0.00019318516525781366,  4.9580736903006636e-5,  1.4874221070901985e-5 }, { -1.0732194093526102e-5, -1.5753995090498062e-5, -1.9824827332870034e-5, -2.3239815684257194e-5,  -8.214276121769256e-6,   6.661361851154133e-6 }, {  2.875682740374385e-6, -4.5471986397621155e-5,   -4.438121018575502e-5,  2.0859851232045232e-6, -4.010648429226172e-6, -1.7849065285082388e-6 }, { 2.4999999999999998e-6, -2.2935779816513764e-6, -2.0642201834862379e-7,                   0.0,                    0.0, -6.880733944954128e-7 }, {                    0.0,                    0.0,                   0.0, 2.3945657130528785e-6,   7.183697139158634e-7,                   0.0 }, {                    0.0, -4.3102182834951804e-5, 0.00014367394278317263 }, { -1.1899376856721588e-6,   7.580461486242648e-6,  -9.813391733517068e-6 }, { -4.440907900769421e-6,  5.108447580539007e-6,  -2.116926332343702e-5 }, 0.00015, 6666.666666666667 },  /* w4 */
+        { {                    0.0,                  0.0002,                    0.0 }, {   -3.922322702763681e-5,                    0.0, 0.00019611613513818404 }, {   -5.76923076923077e-8,                    0.0,    5.76923076923077e-8,   -2.54762332682534e-7,  1.3846153846153846e-7,  -8.050952466536508e-6 }, { 1.5789216819183695e-5,  1.5689290811054723e-5,   -9.992600812897368e-8, -1.4708710135363802e-7, 1.3291066615959356e-6,  -2.941742027072761e-8 }, {  9.615384615384617e-8, -2.4999999999999998e-6,  2.4038461538461535e-6,                   0.0,  -4.807692307692307e-7,                   0.0 }, {                    0.0,                    0.0,                   0.0,  4.902903378454601e-7,                    0.0,   -2.4514516892273e-6 }, { 0.00014708710135363798,                    0.0,  2.9417420270727602e-5 }, { -2.9417420270727608e-8,  -1.828736702240804e-6,  1.4708710135363802e-7 }, {  8.050952466536508e-6,               -1.5e-7, -2.5476233268253394e-7 }, 0.00015, 6666.666666666667 },  /* w5 */
+        { { -1.3512873805140461e-5,  0.00017915690403018868, -1.0963848769665967e-5 }, { -0.00011341093352635507, 1.2490009027033012e-21, 0.00013977825351849506 }, {   4.228378223622281e-9, -1.2778969833748272e-5,  -1.289866322289885e-5,  -8.173969852574897e-5,  5.1711462346589714e-6, -3.6694133986843315e-6 }, {  5.601829405287051e-6,  -9.776185708667751e-5, -0.00010356367775738655,   3.776898295141705e-7, -6.154822757347233e-5,  3.4379119769943453e-7 }, {  9.783520127195736e-7,  -2.476635514018691e-6,  1.4982835012991177e-6, 1.8679974039194442e-7, -1.2346092070261717e-6, 1.5156243841269663e-7 }, { -2.3649809149148292e-7, -3.453196525605468e-23, 2.3649809149148292e-7, 1.5677740535305014e-6,  4.9798269790799174e-8, -1.932271539438302e-6 }, { 0.00011593629236629821,  1.4501047335684955e-5,   9.406644321183016e-5 }, {  3.0486770866053853e-7,  -6.609334590423563e-5, -4.2177814276157097e-7 }, { 3.5878637345064282e-6, -4.213149761627226e-6,  -8.179864387340778e-5 }, 0.00015, 6666.666666666667 },  /* w6 */
+    },
+    .sensor = {
+        /*      origin[3]                           axes[9] */
+        { { 0.48, 0.0,  0.01 }, { 0.9848077530122082, -0.0, -0.17364817766693036, 0.0, 1.0, -0.0, 0.17364817766693036, 0.0, 0.9848077530122082 } },  /* nose */
+        { { 0.15, 0.0, -0.03 }, {                1.0,  0.0,                  0.0, 0.0, 1.0, -0.0,                -0.0, 0.0,                1.0 } },  /* imu */
+    },
+    .gravity = { 0.0, 0.0, 9.81 },
+    .stream = { 0.0, 0.0, 0.0 },
+    .damper = {
+        .first_term = 0,
+        .last_term = 10,
+    },
+    .term = {
+        /*   wrench     first      second         value */
+        {   0,    0,     6,   -1.62 },
+        {   1,    1,     7, -1310.0 },
+        {   1,    5,    11,   0.632 },
+        {   2,    2,     8,  -131.0 },
+        {   2,    4,    10,  -0.632 },
+        {   3,    3,     9,   -0.13 },
+        {   4,    2,     8,    3.18 },
+        {   4,    4,    10,  -188.0 },
+        {   5,    1,     7,   -3.18 },
+        {   5,    5,    11,   -94.0 },
+    },
+};
+
+REMUS6_CONST
+const remus6_mount_table remus6_default_mounts =
+{
+    .flywheel = {
+        /*    mass      first_moment[3]                                            inertia[6]                                                                                     origin[3]                                             axes[9] */
+        { 0.25, { 0.0,                 0.0002,                  0.0 }, { 0.00015, 8.5e-5, 9.0e-5, -3.6739403974420596e-23,                -6.0e-7, 0.0 }, {                0.22,  0.035,                 0.02 }, {                0.0,                  0.0,                  1.0,                 1.0,                 0.0,                   0.0,                 0.0,                   1.0,                0.0 } },  /* w1 */
+        { 0.25, { 0.0,                0.00021,                  0.0 }, { 0.00015, 8.5e-5, 8.8e-5,  -2.4999999999999994e-7, -4.3301270189221934e-7, 0.0 }, {               -0.22, -0.035,                 0.02 }, {                0.0,                  0.0,                 -1.0,                 1.0,                 0.0,                   0.0,                 0.0,                  -1.0,                0.0 } },  /* w2 */
+        { 0.25, { 0.0,                0.00019,                  0.0 }, { 0.00015, 8.6e-5, 9.0e-5,                 -4.0e-7,                    0.0, 0.0 }, {                0.12,  -0.02,                 0.03 }, {                0.0,                  0.0,                 -1.0,  0.2873478855663454,  0.9578262852211515,                   0.0,  0.9578262852211513,   -0.2873478855663454,                0.0 } },  /* w3 */
+        { 0.25, { 0.0, 0.00019318516525781366, 5.176380902050416e-5 }, { 0.00015, 8.4e-5, 8.9e-5,                     0.0,                    0.0, 0.0 }, {               -0.12,   0.02,                 0.03 }, {                0.0,                  0.0,                  1.0, -0.2873478855663454, -0.9578262852211515,                   0.0,  0.9578262852211513,   -0.2873478855663454,                0.0 } },  /* w4 */
+        { 0.25, { 0.0,                 0.0002,                  0.0 }, { 0.00015, 8.5e-5, 9.0e-5,  -2.5980762113533156e-7,  1.5000000000000002e-7, 0.0 }, {                 0.0,    0.0,                 0.04 }, { 0.9805806756909201,                  0.0, -0.19611613513818404,                 0.0,                 1.0,                   0.0, 0.19611613513818404,                   0.0, 0.9805806756909201 } },  /* w5 */
+        { 0.25, { 0.0,                0.00018,                  0.0 }, { 0.00015, 8.5e-5, 9.0e-5,    3.000000000000001e-7,  -5.196152422706631e-7, 0.0 }, { 0.45769912227475185,    0.0, 0.021299152741844518 }, { 0.7729086157753212, -0.07507152113966922,  -0.6300607418130837, 0.09667364890456637,  0.9953161335010482, 6.938893903907228e-18,  0.6271096214122008, -0.060910270942588704,  0.776545852880528 } },  /* w6 */
+    },
+};

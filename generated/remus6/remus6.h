@@ -1,0 +1,421 @@
+/* remus6.h: motion of the stand "remus6": carrier, 1 instrument, 6 flywheels.
+ * mahovik 0.1.0; structure 7b01c6fe, physics 35f5a308. Generated: change the stand file instead.
+ *
+ * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
+ * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
+ * the same bits. gcc may call memcpy, memmove and memset.
+ *
+ * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
+ * mahovik. */
+#ifndef REMUS6_H
+#define REMUS6_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define REMUS6_STRUCTURE 0x7b01c6feu  /* of the stand: names, counts, kinds of wrench */
+#define REMUS6_PHYSICS   0x35f5a308u  /* of the stand: structure and all numbers */
+
+typedef double remus6_real;
+
+/* ---- ranges of inputs: magnitudes ---- */
+
+#define REMUS6_MAX_POSITION      1.0e6     /* m; each component of the position of O1 */
+#define REMUS6_MAX_VELOCITY      1.0e4     /* m/s; each component of v */
+#define REMUS6_MAX_SPEED         1.0e5     /* rad/s; each component of omega, each phi_dot */
+#define REMUS6_MAX_PHASE         1.0e7     /* rad; each phase and attitude angle */
+#define REMUS6_MAX_ACCELERATION  1.0e9     /* rad/s2; each phi_ddot */
+#define REMUS6_MAX_WRENCH        1.0e9     /* N, N m; each component of a run-time wrench */
+#define REMUS6_MAX_STEP          10.0      /* s; a time step */
+#define REMUS6_MAX_PARAMETER     1.0e9     /* SI; each mass, length and moment of inertia */
+#define REMUS6_LARGEST           1.7976931348623157e308  /* largest finite number */
+
+/* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
+
+typedef enum remus6_status {
+    REMUS6_OK = 0,                        /* good */
+    REMUS6_NEAR_SINGULAR = 1,             /* smallest kept singular value below the given threshold */
+    REMUS6_DAMPED = 2,                    /* damping was applied */
+    REMUS6_LIMITED = 4,                   /* a limit was reached; the mask says whose */
+    REMUS6_UNREACHABLE = 8,               /* least-squares answer: the demand is out of reach */
+    REMUS6_RANK_DEFICIENT = 16,           /* rank below min(6, N) */
+    REMUS6_NOT_FINITE = -1,               /* an input is NaN or infinite */
+    REMUS6_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
+    REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* a mass or inertia that no body has */
+    REMUS6_SINGULAR_ATTITUDE = -4,        /* the attitude angles are at their singularity */
+    REMUS6_BAD_ARGUMENT = -5              /* a count or an index */
+} remus6_status;
+
+/* ---- numbers of bodies ---- */
+
+/* flywheels, in the order of the stand file */
+enum { REMUS6_W1, REMUS6_W2, REMUS6_W3, REMUS6_W4, REMUS6_W5, REMUS6_W6, REMUS6_N = 6 };
+/* instruments and points, which measure reads */
+enum { REMUS6_SENSOR_NOSE, REMUS6_SENSOR_IMU, REMUS6_SENSORS = 2 };
+
+/* ---- data ---- */
+
+/* State of the whole system. */
+typedef struct remus6_state {
+    remus6_real position[3];        /* m; of O1, in E0 */
+    remus6_real attitude[4];        /* unit quaternion, w first: x0 = C x1 */
+    remus6_real V[6];               /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
+    remus6_real phi[REMUS6_N];      /* rad; phases */
+    remus6_real phi_dot[REMUS6_N];  /* rad/s; speeds relative to the mount */
+} remus6_state;
+
+/* Mass properties of one body, in its own frame. */
+typedef struct remus6_body {
+    remus6_real mass;                 /* kg */
+    remus6_real center_of_mass[3];    /* m; rc, from the body's origin, in its own axes */
+    remus6_real inertia[6];           /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+    remus6_real displaced_mass;       /* kg; of fluid */
+    remus6_real displaced_center[3];  /* m; centre of buoyancy, in the body's frame */
+} remus6_body;
+
+/* An instrument fixed on the carrier. */
+typedef struct remus6_instrument {
+    remus6_body body;
+    remus6_real position[3];  /* m; Op, in E1 */
+    remus6_real axis[3];      /* first axis of Ep in E1, any length */
+    remus6_real zero[3];      /* its part across the first axis is the second axis of Ep */
+} remus6_instrument;
+
+/* Mass properties of a flywheel, in its own frame. */
+typedef struct remus6_dry_body {
+    remus6_real mass;               /* kg */
+    remus6_real center_of_mass[3];  /* m; rc, from the body's origin, in its own axes */
+    remus6_real inertia[6];         /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+} remus6_dry_body;
+
+/* A flywheel and how it is mounted. */
+typedef struct remus6_flywheel {
+    remus6_dry_body body;
+    remus6_real position[3];  /* m; Os, in the frame of the mount */
+    remus6_real axis[3];      /* spin axis in the frame of the mount, any length */
+    remus6_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+    int mount;                /* number of the instrument that bears it; -1: the carrier */
+} remus6_flywheel;
+
+/* A sensor or a place of interest. */
+typedef struct remus6_point {
+    remus6_real position[3];  /* m; in the frame of the mount */
+    remus6_real axis[3];      /* first axis in the frame of the mount, any length */
+    remus6_real zero[3];      /* its part across the first axis is the second axis */
+    int mount;                /* number of the instrument that bears it; -1: the carrier */
+} remus6_point;
+
+/* What prepare makes the table of: masses, inertias and mountings. */
+typedef struct remus6_parameters {
+    remus6_body carrier;
+    remus6_real added_mass[6][6];        /* kg, kg m, kg m2; Lambda of all bodies, about O1 in E1 */
+    remus6_instrument instrument[1];
+    remus6_flywheel flywheel[REMUS6_N];
+    remus6_point point[1];
+} remus6_parameters;
+
+/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+typedef struct remus6_row {
+    remus6_real mu_c[3];   /* kg m; first moment about O1: cos phi */
+    remus6_real mu_s[3];   /* kg m; sin phi */
+    remus6_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    remus6_real J_s[6];    /* kg m2; sin phi */
+    remus6_real J_2c[6];   /* kg m2; cos 2 phi */
+    remus6_real J_2s[6];   /* kg m2; sin 2 phi */
+    remus6_real t_0[3];    /* kg m2; moment part of I: constant */
+    remus6_real t_c[3];    /* kg m2; cos phi */
+    remus6_real t_s[3];    /* kg m2; sin phi */
+    remus6_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
+    remus6_real spin_inv;  /* 1/(kg m2) */
+} remus6_row;
+
+/* Pose of an instrument or a point. */
+typedef struct remus6_sensor {
+    remus6_real origin[3];  /* m; in E1 */
+    remus6_real axes[9];    /* own axes to E1, row by row */
+} remus6_sensor;
+
+/* Damping of one body, in its own frame. */
+typedef struct remus6_damper {
+    int first_term;  /* terms first_term .. last_term - 1 of the table */
+    int last_term;
+} remus6_damper;
+
+/* A hydrodynamic derivative. */
+typedef struct remus6_term {
+    int wrench;         /* component of the wrench, 0..5 = X Y Z K M N */
+    int first;          /* 0..5 = u v w p q r, 6..11 their magnitudes */
+    int second;         /* likewise */
+    remus6_real value;  /* SI; wrench += value * first * second */
+} remus6_term;
+
+/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+typedef struct remus6_table {
+    remus6_real mass;                      /* kg; of all bodies */
+    remus6_real mass_inverse;              /* 1/kg */
+    remus6_real first_moment[3];           /* kg m; mu about O1, constant part */
+    remus6_real inertia[6];                /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with
+                                            * added mass */
+    remus6_real A[6];                      /* kg; m E + Lambda_11: 11 22 33 12 13 23 */
+    remus6_real A_inv[6];                  /* 1/kg */
+    remus6_real G[9];                      /* kg m; Lambda_21, row by row */
+    remus6_real weight_mass;               /* kg; mass less displaced mass */
+    remus6_real displaced_moment[3];       /* kg m; first moment of displaced fluid, constant part */
+    remus6_row flywheel[REMUS6_N];
+    remus6_sensor sensor[REMUS6_SENSORS];
+    remus6_real gravity[3];                /* m/s2; in E0 */
+    remus6_real stream[3];                 /* m/s; velocity of the fluid, in E0 */
+    remus6_damper damper;                  /* of the carrier */
+    remus6_term term[10];
+} remus6_table;
+
+/* The matrices of (8). */
+typedef struct remus6_equations {
+    remus6_real K[6][6];         /* kg, kg m, kg m2; mass matrix (2) */
+    remus6_real K_dot[6][6];     /* per s; its rate (6) */
+    remus6_real M[6][6];         /* per s; velocity matrix (9), at V relative to the stream */
+    remus6_real I[6][REMUS6_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
+    remus6_real J[6][REMUS6_N];  /* per s; its velocity part (9) */
+    remus6_real F[6];            /* N, N m; total external wrench (7) */
+} remus6_equations;
+
+/* Momentum, energy and mass centre. */
+typedef struct remus6_momenta {
+    remus6_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    remus6_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
+    remus6_real energy;             /* J; kinetic */
+    remus6_real center_of_mass[3];  /* m; of all bodies, in E1 */
+} remus6_momenta;
+
+/* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
+typedef struct remus6_generalized {
+    remus6_real A[6][6];    /* V = A q' (10) */
+    remus6_real D[6][6];    /* 1/s; A' along the motion (10) */
+    remus6_real I0[6][6];   /* K A (11) */
+    remus6_real J0[6][6];   /* K D + M A (11) */
+    remus6_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
+    remus6_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+} remus6_generalized;
+
+/* One flywheel and how it sits: for mounts only. */
+typedef struct remus6_mount {
+    remus6_real mass;             /* kg */
+    remus6_real first_moment[3];  /* kg m; m rc, in Es */
+    remus6_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
+    remus6_real origin[3];        /* m; Os in E1 */
+    remus6_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+} remus6_mount;
+
+/* What mounts needs beside the table. Made by prepare_mounts. */
+typedef struct remus6_mount_table {
+    remus6_mount flywheel[REMUS6_N];
+} remus6_mount_table;
+
+/* Motion at an instrument or a point. */
+typedef struct remus6_reading {
+    remus6_real position[3];              /* m; in E0 */
+    remus6_real C[3][3];                  /* own axes to E0 */
+    remus6_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes: a gyro reads the last
+                                           * three */
+    remus6_real specific_force[3];        /* m/s2; acceleration less gravity, in own axes: an accelerometer */
+    remus6_real angular_acceleration[3];  /* rad/s2; in own axes */
+} remus6_reading;
+
+/* How inverse chooses among flywheels, and near singularity. */
+typedef struct remus6_inverse_options {
+    remus6_real weight[REMUS6_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    remus6_real limit[REMUS6_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    remus6_real near;              /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
+    remus6_real damping;           /* part of the largest singular value that damps those near zero, 0..1;
+                                    * 0: none */
+} remus6_inverse_options;
+
+/* Answer of inverse, and how good it is. */
+typedef struct remus6_inverse_result {
+    remus6_real phi_ddot[REMUS6_N];  /* rad/s2; flywheel accelerations */
+    remus6_real residual[6];         /* N, N m; F - K V* - M V - J phi' - I phi'' */
+    remus6_real sigma[6];            /* singular values of the scaled I, descending */
+    int rank;                        /* of them that count */
+    remus6_real damping;             /* largest damping applied; 0: none */
+    int limited[REMUS6_N];           /* 1 where the limit of a flywheel was reached */
+    remus6_real hardest[6];          /* wrench of unit size in the norm of K^-1 that is hardest to give */
+} remus6_inverse_result;
+
+extern const remus6_parameters remus6_default_parameters;         /* of the stand file */
+extern const remus6_table remus6_default;                         /* what prepare makes of them */
+extern const remus6_mount_table remus6_default_mounts;            /* what prepare_mounts makes of them */
+
+/* ---- functions ---- */
+
+/* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
+ * phi'' + J phi'), (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 2058 operations on reals, 2 of them divisions. */
+remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
+                             const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6]);
+
+/* wrench: total external wrench of all bodies at a state, (7).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1671 operations on reals, 1 of them a division. */
+remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, remus6_real F[6]);
+
+/* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: K, K_dot, M, I, J, F
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2667 operations on reals, 1 of them a division. */
+remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, remus6_equations *out);
+
+/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: Z, Z0, energy, mass centre
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2286 operations on reals, 1 of them a division. */
+remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, remus6_momenta *out);
+
+/* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1305 operations on reals, 1 of them a division. */
+remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+                            const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N]);
+
+/* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
+ * eliminated first.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   tau[6]       N m; drive torques, mount on flywheel
+ *   locked[6]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]  out: rad/s2; flywheel accelerations
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 3207 operations on reals, 3 of them divisions. */
+remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
+                             const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                             remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N]);
+
+/* step: state a time step later, under drive torques and wrenches held constant.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[6]     N m; drive torques, mount on flywheel
+ *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next       out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 13437 operations on reals, 18 of them divisions. */
+remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
+                          const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next);
+
+/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next         out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 8841 operations on reals, 14 of them divisions. */
+remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *x,
+                                 const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
+                                 remus6_state *next);
+
+/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
+ * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
+ *   options   weights, limits, damping; the default is in the source
+ *   out       out: phi_ddot and how good it is
+ * Positive statuses are bits that may come together.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 28502 operations on reals, 322 of them divisions. */
+remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+                             const remus6_inverse_options *options, remus6_inverse_result *out);
+
+/* measure: what an accelerometer and a gyro read at each instrument and point.
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
+ *   out[2]    out: a reading each
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 543 operations on reals, 1 of them a division. */
+remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+                             remus6_reading out[REMUS6_SENSORS]);
+
+/* quaternion: attitude quaternion of three angles.
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   attitude[4]  out: unit quaternion, w first
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 176 operations on reals, no division. */
+remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4]);
+
+/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+ * (11).
+ *   stand        the prepared table
+ *   x            state; its attitude is not read, the angles take its place
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   out          out: A, D, I0, J0, q_dot, q_ddot
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
+ * status is negative.
+ * At most 6734 operations on reals, 5 of them divisions. */
+remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
+                              const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out);
+
+/* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
+ *   parameters  masses, inertias, mountings
+ *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 10831 operations on reals, 71 of them divisions. */
+remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *stand);
+
+/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+ *   stand        the prepared table
+ *   mounting     made by prepare_mounts
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   loads[36]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
+ *                at phi = 0; the fourth is tau
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 2325 operations on reals, 1 of them a division. */
+remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table *mounting,
+                            const remus6_state *x, const remus6_real V_dot[6],
+                            const remus6_real phi_ddot[REMUS6_N], remus6_real loads[36]);
+
+/* prepare_mounts: makes the table that mounts needs beside the stand's.
+ *   parameters  masses, inertias, mountings
+ *   mounting    out: what mounts needs
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 4583 operations on reals, 55 of them divisions. */
+remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,1915 @@
+/* sat4.c: motion of the stand "sat4". What each function does and takes: sat4.h.
+ * mahovik 0.1.0; structure b82f7f7b, physics 939478ee. Generated: change the stand file instead. */
+#include "sat4.h"
+
+#include <stdint.h>
+
+#if SAT4_STRUCTURE != 0xb82f7f7bu || SAT4_PHYSICS != 0x939478eeu
+#error "sat4.h and sat4.c are of different stands"
+#endif
+
+/* Attributes for sections, such as fast memory: define them to place code and tables. */
+#ifndef SAT4_CODE
+#define SAT4_CODE
+#endif
+#ifndef SAT4_CONST
+#define SAT4_CONST
+#endif
+
+/* Sums over all bodies at one state. */
+typedef struct sat4_sums {
+    sat4_real mu[3];      /* kg m; first moment of all bodies about O1 */
+    sat4_real mu_dot[3];  /* kg m/s; its rate in E1 */
+    sat4_real J[6];       /* kg m2; inertia about O1 */
+    sat4_real J_dot[6];   /* kg m2/s; its rate in E1 */
+    sat4_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
+    sat4_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
+    sat4_real g_rel[3];   /* N m; d/dt of its moment part */
+} sat4_sums;
+
+/* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
+typedef struct sat4_coupling {
+    sat4_real I[6];  /* kg m, kg m2; column of I (9) */
+    sat4_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+} sat4_coupling;
+
+/* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
+typedef struct sat4_schur {
+    sat4_real A[6];  /* kg; force by v*: 11 22 33 12 13 23 */
+    sat4_real B[9];  /* kg m; moment by v*, row by row */
+    sat4_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
+} sat4_schur;
+
+/* Scratch of inverse. */
+typedef struct sat4_inverse_work {
+    sat4_real I[6][SAT4_N];   /* kg m, kg m2; flywheel coupling (9) */
+    sat4_real W[6][SAT4_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
+    sat4_real U[6][6];        /* rotations of the rows */
+    sat4_real G[6][6];        /* Cholesky factor of K, lower triangle */
+    sat4_real b[6];           /* N, N m; what the flywheels must give */
+    sat4_real r[6];           /* scaled: G^-1 b; then U^T r */
+    sat4_real sigma[6];       /* singular values */
+    sat4_real scale[SAT4_N];  /* D^-1 */
+} sat4_inverse_work;
+
+typedef uint64_t sat4_word;  /* the bits of a real */
+
+SAT4_CODE
+static sat4_word sat4_bits_of(sat4_real value)
+{
+    union { sat4_real real; sat4_word word; } both;
+    both.real = value;
+    return both.word;
+}
+
+SAT4_CODE
+static sat4_real sat4_real_of(sat4_word word)
+{
+    union { sat4_real real; sat4_word word; } both;
+    both.word = word;
+    return both.real;
+}
+
+/* sine and cosine of an angle.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+SAT4_CODE
+static void sat4_sincos(sat4_real x, sat4_real *sine, sat4_real *cosine)
+{
+    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    const sat4_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
+    const sat4_word quadrant = sat4_bits_of(shifted);  /* mod 4: its last two bits */
+    const sat4_real k = shifted - 6755399441055744.0;
+    /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+    const sat4_real rest = x - k * 1.570796325802803;
+    const sat4_real second = k * 9.920935796805365e-10;
+    const sat4_real r_hi = rest - second;
+    /* rounding error of r_hi, and the third part */
+    const sat4_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+    const sat4_real z = r_hi * r_hi;
+    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    const sat4_real half_z = z * 0.5;
+    const sat4_real flat = 1.0 - half_z;
+    const sat4_real cos_fit = 0.0416666666666666
+        + z * (-0.001388888888887447 + z * (2.4801587289666868e-5
+        + z * (-2.755731439924032e-7 + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+    const sat4_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+    /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+    const sat4_real sin_fit = 0.1666666666666663
+        + z * (-0.00833333333332184 + z * (0.00019841269829358541
+        + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+    const sat4_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+    /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+    const sat4_word sin_bits = sat4_bits_of(sin_r);
+    const sat4_word cos_bits = sat4_bits_of(cos_r);
+    const sat4_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+    const sat4_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+    const sat4_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+    *sine = sat4_real_of(sin_bits ^ exchange ^ sine_sign);
+    *cosine = sat4_real_of(cos_bits ^ exchange ^ cosine_sign);
+}
+
+/* square root, correctly rounded.
+ * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
+SAT4_CODE
+static sat4_real sat4_sqrt(sat4_real x)
+{
+    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+    const int subnormal = x < 2.2250738585072014e-308;
+    const sat4_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
+    const sat4_word lowered = (subnormal) ? 27u : 0u;
+    const sat4_word bits = sat4_bits_of(x * lift);
+    const sat4_word exponent = bits >> 52u;
+    const sat4_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const sat4_word fraction = bits & 0xfffffffffffffu;
+    const sat4_word m_bits = fraction + ((odd + 1023u) << 52u);
+    const sat4_real m = sat4_real_of(m_bits);
+    const sat4_real half_m = m * 0.5;
+    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    const sat4_real y0 = sat4_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
+    const sat4_real y1 = y0 * (1.5 - half_m * y0 * y0);
+    const sat4_real y2 = y1 * (1.5 - half_m * y1 * y1);
+    const sat4_real y3 = y2 * (1.5 - half_m * y2 * y2);
+    const sat4_real s = m * y3;
+    const sat4_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+     * place. */
+    const sat4_word root = sat4_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const sat4_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
+    const sat4_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
+    const sat4_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const sat4_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
+    const sat4_real result = sat4_real_of(root + up - down + ((halved - 1u) << 52u));
+    return (x > 0.0) ? result : x;
+}
+
+/* the equal angle within half a turn of zero.
+ * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+SAT4_CODE
+static sat4_real sat4_wrapped(sat4_real phi)
+{
+    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    const sat4_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
+/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+SAT4_CODE
+static sat4_status sat4_within(const sat4_real values[], int count, sat4_real limit)
+{
+    for (int i = 0; i < count; ++i) {
+        if (!(values[i] >= -limit && values[i] <= limit)) {
+            if (values[i] >= -SAT4_LARGEST && values[i] <= SAT4_LARGEST) { return SAT4_RANGE; }
+            return SAT4_NOT_FINITE;
+        }
+    }
+    return SAT4_OK;
+}
+
+/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+SAT4_CODE
+static sat4_status sat4_check_state(const sat4_state *x)
+{
+    sat4_status status = sat4_within(x->position, 3, SAT4_MAX_POSITION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->attitude, 4, 2.0);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->V, 6, SAT4_MAX_SPEED);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->V, 3, SAT4_MAX_VELOCITY);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->phi, SAT4_N, SAT4_MAX_PHASE);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->phi_dot, SAT4_N, SAT4_MAX_SPEED);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return SAT4_RANGE; }
+    return SAT4_OK;
+}
+
+/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+SAT4_CODE
+static void sat4_rotation(const sat4_real q[4], sat4_real C[9])
+{
+    const sat4_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
+    C[1] = k * (q[1] * q[2] - q[0] * q[3]);
+    C[2] = k * (q[0] * q[2] + q[1] * q[3]);
+    C[3] = k * (q[0] * q[3] + q[1] * q[2]);
+    C[4] = 1.0 + k * (-(q[1] * q[1]) - q[3] * q[3]);
+    C[5] = k * (q[2] * q[3] - q[0] * q[1]);
+    C[6] = k * (q[1] * q[3] - q[0] * q[2]);
+    C[7] = k * (q[0] * q[1] + q[2] * q[3]);
+    C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
+}
+
+/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+SAT4_CODE
+static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat4_real phi_dot,
+                              sat4_real phi_ddot, sat4_sums *sum)
+{
+    const sat4_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const sat4_real s2 = 2.0 * c * s;
+    const sat4_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const sat4_real ds = phi_dot * c;
+    const sat4_real dc2 = -2.0 * phi_dot * s2;
+    const sat4_real ds2 = 2.0 * phi_dot * c2;
+    const sat4_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const sat4_real dds = phi_ddot * c + phi_dot * dc;
+    /* first moment and its rate */
+    sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
+    sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
+    sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
+    sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
+    sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
+    sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
+    /* inertia and its rate: K_dot of (6) */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    /* moment part of I phi' (its force part is mu_dot) */
+    sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
+    sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
+    sum->h_rel[2] += row->t_c[2] * ds + phi_dot * row->t_0[2] - row->t_s[2] * dc;
+    /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+    sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
+    sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
+    sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
+    sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
+    sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
+    sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
+}
+
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+SAT4_CODE
+static void sat4_start_sums(const sat4_table *stand, sat4_sums *sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+SAT4_CODE
+static void sat4_momentum_screw(const sat4_table *stand, const sat4_sums *sum, const sat4_real V[6],
+                                sat4_real Z[6])
+{
+    Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    Z[2] = stand->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    Z[3] = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0] + sum->mu[1] * V[2]
+        - sum->mu[2] * V[1];
+    Z[4] = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1] + sum->mu[2] * V[0]
+        - sum->mu[0] * V[2];
+    Z[5] = sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2] + sum->mu[0] * V[1]
+        - sum->mu[1] * V[0];
+}
+
+/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+SAT4_CODE
+static void sat4_subtract_rates(const sat4_sums *sum, const sat4_real V[6], const sat4_real Z[6],
+                                sat4_real F[6])
+{
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z[0] - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z[1];
+    F[3] = F[3] + Z[4] * V[5] + sum->mu_dot[2] * V[1] + Z[1] * V[2] - sum->J_dot[0] * V[3]
+        - sum->J_dot[3] * V[4] - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z[5] * V[4] - sum->mu_dot[1] * V[2]
+        - Z[2] * V[1];
+    F[4] = F[4] + Z[5] * V[3] + sum->mu_dot[0] * V[2] + Z[2] * V[0] - sum->J_dot[1] * V[4]
+        - sum->J_dot[3] * V[3] - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z[3] * V[5] - sum->mu_dot[2] * V[0]
+        - Z[0] * V[2];
+    F[5] = F[5] + Z[3] * V[4] + sum->mu_dot[1] * V[0] + Z[0] * V[1] - sum->J_dot[2] * V[5]
+        - sum->J_dot[4] * V[3] - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z[4] * V[3] - sum->mu_dot[0] * V[1]
+        - Z[1] * V[0];
+}
+
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+SAT4_CODE
+static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_real y[3])
+{
+    const sat4_real c11 = S[1] * S[2] - S[5] * S[5];
+    const sat4_real c22 = S[0] * S[2] - S[4] * S[4];
+    const sat4_real c33 = S[0] * S[1] - S[3] * S[3];
+    const sat4_real c12 = S[4] * S[5] - S[2] * S[3];
+    const sat4_real c13 = S[3] * S[5] - S[1] * S[4];
+    const sat4_real c23 = S[3] * S[4] - S[0] * S[5];
+    const sat4_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
+    /* Sylvester: the leading minors are positive. NaN fails too */
+    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    const sat4_real r = 1.0 / det;
+    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
+    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
+    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    return SAT4_OK;
+}
+
+/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+SAT4_CODE
+static sat4_status sat4_solve_carrier(const sat4_table *stand, const sat4_sums *sum, const sat4_real F[6],
+                                      sat4_real y[6])
+{
+    sat4_status status;
+    sat4_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = stand->mass_inverse * sum->mu[0];
+    rho[1] = stand->mass_inverse * sum->mu[1];
+    rho[2] = stand->mass_inverse * sum->mu[2];
+    sat4_real S[6];  /* inertia about the mass centre */
+    sat4_real moment[3];  /* about the mass centre */
+    sat4_real omega_dot[3];
+    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * rho[1];
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    status = sat4_solve3(S, moment, omega_dot);
+    if (status != SAT4_OK) { return status; }
+    y[0] = F[0] * stand->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
+    y[1] = F[1] * stand->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
+    y[2] = F[2] * stand->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+    return SAT4_OK;
+}
+
+/* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
+ * (8). */
+SAT4_CODE
+static sat4_status sat4_accelerate(const sat4_table *stand, const sat4_state *x,
+                                   const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[6])
+{
+    sat4_status status;
+    sat4_sums sum;
+    sat4_start_sums(stand, &sum);
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+    }
+    sat4_real F[6];  /* wrench (7); then what K V* must equal */
+    sat4_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_subtract_rates(&sum, x->V, Z, F);
+    status = sat4_solve_carrier(stand, &sum, F, V_dot);
+    if (status != SAT4_OK) { return status; }
+    return SAT4_OK;
+}
+
+/* (8) */
+SAT4_CODE
+sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+                         sat4_real V_dot[6])
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    sat4_real result[6];
+    status = sat4_accelerate(stand, x, phi_ddot, result);
+    if (status != SAT4_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
+    return SAT4_OK;
+}
+
+/* M = Phi K + K*, (9). */
+SAT4_CODE
+static void sat4_velocity_matrix(const sat4_real V[6], sat4_equations *out)
+{
+    for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
+        out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
+        out->M[1][j] = out->K[0][j] * V[5] - out->K[2][j] * V[3] + out->K_dot[1][j];
+        out->M[2][j] = out->K[1][j] * V[3] - out->K[0][j] * V[4] + out->K_dot[2][j];
+        out->M[3][j] = out->K[2][j] * V[1] + out->K[5][j] * V[4] - out->K[1][j] * V[2] - out->K[4][j] * V[5]
+            + out->K_dot[3][j];
+        out->M[4][j] = out->K[0][j] * V[2] + out->K[3][j] * V[5] - out->K[2][j] * V[0] - out->K[5][j] * V[3]
+            + out->K_dot[4][j];
+        out->M[5][j] = out->K[1][j] * V[0] + out->K[4][j] * V[3] - out->K[0][j] * V[1] - out->K[3][j] * V[4]
+            + out->K_dot[5][j];
+    }
+}
+
+/* (2), (6)-(9) */
+SAT4_CODE
+sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equations *out)
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    sat4_sums sum;
+    sat4_start_sums(stand, &sum);
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    sat4_real F[6];
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
+    out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
+    /* K (2) and its rate (6) */
+    out->K[0][0] = stand->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
+    out->K[0][3] = 0.0;          out->K[0][4] = sum.mu[2];    out->K[0][5] = -sum.mu[1];
+    out->K[1][0] = 0.0;          out->K[1][1] = stand->mass;  out->K[1][2] = 0.0;
+    out->K[1][3] = -sum.mu[2];   out->K[1][4] = 0.0;          out->K[1][5] = sum.mu[0];
+    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = stand->mass;
+    out->K[2][3] = sum.mu[1];    out->K[2][4] = -sum.mu[0];   out->K[2][5] = 0.0;
+    out->K[3][0] = 0.0;         out->K[3][1] = -sum.mu[2];  out->K[3][2] = sum.mu[1];
+    out->K[3][3] = sum.J[0];    out->K[3][4] = sum.J[3];    out->K[3][5] = sum.J[4];
+    out->K[4][0] = sum.mu[2];   out->K[4][1] = 0.0;         out->K[4][2] = -sum.mu[0];
+    out->K[4][3] = sum.J[3];    out->K[4][4] = sum.J[1];    out->K[4][5] = sum.J[5];
+    out->K[5][0] = -sum.mu[1];  out->K[5][1] = sum.mu[0];   out->K[5][2] = 0.0;
+    out->K[5][3] = sum.J[4];    out->K[5][4] = sum.J[5];    out->K[5][5] = sum.J[2];
+    out->K_dot[0][0] = 0.0;             out->K_dot[0][1] = 0.0;             out->K_dot[0][2] = 0.0;
+    out->K_dot[0][3] = 0.0;             out->K_dot[0][4] = sum.mu_dot[2];   out->K_dot[0][5] = -sum.mu_dot[1];
+    out->K_dot[1][0] = 0.0;             out->K_dot[1][1] = 0.0;             out->K_dot[1][2] = 0.0;
+    out->K_dot[1][3] = -sum.mu_dot[2];  out->K_dot[1][4] = 0.0;             out->K_dot[1][5] = sum.mu_dot[0];
+    out->K_dot[2][0] = 0.0;             out->K_dot[2][1] = 0.0;             out->K_dot[2][2] = 0.0;
+    out->K_dot[2][3] = sum.mu_dot[1];   out->K_dot[2][4] = -sum.mu_dot[0];  out->K_dot[2][5] = 0.0;
+    out->K_dot[3][0] = 0.0;             out->K_dot[3][1] = -sum.mu_dot[2];  out->K_dot[3][2] = sum.mu_dot[1];
+    out->K_dot[3][3] = sum.J_dot[0];    out->K_dot[3][4] = sum.J_dot[3];    out->K_dot[3][5] = sum.J_dot[4];
+    out->K_dot[4][0] = sum.mu_dot[2];   out->K_dot[4][1] = 0.0;             out->K_dot[4][2] = -sum.mu_dot[0];
+    out->K_dot[4][3] = sum.J_dot[3];    out->K_dot[4][4] = sum.J_dot[1];    out->K_dot[4][5] = sum.J_dot[5];
+    out->K_dot[5][0] = -sum.mu_dot[1];  out->K_dot[5][1] = sum.mu_dot[0];   out->K_dot[5][2] = 0.0;
+    out->K_dot[5][3] = sum.J_dot[4];    out->K_dot[5][4] = sum.J_dot[5];    out->K_dot[5][5] = sum.J_dot[2];
+    sat4_velocity_matrix(x->V, out);
+    sat4_real column[6];  /* I_s */
+    sat4_real rate[6];  /* dI_s / dphi */
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
+        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
+        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
+        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0];
+        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1];
+        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2];
+        rate[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
+        rate[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
+        rate[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+        out->I[0][s] = column[0];
+        out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
+        out->I[1][s] = column[1];
+        out->J[1][s] = column[0] * x->V[5] - column[2] * x->V[3] + rate[1] * x->phi_dot[s];
+        out->I[2][s] = column[2];
+        out->J[2][s] = column[1] * x->V[3] - column[0] * x->V[4] + rate[2] * x->phi_dot[s];
+        out->I[3][s] = column[3];
+        out->J[3][s] = column[2] * x->V[1] + column[5] * x->V[4] - column[1] * x->V[2] - column[4] * x->V[5]
+            + rate[3] * x->phi_dot[s];
+        out->I[4][s] = column[4];
+        out->J[4][s] = column[0] * x->V[2] + column[3] * x->V[5] - column[2] * x->V[0] - column[5] * x->V[3]
+            + rate[4] * x->phi_dot[s];
+        out->I[5][s] = column[5];
+        out->J[5][s] = column[1] * x->V[0] + column[4] * x->V[3] - column[0] * x->V[1] - column[3] * x->V[4]
+            + rate[5] * x->phi_dot[s];
+    }
+    return SAT4_OK;
+}
+
+/* (1), (2) */
+SAT4_CODE
+sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_momenta *out)
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    sat4_real C[9];  /* attitude */
+    sat4_rotation(x->attitude, C);
+    sat4_sums sum;
+    sat4_start_sums(stand, &sum);
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    sat4_real Z[6];  /* momentum screw (2) */
+    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        /* I_s . V */
+        const sat4_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
+            * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
+            + (stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi) * x->V[2]
+            + (stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0]) * x->V[3]
+            + (stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1]) * x->V[4]
+            + (stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2]) * x->V[5];
+        spin += x->phi_dot[s] * (along + stand->flywheel[s].spin * x->phi_dot[s]);
+    }
+    sat4_real energy = 0.5 * Z[3] * x->V[3] + 0.5 * Z[4] * x->V[4] + 0.5 * Z[5] * x->V[5]
+        + 0.5 * Z[0] * x->V[0] + 0.5 * Z[1] * x->V[1] + 0.5 * Z[2] * x->V[2] + 0.5 * spin;
+    out->Z[0] = Z[0];  out->Z[1] = Z[1];  out->Z[2] = Z[2];
+    out->Z[3] = Z[3];  out->Z[4] = Z[4];  out->Z[5] = Z[5];
+    /* Z0 = L1 Z of (1) */
+    out->Z0[0] = C[0] * Z[0] + C[1] * Z[1] + C[2] * Z[2];
+    out->Z0[1] = C[3] * Z[0] + C[4] * Z[1] + C[5] * Z[2];
+    out->Z0[2] = C[6] * Z[0] + C[7] * Z[1] + C[8] * Z[2];
+    out->Z0[3] = C[0] * Z[3] + C[1] * Z[4] + C[2] * Z[5] + out->Z0[2] * x->position[1]
+        - out->Z0[1] * x->position[2];
+    out->Z0[4] = C[3] * Z[3] + C[4] * Z[4] + C[5] * Z[5] + out->Z0[0] * x->position[2]
+        - out->Z0[2] * x->position[0];
+    out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
+        - out->Z0[0] * x->position[1];
+    out->energy = energy;
+    out->center_of_mass[0] = sum.mu[0] * stand->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * stand->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * stand->mass_inverse;
+    return SAT4_OK;
+}
+
+/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+SAT4_CODE
+static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c, const sat4_real V[6],
+                        const sat4_real swing[3], sat4_coupling *out)
+{
+    const sat4_real c2 = 1.0 - 2.0 * (s * s);
+    const sat4_real s2 = 2.0 * c * s;
+    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    sat4_real J_p[6];  /* dJ / dphi */
+    J_p[0] = 2.0 * row->J_2s[0] * c2 + row->J_s[0] * c - 2.0 * row->J_2c[0] * s2 - row->J_c[0] * s;
+    J_p[1] = 2.0 * row->J_2s[1] * c2 + row->J_s[1] * c - 2.0 * row->J_2c[1] * s2 - row->J_c[1] * s;
+    J_p[2] = 2.0 * row->J_2s[2] * c2 + row->J_s[2] * c - 2.0 * row->J_2c[2] * s2 - row->J_c[2] * s;
+    J_p[3] = 2.0 * row->J_2s[3] * c2 + row->J_s[3] * c - 2.0 * row->J_2c[3] * s2 - row->J_c[3] * s;
+    J_p[4] = 2.0 * row->J_2s[4] * c2 + row->J_s[4] * c - 2.0 * row->J_2c[4] * s2 - row->J_c[4] * s;
+    J_p[5] = 2.0 * row->J_2s[5] * c2 + row->J_s[5] * c - 2.0 * row->J_2c[5] * s2 - row->J_c[5] * s;
+    sat4_real turned[3];  /* J' omega */
+    turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
+    turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
+    turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
+    out->bias = out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2] - 0.5 * V[3] * turned[0]
+        - 0.5 * V[4] * turned[1] - 0.5 * V[5] * turned[2];
+}
+
+/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+SAT4_CODE
+sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                        const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N])
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    sat4_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_coupling drive;
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        sat4_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive);
+        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + drive.bias;
+    }
+    return SAT4_OK;
+}
+
+/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+SAT4_CODE
+static void sat4_eliminate(const sat4_real I[6], sat4_real spin_inv, sat4_real rate, sat4_schur *K,
+                           sat4_real F[6])
+{
+    sat4_real scaled[6];  /* I / Theta_ff */
+    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
+    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
+    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
+    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
+    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
+    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
+    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
+    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
+    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
+    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
+    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+}
+
+/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+SAT4_CODE
+static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], sat4_real y[6])
+{
+    sat4_status status;
+    const sat4_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
+    const sat4_real c22 = K->A[0] * K->A[2] - K->A[4] * K->A[4];
+    const sat4_real c33 = K->A[0] * K->A[1] - K->A[3] * K->A[3];
+    const sat4_real c12 = K->A[4] * K->A[5] - K->A[2] * K->A[3];
+    const sat4_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
+    const sat4_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
+    const sat4_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    const sat4_real r = 1.0 / det;
+    sat4_real A_inv[6];
+    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
+    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
+    sat4_real U[9];  /* A^-1 B^T */
+    sat4_real S[6];  /* D - B A^-1 B^T */
+    sat4_real moment[3];  /* n - B A^-1 f */
+    sat4_real omega_dot[3];
+    U[0] = A_inv[0] * K->B[0] + A_inv[3] * K->B[1] + A_inv[4] * K->B[2];
+    U[1] = A_inv[0] * K->B[3] + A_inv[3] * K->B[4] + A_inv[4] * K->B[5];
+    U[2] = A_inv[0] * K->B[6] + A_inv[3] * K->B[7] + A_inv[4] * K->B[8];
+    U[3] = A_inv[1] * K->B[1] + A_inv[3] * K->B[0] + A_inv[5] * K->B[2];
+    U[4] = A_inv[1] * K->B[4] + A_inv[3] * K->B[3] + A_inv[5] * K->B[5];
+    U[5] = A_inv[1] * K->B[7] + A_inv[3] * K->B[6] + A_inv[5] * K->B[8];
+    U[6] = A_inv[2] * K->B[2] + A_inv[4] * K->B[0] + A_inv[5] * K->B[1];
+    U[7] = A_inv[2] * K->B[5] + A_inv[4] * K->B[3] + A_inv[5] * K->B[4];
+    U[8] = A_inv[2] * K->B[8] + A_inv[4] * K->B[6] + A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * U[0] - K->B[1] * U[3] - K->B[2] * U[6];
+    S[1] = K->D[1] - K->B[3] * U[1] - K->B[4] * U[4] - K->B[5] * U[7];
+    S[2] = K->D[2] - K->B[6] * U[2] - K->B[7] * U[5] - K->B[8] * U[8];
+    S[3] = K->D[3] - K->B[0] * U[1] - K->B[1] * U[4] - K->B[2] * U[7];
+    S[4] = K->D[4] - K->B[0] * U[2] - K->B[1] * U[5] - K->B[2] * U[8];
+    S[5] = K->D[5] - K->B[3] * U[2] - K->B[4] * U[5] - K->B[5] * U[8];
+    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
+    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
+    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
+    status = sat4_solve3(S, moment, omega_dot);
+    if (status != SAT4_OK) { return status; }
+    y[0] = A_inv[0] * F[0] + A_inv[3] * F[1] + A_inv[4] * F[2] - U[0] * omega_dot[0] - U[1] * omega_dot[1]
+        - U[2] * omega_dot[2];
+    y[1] = A_inv[1] * F[1] + A_inv[3] * F[0] + A_inv[5] * F[2] - U[3] * omega_dot[0] - U[4] * omega_dot[1]
+        - U[5] * omega_dot[2];
+    y[2] = A_inv[2] * F[2] + A_inv[4] * F[0] + A_inv[5] * F[1] - U[6] * omega_dot[0] - U[7] * omega_dot[1]
+        - U[8] * omega_dot[2];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+    return SAT4_OK;
+}
+
+/* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
+SAT4_CODE
+static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+                             const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N])
+{
+    sat4_status status;
+    sat4_sums sum;
+    sat4_coupling drive[SAT4_N];
+    sat4_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_start_sums(stand, &sum);
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        sat4_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive[s]);
+        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+    }
+    sat4_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    sat4_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_subtract_rates(&sum, x->V, Z, F);
+    sat4_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    sat4_real rate[SAT4_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < SAT4_N; ++s) {
+        rate[s] = 0.0;
+        if (locked[s] == 0) {
+            rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
+            sat4_eliminate(drive[s].I, stand->flywheel[s].spin_inv, rate[s], &K, F);
+        }
+    }
+    status = sat4_solve_schur(&K, F, V_dot);
+    if (status != SAT4_OK) { return status; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        phi_ddot[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
+                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
+                + V_dot[5] * drive[s].I[5]) * stand->flywheel[s].spin_inv;
+        }
+    }
+    return SAT4_OK;
+}
+
+/* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
+SAT4_CODE
+sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+                         const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N])
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
+    if (status != SAT4_OK) { return status; }
+    sat4_real V_result[6];
+    sat4_real phi_result[SAT4_N];
+    status = sat4_move(stand, x, tau, locked, V_result, phi_result);
+    if (status != SAT4_OK) { return status; }
+    V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
+    V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
+    for (int s = 0; s < SAT4_N; ++s) {
+        phi_ddot[s] = phi_result[s];
+    }
+    return SAT4_OK;
+}
+
+/* to = x + h rate; phases are brought within half a turn. */
+SAT4_CODE
+static void sat4_advance(const sat4_state *x, const sat4_state *rate, sat4_real h, sat4_state *to)
+{
+    for (int i = 0; i < 3; ++i) {
+        to->position[i] = x->position[i] + h * rate->position[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        to->attitude[i] = x->attitude[i] + h * rate->attitude[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        to->V[i] = x->V[i] + h * rate->V[i];
+    }
+    for (int i = 0; i < SAT4_N; ++i) {
+        to->phi[i] = sat4_wrapped(x->phi[i] + h * rate->phi[i]);
+    }
+    for (int i = 0; i < SAT4_N; ++i) {
+        to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
+    }
+}
+
+/* brings the quaternion to unit length; RANGE where the state has left its ranges. */
+SAT4_CODE
+static sat4_status sat4_finish(sat4_state *x)
+{
+    const sat4_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return SAT4_RANGE; }
+    const sat4_real inverse = 1.0 / sat4_sqrt(square);
+    x->attitude[0] = x->attitude[0] * inverse;
+    x->attitude[1] = x->attitude[1] * inverse;
+    x->attitude[2] = x->attitude[2] * inverse;
+    x->attitude[3] = x->attitude[3] * inverse;
+    return sat4_check_state(x);
+}
+
+/* rates of the state under drive torques. */
+SAT4_CODE
+static sat4_status sat4_rate(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+                             const int locked[SAT4_N], sat4_state *rate)
+{
+    sat4_status status;
+    sat4_real C[9];  /* attitude */
+    status = sat4_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    if (status != SAT4_OK) { return status; }
+    sat4_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < SAT4_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+    }
+    return SAT4_OK;
+}
+
+/* State a time step later, under drive torques and wrenches held constant. */
+SAT4_CODE
+sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+                      const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next)
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
+    if (status != SAT4_OK) { return status; }
+    if (!(dt > 0.0 && dt <= SAT4_MAX_STEP)) { return SAT4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
+    sat4_state k;  /* rates of a stage */
+    sat4_state y;  /* state of a stage; then the new state */
+    status = sat4_rate(stand, x, tau, locked, &k);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real half = 0.5 * dt;
+    if (order == 2) {
+        sat4_advance(x, &k, half, &y);
+        status = sat4_rate(stand, &y, tau, locked, &k);
+        if (status != SAT4_OK) { return status; }
+        sat4_advance(x, &k, dt, &y);
+    } else {
+        sat4_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
+        total = k;
+        sat4_advance(x, &k, half, &y);
+        status = sat4_rate(stand, &y, tau, locked, &k);
+        if (status != SAT4_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, half, &y);
+        status = sat4_rate(stand, &y, tau, locked, &k);
+        if (status != SAT4_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, dt, &y);
+        status = sat4_rate(stand, &y, tau, locked, &k);
+        if (status != SAT4_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi_dot[i] += k.phi_dot[i];
+        }
+        const sat4_real sixth = dt / 6.0;
+        sat4_advance(x, &total, sixth, &y);
+    }
+    status = sat4_finish(&y);
+    if (status != SAT4_OK) { return status; }
+    *next = y;
+    return SAT4_OK;
+}
+
+/* rates of the state under given flywheel accelerations. */
+SAT4_CODE
+static sat4_status sat4_rate_driven(const sat4_table *stand, const sat4_state *x,
+                                    const sat4_real phi_ddot[SAT4_N], sat4_state *rate)
+{
+    sat4_status status;
+    sat4_real C[9];  /* attitude */
+    status = sat4_accelerate(stand, x, phi_ddot, rate->V);
+    if (status != SAT4_OK) { return status; }
+    sat4_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < SAT4_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+        rate->phi_dot[s] = phi_ddot[s];
+    }
+    return SAT4_OK;
+}
+
+/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+SAT4_CODE
+sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+                             sat4_real dt, int order, sat4_state *next)
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    if (!(dt > 0.0 && dt <= SAT4_MAX_STEP)) { return SAT4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
+    sat4_state k;  /* rates of a stage */
+    sat4_state y;  /* state of a stage; then the new state */
+    status = sat4_rate_driven(stand, x, phi_ddot, &k);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real half = 0.5 * dt;
+    if (order == 2) {
+        sat4_advance(x, &k, half, &y);
+        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != SAT4_OK) { return status; }
+        sat4_advance(x, &k, dt, &y);
+    } else {
+        sat4_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
+        total = k;
+        sat4_advance(x, &k, half, &y);
+        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != SAT4_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, half, &y);
+        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != SAT4_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, dt, &y);
+        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        if (status != SAT4_OK) { return status; }
+        for (int i = 0; i < 3; ++i) {
+            total.position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total.attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total.V[i] += k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total.phi_dot[i] += k.phi_dot[i];
+        }
+        const sat4_real sixth = dt / 6.0;
+        sat4_advance(x, &total, sixth, &y);
+    }
+    status = sat4_finish(&y);
+    if (status != SAT4_OK) { return status; }
+    *next = y;
+    return SAT4_OK;
+}
+
+/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+ * condition. */
+SAT4_CODE
+static void sat4_orthogonalise(sat4_inverse_work *work)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            work->U[i][j] = 0.0;
+        }
+        work->U[i][i] = 1.0;
+    }
+    for (int sweep = 0; sweep < 9; ++sweep) {
+        for (int p = 0; p < 5; ++p) {
+            for (int q = p + 1; q < 6; ++q) {
+                sat4_real a, b, g;
+                a = 0.0;
+                b = 0.0;
+                g = 0.0;
+                for (int j = 0; j < SAT4_N; ++j) {
+                    a += work->W[p][j] * work->W[p][j];
+                    b += work->W[q][j] * work->W[q][j];
+                    g += work->W[p][j] * work->W[q][j];
+                }
+                /* tangent of the smaller angle that makes the rows orthogonal */
+                const sat4_real d = b - a;
+                const sat4_real root = sat4_sqrt(d * d + 4.0 * (g * g));
+                const sat4_real below = (d < 0.0) ? d - root : d + root;
+                const sat4_real t = (((below < 0.0) ? -below : below) > 0.0)
+                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                const sat4_real c = 1.0 / sat4_sqrt(1.0 + t * t);
+                const sat4_real s = c * t;
+                for (int j = 0; j < SAT4_N; ++j) {
+                    const sat4_real x = work->W[p][j];
+                    const sat4_real y = work->W[q][j];
+                    work->W[p][j] = c * x - s * y;
+                    work->W[q][j] = s * x + c * y;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const sat4_real x = work->U[j][p];
+                    const sat4_real y = work->U[j][q];
+                    work->U[j][p] = c * x - s * y;  work->U[j][q] = s * x + c * y;
+                }
+                const sat4_real x = work->r[p];
+                const sat4_real y = work->r[q];
+                work->r[p] = c * x - s * y;  work->r[q] = s * x + c * y;
+            }
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        sat4_real total = 0.0;
+        for (int j = 0; j < SAT4_N; ++j) {
+            total += work->W[i][j] * work->W[i][j];
+        }
+        work->sigma[i] = sat4_sqrt(total);
+    }
+}
+
+/* cholesky factor of the mass matrix, in place: K = G G^T. */
+SAT4_CODE
+static sat4_status sat4_factor(sat4_inverse_work *work)
+{
+    for (int j = 0; j < 6; ++j) {
+        sat4_real pivot = work->G[j][j];
+        for (int k = 0; k < j; ++k) {
+            pivot -= work->G[j][k] * work->G[j][k];
+        }
+        if (!(pivot > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+        const sat4_real root = sat4_sqrt(pivot);
+        work->G[j][j] = root;
+        for (int i = j + 1; i < 6; ++i) {
+            sat4_real rest = work->G[i][j];
+            for (int k = 0; k < j; ++k) {
+                rest -= work->G[i][k] * work->G[j][k];
+            }
+            work->G[i][j] = rest / root;
+        }
+    }
+    return SAT4_OK;
+}
+
+/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+SAT4_CODE
+static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                               const sat4_real weight[SAT4_N], sat4_inverse_work *work)
+{
+    sat4_status status;
+    sat4_sums sum;
+    sat4_start_sums(stand, &sum);
+    sat4_real column[6];  /* I_s */
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
+        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
+        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
+        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
+            + stand->flywheel[s].t_0[0];
+        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
+            + stand->flywheel[s].t_0[1];
+        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
+            + stand->flywheel[s].t_0[2];
+        for (int i = 0; i < 6; ++i) {
+            work->I[i][s] = column[i];
+        }
+    }
+    sat4_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    sat4_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_subtract_rates(&sum, x->V, Z, F);
+    work->G[0][0] = stand->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
+    work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
+    work->G[1][0] = 0.0;          work->G[1][1] = stand->mass;  work->G[1][2] = 0.0;
+    work->G[1][3] = -sum.mu[2];   work->G[1][4] = 0.0;          work->G[1][5] = sum.mu[0];
+    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = stand->mass;
+    work->G[2][3] = sum.mu[1];    work->G[2][4] = -sum.mu[0];   work->G[2][5] = 0.0;
+    work->G[3][0] = 0.0;         work->G[3][1] = -sum.mu[2];  work->G[3][2] = sum.mu[1];
+    work->G[3][3] = sum.J[0];    work->G[3][4] = sum.J[3];    work->G[3][5] = sum.J[4];
+    work->G[4][0] = sum.mu[2];   work->G[4][1] = 0.0;         work->G[4][2] = -sum.mu[0];
+    work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
+    work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
+    work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
+    /* b = F - K V*: what the flywheels must give */
+    for (int i = 0; i < 6; ++i) {
+        work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
+            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
+        work->r[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
+            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
+    }
+    status = sat4_factor(work);
+    if (status != SAT4_OK) { return status; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        work->scale[s] = 1.0 / sat4_sqrt(stand->flywheel[s].spin * weight[s]);
+        for (int i = 0; i < 6; ++i) {
+            work->W[i][s] = work->I[i][s] * work->scale[s];
+        }
+    }
+    /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < i; ++k) {
+            for (int s = 0; s < SAT4_N; ++s) {
+                work->W[i][s] -= work->G[i][k] * work->W[k][s];
+            }
+            work->r[i] -= work->G[i][k] * work->r[k];
+        }
+        const sat4_real inverse = 1.0 / work->G[i][i];
+        for (int s = 0; s < SAT4_N; ++s) {
+            work->W[i][s] = work->W[i][s] * inverse;
+        }
+        work->r[i] = work->r[i] * inverse;
+    }
+    return SAT4_OK;
+}
+
+/* (12) */
+SAT4_CODE
+sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                         const sat4_inverse_options *options, sat4_inverse_result *out)
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(options->limit, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return status; }
+    if (!(options->near >= 0.0 && options->near <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SAT4_BAD_ARGUMENT; }
+    }
+    sat4_inverse_work work;
+    status = sat4_demand(stand, x, V_dot, options->weight, &work);
+    if (status != SAT4_OK) { return status; }
+    sat4_real wanted = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        wanted += work.r[i] * work.r[i];
+    }
+    sat4_orthogonalise(&work);
+    /* descending singular values, by exchanging neighbours */
+    for (int pass = 0; pass < 5; ++pass) {
+        for (int i = 0; i < 5; ++i) {
+            if (work.sigma[i] < work.sigma[i + 1]) {
+                const sat4_real kept_sigma = work.sigma[i];
+                work.sigma[i] = work.sigma[i + 1];  work.sigma[i + 1] = kept_sigma;
+                const sat4_real kept_r = work.r[i];
+                work.r[i] = work.r[i + 1];  work.r[i + 1] = kept_r;
+                for (int j = 0; j < SAT4_N; ++j) {
+                    const sat4_real kept = work.W[i][j];
+                    work.W[i][j] = work.W[i + 1][j];
+                    work.W[i + 1][j] = kept;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const sat4_real kept = work.U[j][i];
+                    work.U[j][i] = work.U[j][i + 1];  work.U[j][i + 1] = kept;
+                }
+            }
+        }
+    }
+    int flags, rank;
+    sat4_real damping;
+    flags = 0;
+    rank = 0;
+    damping = 0.0;
+    for (int s = 0; s < SAT4_N; ++s) {
+        out->phi_ddot[s] = 0.0;
+    }
+    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
+    for (int i = 0; i < 6; ++i) {
+        if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
+            rank = rank + 1;
+            const sat4_real ratio = work.sigma[i] / work.sigma[0];
+            sat4_real lambda = 0.0;
+            if (ratio < options->near) {
+                flags = flags | 1;
+                if (options->damping > 0.0) {
+                    flags = flags | 2;
+                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    damping = (lambda > damping) ? lambda : damping;
+                }
+            }
+            const sat4_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
+            for (int s = 0; s < SAT4_N; ++s) {
+                out->phi_ddot[s] += part * work.W[i][s];
+            }
+        }
+    }
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real free = out->phi_ddot[s] * work.scale[s];
+        const sat4_real over = ((free < 0.0) ? -free : free) - options->limit[s];
+        out->phi_ddot[s] = free;
+        out->limited[s] = 0;
+        if (over > 0.0) {
+            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
+            out->limited[s] = 1;
+            flags = flags | 4;
+        }
+    }
+    if (rank < 4) {
+        flags = flags | 16;
+    }
+    sat4_real left;
+    sat4_real z[6];  /* G^-1 residual */
+    left = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = work.b[i];
+        for (int s = 0; s < SAT4_N; ++s) {
+            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        z[i] = out->residual[i];
+        for (int k = 0; k < i; ++k) {
+            z[i] -= work.G[i][k] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        left += z[i] * z[i];
+        /* G u of the least singular value */
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * work.U[k][5];
+        }
+    }
+    if (left > 1.0e-18 * wanted) {
+        flags = flags | 8;
+    }
+    out->rank = rank;
+    out->damping = damping;
+    for (int i = 0; i < 4; ++i) {
+        out->sigma[i] = work.sigma[i];
+    }
+    return (sat4_status)flags;
+}
+
+/* reading of one sensor. */
+SAT4_CODE
+static void sat4_sense(const sat4_sensor *sensor, const sat4_real r[3], const sat4_real V[6],
+                       const sat4_real V_dot[6], const sat4_real C[9], sat4_reading *out)
+{
+    sat4_real velocity[3];  /* in E1 */
+    sat4_real force[3];  /* acceleration less gravity, in E1 */
+    velocity[0] = sensor->origin[2] * V[4] + V[0] - sensor->origin[1] * V[5];
+    velocity[1] = sensor->origin[0] * V[5] + V[1] - sensor->origin[2] * V[3];
+    velocity[2] = sensor->origin[1] * V[3] + V[2] - sensor->origin[0] * V[4];
+    force[0] = sensor->origin[2] * V_dot[4] + V[4] * velocity[2] + V_dot[0] - sensor->origin[1] * V_dot[5]
+        - V[5] * velocity[1];
+    force[1] = sensor->origin[0] * V_dot[5] + V[5] * velocity[0] + V_dot[1] - sensor->origin[2] * V_dot[3]
+        - V[3] * velocity[2];
+    force[2] = sensor->origin[1] * V_dot[3] + V[3] * velocity[1] + V_dot[2] - sensor->origin[0] * V_dot[4]
+        - V[4] * velocity[0];
+    out->position[0] = C[0] * sensor->origin[0] + C[1] * sensor->origin[1] + C[2] * sensor->origin[2] + r[0];
+    out->position[1] = C[3] * sensor->origin[0] + C[4] * sensor->origin[1] + C[5] * sensor->origin[2] + r[1];
+    out->position[2] = C[6] * sensor->origin[0] + C[7] * sensor->origin[1] + C[8] * sensor->origin[2] + r[2];
+    out->C[0][0] = C[0] * sensor->axes[0] + C[1] * sensor->axes[3] + C[2] * sensor->axes[6];
+    out->C[0][1] = C[0] * sensor->axes[1] + C[1] * sensor->axes[4] + C[2] * sensor->axes[7];
+    out->C[0][2] = C[0] * sensor->axes[2] + C[1] * sensor->axes[5] + C[2] * sensor->axes[8];
+    out->C[1][0] = C[3] * sensor->axes[0] + C[4] * sensor->axes[3] + C[5] * sensor->axes[6];
+    out->C[1][1] = C[3] * sensor->axes[1] + C[4] * sensor->axes[4] + C[5] * sensor->axes[7];
+    out->C[1][2] = C[3] * sensor->axes[2] + C[4] * sensor->axes[5] + C[5] * sensor->axes[8];
+    out->C[2][0] = C[6] * sensor->axes[0] + C[7] * sensor->axes[3] + C[8] * sensor->axes[6];
+    out->C[2][1] = C[6] * sensor->axes[1] + C[7] * sensor->axes[4] + C[8] * sensor->axes[7];
+    out->C[2][2] = C[6] * sensor->axes[2] + C[7] * sensor->axes[5] + C[8] * sensor->axes[8];
+    out->twist[0] = sensor->axes[0] * velocity[0] + sensor->axes[3] * velocity[1]
+        + sensor->axes[6] * velocity[2];
+    out->twist[1] = sensor->axes[1] * velocity[0] + sensor->axes[4] * velocity[1]
+        + sensor->axes[7] * velocity[2];
+    out->twist[2] = sensor->axes[2] * velocity[0] + sensor->axes[5] * velocity[1]
+        + sensor->axes[8] * velocity[2];
+    out->twist[3] = sensor->axes[0] * V[3] + sensor->axes[3] * V[4] + sensor->axes[6] * V[5];
+    out->twist[4] = sensor->axes[1] * V[3] + sensor->axes[4] * V[4] + sensor->axes[7] * V[5];
+    out->twist[5] = sensor->axes[2] * V[3] + sensor->axes[5] * V[4] + sensor->axes[8] * V[5];
+    out->specific_force[0] = sensor->axes[0] * force[0] + sensor->axes[3] * force[1]
+        + sensor->axes[6] * force[2];
+    out->specific_force[1] = sensor->axes[1] * force[0] + sensor->axes[4] * force[1]
+        + sensor->axes[7] * force[2];
+    out->specific_force[2] = sensor->axes[2] * force[0] + sensor->axes[5] * force[1]
+        + sensor->axes[8] * force[2];
+    out->angular_acceleration[0] = sensor->axes[0] * V_dot[3] + sensor->axes[3] * V_dot[4]
+        + sensor->axes[6] * V_dot[5];
+    out->angular_acceleration[1] = sensor->axes[1] * V_dot[3] + sensor->axes[4] * V_dot[4]
+        + sensor->axes[7] * V_dot[5];
+    out->angular_acceleration[2] = sensor->axes[2] * V_dot[3] + sensor->axes[5] * V_dot[4]
+        + sensor->axes[8] * V_dot[5];
+}
+
+/* What an accelerometer and a gyro read at each instrument and point. */
+SAT4_CODE
+sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                         sat4_reading out[SAT4_SENSORS])
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    sat4_real C[9];  /* attitude */
+    sat4_rotation(x->attitude, C);
+    for (int k = 0; k < SAT4_SENSORS; ++k) {
+        sat4_sense(&stand->sensor[k], x->position, x->V, V_dot, C, &out[k]);
+    }
+    return SAT4_OK;
+}
+
+/* Attitude quaternion of three angles. */
+SAT4_CODE
+sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4])
+{
+    sat4_status status = sat4_within(angles, 3, SAT4_MAX_PHASE);
+    if (status != SAT4_OK) { return status; }
+    sat4_real s_psi, c_psi;
+    sat4_sincos(0.5 * angles[0], &s_psi, &c_psi);
+    sat4_real s_theta, c_theta;
+    sat4_sincos(0.5 * angles[1], &s_theta, &c_theta);
+    sat4_real s_phi, c_phi;
+    sat4_sincos(0.5 * angles[2], &s_phi, &c_phi);
+    attitude[0] = c_phi * c_psi * c_theta + s_phi * s_psi * s_theta;
+    attitude[1] = c_psi * c_theta * s_phi - c_phi * s_psi * s_theta;
+    attitude[2] = c_phi * c_psi * s_theta + c_theta * s_phi * s_psi;
+    attitude[3] = c_phi * c_theta * s_psi - c_psi * s_phi * s_theta;
+    return SAT4_OK;
+}
+
+/* I0 = K A, J0 = K D + M A, (11). */
+SAT4_CODE
+static void sat4_products(const sat4_equations *m, sat4_generalized *out)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            sat4_real I0, J0;
+            I0 = 0.0;
+            J0 = 0.0;
+            for (int k = 0; k < 6; ++k) {
+                I0 += m->K[i][k] * out->A[k][j];
+                J0 += m->K[i][k] * out->D[k][j] + m->M[i][k] * out->A[k][j];
+            }
+            out->I0[i][j] = I0;
+            out->J0[i][j] = J0;
+        }
+    }
+}
+
+/* (10), (11) */
+SAT4_CODE
+sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sat4_real angles[3],
+                          const sat4_real phi_ddot[SAT4_N], sat4_generalized *out)
+{
+    sat4_status status;
+    sat4_state y;  /* the state with the attitude of the angles */
+    sat4_real V_dot[6];
+    sat4_equations m;
+    y = *x;
+    status = sat4_quaternion(angles, y.attitude);
+    if (status != SAT4_OK) { return status; }
+    sat4_real s_theta, c_theta;
+    sat4_sincos(angles[1], &s_theta, &c_theta);
+    sat4_real s_phi, c_phi;
+    sat4_sincos(angles[2], &s_phi, &c_phi);
+    const sat4_real singular = c_theta;  /* A has no inverse where this is 0 */
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return SAT4_SINGULAR_ATTITUDE; }
+    status = sat4_forward(stand, &y, phi_ddot, V_dot);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_matrices(stand, &y, &m);
+    if (status != SAT4_OK) { return status; }
+    sat4_real C[9];
+    sat4_rotation(y.attitude, C);
+    const sat4_real singular_inv = 1.0 / singular;
+    /* q' = A^-1 V */
+    out->q_dot[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    out->q_dot[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    out->q_dot[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    out->q_dot[3] = x->V[4] * s_phi * singular_inv + x->V[5] * c_phi * singular_inv;
+    out->q_dot[4] = x->V[4] * c_phi - x->V[5] * s_phi;
+    out->q_dot[5] = x->V[3] + x->V[4] * s_phi * s_theta * singular_inv
+        + x->V[5] * c_phi * s_theta * singular_inv;
+    out->A[0][0] = C[0];  out->A[0][1] = C[3];  out->A[0][2] = C[6];
+    out->A[0][3] = 0.0;   out->A[0][4] = 0.0;   out->A[0][5] = 0.0;
+    out->A[1][0] = C[1];  out->A[1][1] = C[4];  out->A[1][2] = C[7];
+    out->A[1][3] = 0.0;   out->A[1][4] = 0.0;   out->A[1][5] = 0.0;
+    out->A[2][0] = C[2];  out->A[2][1] = C[5];  out->A[2][2] = C[8];
+    out->A[2][3] = 0.0;   out->A[2][4] = 0.0;   out->A[2][5] = 0.0;
+    out->A[3][0] = 0.0;       out->A[3][1] = 0.0;       out->A[3][2] = 0.0;
+    out->A[3][3] = -s_theta;  out->A[3][4] = 0.0;       out->A[3][5] = 1.0;
+    out->A[4][0] = 0.0;              out->A[4][1] = 0.0;              out->A[4][2] = 0.0;
+    out->A[4][3] = c_theta * s_phi;  out->A[4][4] = c_phi;            out->A[4][5] = 0.0;
+    out->A[5][0] = 0.0;              out->A[5][1] = 0.0;              out->A[5][2] = 0.0;
+    out->A[5][3] = c_phi * c_theta;  out->A[5][4] = -s_phi;           out->A[5][5] = 0.0;
+    out->D[0][0] = C[1] * x->V[5] - C[2] * x->V[4];
+    out->D[0][1] = C[4] * x->V[5] - C[5] * x->V[4];
+    out->D[0][2] = C[7] * x->V[5] - C[8] * x->V[4];
+    out->D[0][3] = 0.0;  out->D[0][4] = 0.0;  out->D[0][5] = 0.0;
+    out->D[1][0] = C[2] * x->V[3] - C[0] * x->V[5];
+    out->D[1][1] = C[5] * x->V[3] - C[3] * x->V[5];
+    out->D[1][2] = C[8] * x->V[3] - C[6] * x->V[5];
+    out->D[1][3] = 0.0;  out->D[1][4] = 0.0;  out->D[1][5] = 0.0;
+    out->D[2][0] = C[0] * x->V[4] - C[1] * x->V[3];
+    out->D[2][1] = C[3] * x->V[4] - C[4] * x->V[3];
+    out->D[2][2] = C[6] * x->V[4] - C[7] * x->V[3];
+    out->D[2][3] = 0.0;  out->D[2][4] = 0.0;  out->D[2][5] = 0.0;
+    out->D[3][0] = 0.0;  out->D[3][1] = 0.0;  out->D[3][2] = 0.0;
+    out->D[3][3] = -c_theta * out->q_dot[4];
+    out->D[3][4] = 0.0;  out->D[3][5] = 0.0;
+    out->D[4][0] = 0.0;  out->D[4][1] = 0.0;  out->D[4][2] = 0.0;
+    out->D[4][3] = c_phi * c_theta * out->q_dot[5] - s_phi * s_theta * out->q_dot[4];
+    out->D[4][4] = -out->q_dot[5] * s_phi;
+    out->D[4][5] = 0.0;
+    out->D[5][0] = 0.0;  out->D[5][1] = 0.0;  out->D[5][2] = 0.0;
+    out->D[5][3] = -c_phi * s_theta * out->q_dot[4] - c_theta * out->q_dot[5] * s_phi;
+    out->D[5][4] = -c_phi * out->q_dot[5];
+    out->D[5][5] = 0.0;
+    sat4_real rest[6];  /* V* - D q' */
+    for (int i = 0; i < 6; ++i) {
+        rest[i] = V_dot[i] - out->D[i][0] * out->q_dot[0] - out->D[i][1] * out->q_dot[1]
+            - out->D[i][2] * out->q_dot[2] - out->D[i][3] * out->q_dot[3] - out->D[i][4] * out->q_dot[4]
+            - out->D[i][5] * out->q_dot[5];
+    }
+    /* q'' = A^-1 (V* - D q') */
+    out->q_ddot[0] = C[0] * rest[0] + C[1] * rest[1] + C[2] * rest[2];
+    out->q_ddot[1] = C[3] * rest[0] + C[4] * rest[1] + C[5] * rest[2];
+    out->q_ddot[2] = C[6] * rest[0] + C[7] * rest[1] + C[8] * rest[2];
+    out->q_ddot[3] = rest[4] * s_phi * singular_inv + rest[5] * c_phi * singular_inv;
+    out->q_ddot[4] = rest[4] * c_phi - rest[5] * s_phi;
+    out->q_ddot[5] = rest[3] + rest[4] * s_phi * s_theta * singular_inv
+        + rest[5] * c_phi * s_theta * singular_inv;
+    sat4_products(&m, out);
+    return SAT4_OK;
+}
+
+/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+SAT4_CODE
+static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real zero[3], sat4_real R[9])
+{
+    sat4_status status = sat4_within(axis, 3, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(zero, 3, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    sat4_real e1[3];
+    sat4_real e2[3];
+    const sat4_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+    if (!(axis2 > 1.0e-30)) { return SAT4_RANGE; }
+    const sat4_real axis2_root = 1.0 / sat4_sqrt(axis2);
+    e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    const sat4_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];  /* of zero along the axis */
+    sat4_real across[3];
+    across[0] = zero[0] - along * e1[0];
+    across[1] = zero[1] - along * e1[1];
+    across[2] = zero[2] - along * e1[2];
+    const sat4_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
+    if (!(across2 > 1.0e-30)) { return SAT4_RANGE; }
+    const sat4_real across2_root = 1.0 / sat4_sqrt(across2);
+    e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
+    R[0] = e1[0];  R[1] = e2[0];
+    R[2] = e1[1] * e2[2] - e1[2] * e2[1];
+    R[3] = e1[1];  R[4] = e2[1];
+    R[5] = e1[2] * e2[0] - e1[0] * e2[2];
+    R[6] = e1[2];  R[7] = e2[2];
+    R[8] = e1[0] * e2[1] - e1[1] * e2[0];
+    return SAT4_OK;
+}
+
+/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+SAT4_CODE
+static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], const sat4_real O[3],
+                       const sat4_real R[9], sat4_real mu[3], sat4_real J1[6], sat4_real t[3])
+{
+    sat4_real b1[3];  /* R b */
+    sat4_real RJ[9];  /* R J */
+    sat4_real Jr[6];  /* R J R^T */
+    b1[0] = R[0] * b[0] + R[1] * b[1] + R[2] * b[2];
+    b1[1] = R[3] * b[0] + R[4] * b[1] + R[5] * b[2];
+    b1[2] = R[6] * b[0] + R[7] * b[1] + R[8] * b[2];
+    RJ[0] = J[0] * R[0] + J[3] * R[1] + J[4] * R[2];
+    RJ[1] = J[1] * R[1] + J[3] * R[0] + J[5] * R[2];
+    RJ[2] = J[2] * R[2] + J[4] * R[0] + J[5] * R[1];
+    RJ[3] = J[0] * R[3] + J[3] * R[4] + J[4] * R[5];
+    RJ[4] = J[1] * R[4] + J[3] * R[3] + J[5] * R[5];
+    RJ[5] = J[2] * R[5] + J[4] * R[3] + J[5] * R[4];
+    RJ[6] = J[0] * R[6] + J[3] * R[7] + J[4] * R[8];
+    RJ[7] = J[1] * R[7] + J[3] * R[6] + J[5] * R[8];
+    RJ[8] = J[2] * R[8] + J[4] * R[6] + J[5] * R[7];
+    Jr[0] = RJ[0] * R[0] + RJ[1] * R[1] + RJ[2] * R[2];
+    Jr[1] = RJ[3] * R[3] + RJ[4] * R[4] + RJ[5] * R[5];
+    Jr[2] = RJ[6] * R[6] + RJ[7] * R[7] + RJ[8] * R[8];
+    Jr[3] = RJ[0] * R[3] + RJ[1] * R[4] + RJ[2] * R[5];
+    Jr[4] = RJ[0] * R[6] + RJ[1] * R[7] + RJ[2] * R[8];
+    Jr[5] = RJ[3] * R[6] + RJ[4] * R[7] + RJ[5] * R[8];
+    /* T Theta T^T: about O1 */
+    mu[0] = O[0] * m + b1[0];  mu[1] = O[1] * m + b1[1];  mu[2] = O[2] * m + b1[2];
+    J1[0] = Jr[0] + O[1] * b1[1] + O[1] * mu[1] + O[2] * b1[2] + O[2] * mu[2];
+    J1[1] = Jr[1] + O[0] * b1[0] + O[0] * mu[0] + O[2] * b1[2] + O[2] * mu[2];
+    J1[2] = Jr[2] + O[0] * b1[0] + O[0] * mu[0] + O[1] * b1[1] + O[1] * mu[1];
+    J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
+    J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
+    J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
+    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+        + (Jr[4] - O[2] * b1[0]) * R[6];
+    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+        + (Jr[5] - O[2] * b1[1]) * R[6];
+    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+        + (Jr[5] - O[1] * b1[2]) * R[3];
+}
+
+/* are the mass properties finite and the mass not negative? */
+SAT4_CODE
+static sat4_status sat4_check_body(const sat4_body *body)
+{
+    sat4_status status;
+    sat4_real masses[1];
+    masses[0] = body->mass;
+    status = sat4_within(masses, 1, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(body->center_of_mass, 3, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(body->inertia, 6, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    if (body->mass < 0.0) { return SAT4_RANGE; }
+    return SAT4_OK;
+}
+
+/* origin and axes (at phi = 0) of a flywheel in E1. */
+SAT4_CODE
+static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[3], sat4_real R[9])
+{
+    sat4_status status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_frame_of_axes(w->axis, w->zero, R);
+    if (status != SAT4_OK) { return status; }
+    O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
+    return SAT4_OK;
+}
+
+/* origin and axes of a point in E1. */
+SAT4_CODE
+static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[3], sat4_real R[9])
+{
+    sat4_status status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_frame_of_axes(w->axis, w->zero, R);
+    if (status != SAT4_OK) { return status; }
+    O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
+    return SAT4_OK;
+}
+
+/* are the parameters finite, in range, their axes directions, and the masses positive? */
+SAT4_CODE
+static sat4_status sat4_check_parameters(const sat4_parameters *parameters)
+{
+    sat4_status status;
+    sat4_real mass;
+    sat4_real O[3];
+    sat4_real R[9];
+    status = sat4_check_body(&parameters->carrier);
+    if (status != SAT4_OK) { return status; }
+    mass = parameters->carrier.mass;
+    for (int s = 0; s < SAT4_N; ++s) {
+        status = sat4_check_body(&parameters->flywheel[s].body);
+        if (status != SAT4_OK) { return status; }
+        if (!(parameters->flywheel[s].body.inertia[0] > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+        status = sat4_place_flywheel(&parameters->flywheel[s], O, R);
+        if (status != SAT4_OK) { return status; }
+        mass += parameters->flywheel[s].body.mass;
+    }
+    for (int k = 0; k < 1; ++k) {
+        status = sat4_place_point(&parameters->point[k], O, R);
+        if (status != SAT4_OK) { return status; }
+    }
+    if (!(mass > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    return SAT4_OK;
+}
+
+/* (2) */
+SAT4_CODE
+sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
+{
+    sat4_status status = sat4_check_parameters(parameters);
+    if (status != SAT4_OK) { return status; }
+    /* all is good: from here on the table is written and nothing can fail */
+    sat4_real mass;
+    sat4_real first_moment[3];
+    sat4_real inertia[6];
+    mass = 0.0;
+    first_moment[0] = 0.0;  first_moment[1] = 0.0;  first_moment[2] = 0.0;
+    inertia[0] = 0.0;  inertia[1] = 0.0;  inertia[2] = 0.0;
+    inertia[3] = 0.0;  inertia[4] = 0.0;  inertia[5] = 0.0;
+    /* carrier: its frame is E1 */
+    sat4_real O[3];  /* origin of a body in E1 */
+    sat4_real R[9];  /* axes of a body in E1 */
+    sat4_real b[3];  /* first moment in the body's frame */
+    sat4_real mu[3];
+    sat4_real J1[6];
+    sat4_real t[3];
+    O[0] = 0.0;  O[1] = 0.0;  O[2] = 0.0;
+    R[0] = 1.0;  R[1] = 0.0;  R[2] = 0.0;
+    R[3] = 0.0;  R[4] = 1.0;  R[5] = 0.0;
+    R[6] = 0.0;  R[7] = 0.0;  R[8] = 1.0;
+    b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
+    b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
+    b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
+    sat4_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    mass += parameters->carrier.mass;
+    first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+    inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+    inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+    /* flywheels: constant part to the totals, harmonics to the row */
+    for (int s = 0; s < SAT4_N; ++s) {
+        (void)sat4_place_flywheel(&parameters->flywheel[s], O, R);
+        b[0] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[0];
+        b[1] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[1];
+        b[2] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[2];
+        sat4_real bh[3];  /* first moment of one harmonic, in mounting axes */
+        sat4_real Jh[6];  /* its inertia */
+        /* harmonic 0 of Theta(phi) */
+        bh[0] = b[0];  bh[1] = 0.0;   bh[2] = 0.0;
+        Jh[0] = parameters->flywheel[s].body.inertia[0];
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
+        sat4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, stand->flywheel[s].t_0);
+        mass += parameters->flywheel[s].body.mass;
+        first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+        inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+        inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+        /* harmonic c of Theta(phi) */
+        bh[0] = 0.0;   bh[1] = b[1];  bh[2] = b[2];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = parameters->flywheel[s].body.inertia[3];
+        Jh[4] = parameters->flywheel[s].body.inertia[4];
+        Jh[5] = 0.0;
+        sat4_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_c, stand->flywheel[s].J_c,
+            stand->flywheel[s].t_c);
+        /* harmonic s of Theta(phi) */
+        bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = -parameters->flywheel[s].body.inertia[4];
+        Jh[4] = parameters->flywheel[s].body.inertia[3];
+        Jh[5] = 0.0;
+        sat4_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_s, stand->flywheel[s].J_s,
+            stand->flywheel[s].t_s);
+        /* harmonic 2c of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = parameters->flywheel[s].body.inertia[5];
+        sat4_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2c, t);
+        /* harmonic 2s of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = -parameters->flywheel[s].body.inertia[5];
+        Jh[2] = parameters->flywheel[s].body.inertia[5];
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        sat4_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2s, t);
+        stand->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        stand->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+    }
+    stand->mass = mass;
+    stand->mass_inverse = 1.0 / mass;
+    stand->first_moment[0] = first_moment[0];
+    stand->first_moment[1] = first_moment[1];
+    stand->first_moment[2] = first_moment[2];
+    stand->inertia[0] = inertia[0];  stand->inertia[1] = inertia[1];  stand->inertia[2] = inertia[2];
+    stand->inertia[3] = inertia[3];  stand->inertia[4] = inertia[4];  stand->inertia[5] = inertia[5];
+    /* poses of instruments and points */
+    for (int k = 0; k < 1; ++k) {
+        (void)sat4_place_point(&parameters->point[k], O, R);
+        stand->sensor[k].origin[0] = O[0];  stand->sensor[k].origin[1] = O[1];
+        stand->sensor[k].origin[2] = O[2];
+        stand->sensor[k].axes[0] = R[0];  stand->sensor[k].axes[1] = R[1];  stand->sensor[k].axes[2] = R[2];
+        stand->sensor[k].axes[3] = R[3];  stand->sensor[k].axes[4] = R[4];  stand->sensor[k].axes[5] = R[5];
+        stand->sensor[k].axes[6] = R[6];  stand->sensor[k].axes[7] = R[7];  stand->sensor[k].axes[8] = R[8];
+    }
+    return SAT4_OK;
+}
+
+/* L^T of a twist, to mounting axes at Os. */
+SAT4_CODE
+static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4_real U[6])
+{
+    sat4_real velocity[3];  /* of Os */
+    velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
+    velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
+    velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
+    U[0] = mount->axes[0] * velocity[0] + mount->axes[3] * velocity[1] + mount->axes[6] * velocity[2];
+    U[1] = mount->axes[1] * velocity[0] + mount->axes[4] * velocity[1] + mount->axes[7] * velocity[2];
+    U[2] = mount->axes[2] * velocity[0] + mount->axes[5] * velocity[1] + mount->axes[8] * velocity[2];
+    U[3] = mount->axes[0] * V[3] + mount->axes[3] * V[4] + mount->axes[6] * V[5];
+    U[4] = mount->axes[1] * V[3] + mount->axes[4] * V[4] + mount->axes[7] * V[5];
+    U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
+}
+
+/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+SAT4_CODE
+static void sat4_mount_wrench(const sat4_mount *mount, sat4_real s, sat4_real c, sat4_real phi_dot,
+                              sat4_real phi_ddot, const sat4_real V[6], const sat4_real V_dot[6],
+                              sat4_real W[6])
+{
+    sat4_real U[6];  /* twist of the mount at Os */
+    sat4_real turned[6];  /* in Es */
+    sat4_real turned_dot[6];
+    sat4_real V_s[6];  /* twist of the flywheel, in Es */
+    sat4_real V_s_dot[6];
+    sat4_real Z_s[6];  /* its momentum screw */
+    sat4_carry_twist(mount, V, U);
+    turned[0] = U[0];                 turned[1] = U[1] * c + U[2] * s;  turned[2] = U[2] * c - U[1] * s;
+    turned[3] = U[3];                 turned[4] = U[4] * c + U[5] * s;  turned[5] = U[5] * c - U[4] * s;
+    sat4_carry_twist(mount, V_dot, U);
+    turned_dot[0] = U[0];
+    turned_dot[1] = U[1] * c + U[2] * s;
+    turned_dot[2] = U[2] * c - U[1] * s;
+    turned_dot[3] = U[3];
+    turned_dot[4] = U[4] * c + U[5] * s;
+    turned_dot[5] = U[5] * c - U[4] * s;
+    V_s[0] = turned[0];            V_s[1] = turned[1];            V_s[2] = turned[2];
+    V_s[3] = turned[3] + phi_dot;  V_s[4] = turned[4];            V_s[5] = turned[5];
+    V_s_dot[0] = turned_dot[0];
+    V_s_dot[1] = phi_dot * turned[2] + turned_dot[1];
+    V_s_dot[2] = turned_dot[2] - phi_dot * turned[1];
+    V_s_dot[3] = phi_ddot + turned_dot[3];
+    V_s_dot[4] = phi_dot * turned[5] + turned_dot[4];
+    V_s_dot[5] = turned_dot[5] - phi_dot * turned[4];
+    Z_s[0] = V_s[0] * mount->mass + V_s[4] * mount->first_moment[2] - V_s[5] * mount->first_moment[1];
+    Z_s[1] = V_s[1] * mount->mass + V_s[5] * mount->first_moment[0] - V_s[3] * mount->first_moment[2];
+    Z_s[2] = V_s[2] * mount->mass + V_s[3] * mount->first_moment[1] - V_s[4] * mount->first_moment[0];
+    Z_s[3] = mount->inertia[0] * V_s[3] + mount->inertia[3] * V_s[4] + mount->inertia[4] * V_s[5]
+        + V_s[2] * mount->first_moment[1] - V_s[1] * mount->first_moment[2];
+    Z_s[4] = mount->inertia[1] * V_s[4] + mount->inertia[3] * V_s[3] + mount->inertia[5] * V_s[5]
+        + V_s[0] * mount->first_moment[2] - V_s[2] * mount->first_moment[0];
+    Z_s[5] = mount->inertia[2] * V_s[5] + mount->inertia[4] * V_s[3] + mount->inertia[5] * V_s[4]
+        + V_s[1] * mount->first_moment[0] - V_s[0] * mount->first_moment[1];
+    W[0] += V_s[4] * Z_s[2] + V_s_dot[0] * mount->mass + V_s_dot[4] * mount->first_moment[2] - V_s[5] * Z_s[1]
+        - V_s_dot[5] * mount->first_moment[1];
+    W[1] += V_s[5] * Z_s[0] + V_s_dot[1] * mount->mass + V_s_dot[5] * mount->first_moment[0] - V_s[3] * Z_s[2]
+        - V_s_dot[3] * mount->first_moment[2];
+    W[2] += V_s[3] * Z_s[1] + V_s_dot[2] * mount->mass + V_s_dot[3] * mount->first_moment[1] - V_s[4] * Z_s[0]
+        - V_s_dot[4] * mount->first_moment[0];
+    W[3] += mount->inertia[0] * V_s_dot[3] + mount->inertia[3] * V_s_dot[4] + mount->inertia[4] * V_s_dot[5]
+        + V_s[1] * Z_s[2] + V_s[4] * Z_s[5] + V_s_dot[2] * mount->first_moment[1] - V_s[2] * Z_s[1]
+        - V_s[5] * Z_s[4] - V_s_dot[1] * mount->first_moment[2];
+    W[4] += mount->inertia[1] * V_s_dot[4] + mount->inertia[3] * V_s_dot[3] + mount->inertia[5] * V_s_dot[5]
+        + V_s[2] * Z_s[0] + V_s[5] * Z_s[3] + V_s_dot[0] * mount->first_moment[2] - V_s[0] * Z_s[2]
+        - V_s[3] * Z_s[5] - V_s_dot[2] * mount->first_moment[0];
+    W[5] += mount->inertia[2] * V_s_dot[5] + mount->inertia[4] * V_s_dot[3] + mount->inertia[5] * V_s_dot[4]
+        + V_s[0] * Z_s[1] + V_s[3] * Z_s[4] + V_s_dot[1] * mount->first_moment[0] - V_s[1] * Z_s[0]
+        - V_s[4] * Z_s[3] - V_s_dot[0] * mount->first_moment[1];
+    sat4_real own[6];  /* in Es */
+    own[0] = W[0];  own[1] = W[1];  own[2] = W[2];
+    own[3] = W[3];  own[4] = W[4];  own[5] = W[5];
+    W[0] = own[0];                   W[1] = own[1] * c - own[2] * s;  W[2] = own[1] * s + own[2] * c;
+    W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
+}
+
+/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+SAT4_CODE
+sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
+                        const sat4_real phi_ddot[SAT4_N], sat4_real loads[24])
+{
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    sat4_real W[6];
+    for (int s = 0; s < SAT4_N; ++s) {
+        W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
+        W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
+        sat4_real s_phi, c_phi;
+        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        sat4_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, W);
+        for (int i = 0; i < 6; ++i) {
+            loads[s * 6 + i] = W[i];
+        }
+    }
+    return SAT4_OK;
+}
+
+/* Makes the table that mounts needs beside the stand's. */
+SAT4_CODE
+sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting)
+{
+    sat4_status status = sat4_check_parameters(parameters);
+    if (status != SAT4_OK) { return status; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        mounting->flywheel[s].mass = parameters->flywheel[s].body.mass;
+        mounting->flywheel[s].first_moment[0] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[0];
+        mounting->flywheel[s].first_moment[1] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[1];
+        mounting->flywheel[s].first_moment[2] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[2];
+        mounting->flywheel[s].inertia[0] = parameters->flywheel[s].body.inertia[0];
+        mounting->flywheel[s].inertia[1] = parameters->flywheel[s].body.inertia[1];
+        mounting->flywheel[s].inertia[2] = parameters->flywheel[s].body.inertia[2];
+        mounting->flywheel[s].inertia[3] = parameters->flywheel[s].body.inertia[3];
+        mounting->flywheel[s].inertia[4] = parameters->flywheel[s].body.inertia[4];
+        mounting->flywheel[s].inertia[5] = parameters->flywheel[s].body.inertia[5];
+        (void)sat4_place_flywheel(&parameters->flywheel[s], mounting->flywheel[s].origin,
+            mounting->flywheel[s].axes);
+    }
+    return SAT4_OK;
+}
+
+/* ---- tables ---- */
+
+SAT4_CONST
+const sat4_parameters sat4_default_parameters =
+{
+    .carrier = {
+        .mass = 50.4,
+        .center_of_mass = { 0.004, -0.003, 0.012 },
+        .inertia = { 2.4177112000000003, 2.268064, 1.8712600000000001, 0.030604799999999998, -0.0224192, 0.011814400000000001 },
+    },
+    .flywheel = {
+        /*     mass      center_of_mass[3]                                           inertia[6]                                                                             position[3]             axis[3]              zero[3] */
+        { { 2.4, { 0.0,               6.25e-7,                   0.0 }, { 0.019099, 0.010504, 0.010609, -1.3471114790620885e-23,                -2.2e-7, 0.0 } }, {  0.11,  0.11, -0.08 }, {  1.0,  1.0, 1.0 }, { -1.0,  1.0, 0.0 } },  /* rw1 */
+        { { 2.4, { 0.0, 2.1376258957854304e-7,  5.873078879911928e-7 }, { 0.019099, 0.010504, 0.010609,  -2.0673237657289985e-7,   7.524443153164712e-8, 0.0 } }, { -0.11,  0.11, -0.08 }, { -1.0,  1.0, 1.0 }, { -1.0, -1.0, 0.0 } },  /* rw2 */
+        { { 2.4, { 0.0, -5.873078879911928e-7, 2.1376258957854306e-7 }, { 0.019099, 0.010504, 0.010609,   -1.905255888325765e-7, -1.1000000000000002e-7, 0.0 } }, { -0.11, -0.11, -0.08 }, { -1.0, -1.0, 1.0 }, {  1.0, -1.0, 0.0 } },  /* rw3 */
+        { { 2.4, { 0.0,  -2.64136413587937e-7, -5.664423668979063e-7 }, { 0.019099, 0.010504, 0.010609,   1.5556349186104045e-7, -1.5556349186104047e-7, 0.0 } }, {  0.11, -0.11, -0.08 }, {  1.0, -1.0, 1.0 }, {  1.0,  1.0, 0.0 } },  /* rw4 */
+    },
+    .point = {
+        /*     position[3]                         axis[3]              zero[3] */
+        { { 0.0, 0.04, 0.26 }, { 0.8660254037844386, 0.5, -0.0 }, { -0.5, 0.8660254037844386, 0.0 } },
+    },
+};
+
+SAT4_CONST
+const sat4_table sat4_default =
+{
+    .mass = 59.99999999999999,
+    .mass_inverse = 0.01666666666666667,
+    .first_moment = { 0.2016, -0.1512, -0.1632 },
+    .inertia = { 2.6489272, 2.4992799999999997, 2.157196, 0.030604799999999998, -0.0224192, 0.011814400000000003 },
+    .flywheel = {
+        /*                        mu_c[3]                                                                    mu_s[3]                                                                     J_c[6]                                                                                                                                           J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                         J_2s[6]                                                                                                      t_0[3]                                                                  t_c[3]                                                                    t_s[3]                                                      spin                   spin_inv */
+        { { -1.0606601717798212e-6,  1.0606601717798212e-6,                    0.0 }, { -6.123724356957945e-7,  -6.123724356957945e-7,   1.224744871391589e-6 }, {   3.370542323655877e-7, -1.296362432175337e-7, -2.0741798914805395e-7, 1.0370899457402699e-7, -1.367073110293992e-7,    3.29983164553722e-8 }, {  -5.103103630798287e-7,  -1.510518674716293e-7, -2.694438717061496e-7,   1.347219358530748e-7, -2.7352635461078826e-7,  -9.389710680668849e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5, -1.7500000000000154e-5, -1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, { 1.7554676489946113e-7,  4.08248290463864e-9, -1.7962924780409975e-7 }, {  -2.404163056034262e-7,   7.071067811865476e-8,  -2.333452377915607e-7 }, 0.019099, 52.35876223886067 },  /* rw1 */
+        { {   2.126747150240683e-7,  -9.382090029679942e-7,  1.1508837179920625e-6 }, { 1.2061382448083765e-6,   7.872508283576474e-7,   4.188874164507291e-7 }, {  -5.948142193588943e-7, -9.760411873355889e-8, -1.8225328758151434e-7, -9.112664379075716e-8, 2.1027404290628543e-7,  -9.952050730296364e-8 }, {   1.421909514374645e-7, -1.7348100250018028e-7, -2.870643854398383e-7, -1.4353219271991916e-7,  2.2201437438913993e-7, -1.1064274564177849e-9 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5,  1.7500000000000154e-5, -1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, {  2.859579579834206e-7, 6.505001105069839e-8, -1.5783597696882242e-7 }, {  -8.273278027855073e-8,   2.802075532477106e-8, -2.4860505031266775e-7 }, 0.019099, 52.35876223886067 },  /* rw2 */
+        { {  -7.872508283576474e-7,  1.2061382448083765e-6,   4.188874164507292e-7 }, { -9.382090029679943e-7, -2.1267471502406824e-7, -1.1508837179920625e-6 }, { -1.2495441134190554e-7, 2.4642010325387865e-9,  -1.958642261931874e-7,   9.79321130965937e-8, -6.875694774604506e-8,   2.462776699682773e-7 }, {  2.3092983218402502e-7,   5.701766233357886e-7,    7.3565170154154e-8,    -3.6782585077077e-8, -1.1183930531451655e-7, -1.4361118618105235e-7 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5,  1.7500000000000154e-5,  1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { -7.004601602689835e-8, 3.827413516036253e-8, -1.6962339557588178e-7 }, { -5.0413443775089934e-8, -2.6462117393923255e-7,   6.370930618722218e-8 }, 0.019099, 52.35876223886067 },  /* rw3 */
+        { {  1.0674354894251936e-7, -1.0032522651328782e-6, -1.1099958140753976e-6 }, { 1.2200843473953578e-6,   7.024847987720081e-7,  -5.175995486233495e-7 }, {   5.986652211363478e-7, 1.4739918513103358e-7,   9.753241242992077e-8,   4.87662062149604e-8, 1.5748088640788743e-7, -1.0218452448139849e-7 }, { -1.8047002061721514e-8,  1.5088409165166358e-7, 2.6053856736380353e-7,  1.3026928368190176e-7,   2.547178944177226e-7,  2.6104696497384394e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5, -1.7500000000000154e-5,  1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { 2.8664326386118794e-7, 5.820672946080976e-9,   8.446554685669254e-8 }, {   4.652112051477716e-9,   5.994847397796668e-8,  2.2563301800265715e-7 }, 0.019099, 52.35876223886067 },  /* rw4 */
+    },
+    .sensor = {
+        /*     origin[3]                           axes[9] */
+        { { 0.0, 0.04, 0.26 }, { 0.8660254037844388, -0.5000000000000001, 0.0, 0.5000000000000001, 0.8660254037844388, 0.0, -0.0, 0.0, 1.0000000000000004 } },  /* acc1 */
+    },
+};
+
+SAT4_CONST
+const sat4_mount_table sat4_default_mounts =
+{
+    .flywheel = {
+        /*   mass      first_moment[3]                                               inertia[6]                                                                           origin[3]                              axes[9] */
+        { 2.4, { 0.0,                 1.5e-6,                    0.0 }, { 0.019099, 0.010504, 0.010609, -1.3471114790620885e-23,                -2.2e-7, 0.0 }, {  0.11,  0.11, -0.08 }, {  0.5773502691896258, -0.7071067811865475, -0.408248290463863,  0.5773502691896258,  0.7071067811865475, -0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw1 */
+        { 2.4, { 0.0,   5.130302149885032e-7,  1.4095389311788625e-6 }, { 0.019099, 0.010504, 0.010609,  -2.0673237657289985e-7,   7.524443153164712e-8, 0.0 }, { -0.11,  0.11, -0.08 }, { -0.5773502691896258, -0.7071067811865475,  0.408248290463863,  0.5773502691896258, -0.7071067811865475, -0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw2 */
+        { 2.4, { 0.0, -1.4095389311788625e-6,   5.130302149885033e-7 }, { 0.019099, 0.010504, 0.010609,   -1.905255888325765e-7, -1.1000000000000002e-7, 0.0 }, { -0.11, -0.11, -0.08 }, { -0.5773502691896258,  0.7071067811865475,  0.408248290463863, -0.5773502691896258, -0.7071067811865475,  0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw3 */
+        { 2.4, { 0.0,  -6.339273926110487e-7, -1.3594616805549751e-6 }, { 0.019099, 0.010504, 0.010609,   1.5556349186104045e-7, -1.5556349186104047e-7, 0.0 }, {  0.11, -0.11, -0.08 }, {  0.5773502691896258,  0.7071067811865475, -0.408248290463863, -0.5773502691896258,  0.7071067811865475,  0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw4 */
+    },
+};

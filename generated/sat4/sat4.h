@@ -1,0 +1,363 @@
+/* sat4.h: motion of the stand "sat4": carrier, 0 instruments, 4 flywheels.
+ * mahovik 0.1.0; structure b82f7f7b, physics 939478ee. Generated: change the stand file instead.
+ *
+ * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
+ * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
+ * the same bits. gcc may call memcpy, memmove and memset.
+ *
+ * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
+ * mahovik. */
+#ifndef SAT4_H
+#define SAT4_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SAT4_STRUCTURE 0xb82f7f7bu  /* of the stand: names, counts, kinds of wrench */
+#define SAT4_PHYSICS   0x939478eeu  /* of the stand: structure and all numbers */
+
+typedef double sat4_real;
+
+/* ---- ranges of inputs: magnitudes ---- */
+
+#define SAT4_MAX_POSITION        1.0e6     /* m; each component of the position of O1 */
+#define SAT4_MAX_VELOCITY        1.0e4     /* m/s; each component of v */
+#define SAT4_MAX_SPEED           1.0e5     /* rad/s; each component of omega, each phi_dot */
+#define SAT4_MAX_PHASE           1.0e7     /* rad; each phase and attitude angle */
+#define SAT4_MAX_ACCELERATION    1.0e9     /* rad/s2; each phi_ddot */
+#define SAT4_MAX_WRENCH          1.0e9     /* N, N m; each component of a run-time wrench */
+#define SAT4_MAX_STEP            10.0      /* s; a time step */
+#define SAT4_MAX_PARAMETER       1.0e9     /* SI; each mass, length and moment of inertia */
+#define SAT4_LARGEST             1.7976931348623157e308  /* largest finite number */
+
+/* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
+
+typedef enum sat4_status {
+    SAT4_OK = 0,                          /* good */
+    SAT4_NEAR_SINGULAR = 1,               /* smallest kept singular value below the given threshold */
+    SAT4_DAMPED = 2,                      /* damping was applied */
+    SAT4_LIMITED = 4,                     /* a limit was reached; the mask says whose */
+    SAT4_UNREACHABLE = 8,                 /* least-squares answer: the demand is out of reach */
+    SAT4_RANK_DEFICIENT = 16,             /* rank below min(6, N) */
+    SAT4_NOT_FINITE = -1,                 /* an input is NaN or infinite */
+    SAT4_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
+    SAT4_NOT_POSITIVE_DEFINITE = -3,      /* a mass or inertia that no body has */
+    SAT4_SINGULAR_ATTITUDE = -4,          /* the attitude angles are at their singularity */
+    SAT4_BAD_ARGUMENT = -5                /* a count or an index */
+} sat4_status;
+
+/* ---- numbers of bodies ---- */
+
+/* flywheels, in the order of the stand file */
+enum { SAT4_RW1, SAT4_RW2, SAT4_RW3, SAT4_RW4, SAT4_N = 4 };
+/* instruments and points, which measure reads */
+enum { SAT4_SENSOR_ACC1, SAT4_SENSORS = 1 };
+
+/* ---- data ---- */
+
+/* State of the whole system. */
+typedef struct sat4_state {
+    sat4_real position[3];      /* m; of O1, in E0 */
+    sat4_real attitude[4];      /* unit quaternion, w first: x0 = C x1 */
+    sat4_real V[6];             /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
+    sat4_real phi[SAT4_N];      /* rad; phases */
+    sat4_real phi_dot[SAT4_N];  /* rad/s; speeds relative to the mount */
+} sat4_state;
+
+/* Mass properties of one body, in its own frame. */
+typedef struct sat4_body {
+    sat4_real mass;               /* kg */
+    sat4_real center_of_mass[3];  /* m; rc, from the body's origin, in its own axes */
+    sat4_real inertia[6];         /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+} sat4_body;
+
+/* A flywheel and how it is mounted. */
+typedef struct sat4_flywheel {
+    sat4_body body;
+    sat4_real position[3];  /* m; Os, in the frame of the mount */
+    sat4_real axis[3];      /* spin axis in the frame of the mount, any length */
+    sat4_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+} sat4_flywheel;
+
+/* A sensor or a place of interest. */
+typedef struct sat4_point {
+    sat4_real position[3];  /* m; in the frame of the mount */
+    sat4_real axis[3];      /* first axis in the frame of the mount, any length */
+    sat4_real zero[3];      /* its part across the first axis is the second axis */
+} sat4_point;
+
+/* What prepare makes the table of: masses, inertias and mountings. */
+typedef struct sat4_parameters {
+    sat4_body carrier;
+    sat4_flywheel flywheel[SAT4_N];
+    sat4_point point[1];
+} sat4_parameters;
+
+/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+typedef struct sat4_row {
+    sat4_real mu_c[3];   /* kg m; first moment about O1: cos phi */
+    sat4_real mu_s[3];   /* kg m; sin phi */
+    sat4_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    sat4_real J_s[6];    /* kg m2; sin phi */
+    sat4_real J_2c[6];   /* kg m2; cos 2 phi */
+    sat4_real J_2s[6];   /* kg m2; sin 2 phi */
+    sat4_real t_0[3];    /* kg m2; moment part of I: constant */
+    sat4_real t_c[3];    /* kg m2; cos phi */
+    sat4_real t_s[3];    /* kg m2; sin phi */
+    sat4_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
+    sat4_real spin_inv;  /* 1/(kg m2) */
+} sat4_row;
+
+/* Pose of an instrument or a point. */
+typedef struct sat4_sensor {
+    sat4_real origin[3];  /* m; in E1 */
+    sat4_real axes[9];    /* own axes to E1, row by row */
+} sat4_sensor;
+
+/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+typedef struct sat4_table {
+    sat4_real mass;                    /* kg; of all bodies */
+    sat4_real mass_inverse;            /* 1/kg */
+    sat4_real first_moment[3];         /* kg m; mu about O1, constant part */
+    sat4_real inertia[6];              /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added
+                                        * mass */
+    sat4_row flywheel[SAT4_N];
+    sat4_sensor sensor[SAT4_SENSORS];
+} sat4_table;
+
+/* The matrices of (8). */
+typedef struct sat4_equations {
+    sat4_real K[6][6];       /* kg, kg m, kg m2; mass matrix (2) */
+    sat4_real K_dot[6][6];   /* per s; its rate (6) */
+    sat4_real M[6][6];       /* per s; velocity matrix (9) */
+    sat4_real I[6][SAT4_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
+    sat4_real J[6][SAT4_N];  /* per s; its velocity part (9) */
+    sat4_real F[6];          /* N, N m; total external wrench (7) */
+} sat4_equations;
+
+/* Momentum, energy and mass centre. */
+typedef struct sat4_momenta {
+    sat4_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    sat4_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
+    sat4_real energy;             /* J; kinetic */
+    sat4_real center_of_mass[3];  /* m; of all bodies, in E1 */
+} sat4_momenta;
+
+/* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
+typedef struct sat4_generalized {
+    sat4_real A[6][6];    /* V = A q' (10) */
+    sat4_real D[6][6];    /* 1/s; A' along the motion (10) */
+    sat4_real I0[6][6];   /* K A (11) */
+    sat4_real J0[6][6];   /* K D + M A (11) */
+    sat4_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
+    sat4_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+} sat4_generalized;
+
+/* One flywheel and how it sits: for mounts only. */
+typedef struct sat4_mount {
+    sat4_real mass;             /* kg */
+    sat4_real first_moment[3];  /* kg m; m rc, in Es */
+    sat4_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
+    sat4_real origin[3];        /* m; Os in E1 */
+    sat4_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+} sat4_mount;
+
+/* What mounts needs beside the table. Made by prepare_mounts. */
+typedef struct sat4_mount_table {
+    sat4_mount flywheel[SAT4_N];
+} sat4_mount_table;
+
+/* Motion at an instrument or a point. */
+typedef struct sat4_reading {
+    sat4_real position[3];              /* m; in E0 */
+    sat4_real C[3][3];                  /* own axes to E0 */
+    sat4_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes: a gyro reads the last
+                                         * three */
+    sat4_real specific_force[3];        /* m/s2; acceleration less gravity, in own axes: an accelerometer */
+    sat4_real angular_acceleration[3];  /* rad/s2; in own axes */
+} sat4_reading;
+
+/* How inverse chooses among flywheels, and near singularity. */
+typedef struct sat4_inverse_options {
+    sat4_real weight[SAT4_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    sat4_real limit[SAT4_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    sat4_real near;            /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
+    sat4_real damping;         /* part of the largest singular value that damps those near zero, 0..1; 0:
+                                * none */
+} sat4_inverse_options;
+
+/* Answer of inverse, and how good it is. */
+typedef struct sat4_inverse_result {
+    sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations */
+    sat4_real residual[6];       /* N, N m; F - K V* - M V - J phi' - I phi'' */
+    sat4_real sigma[4];          /* singular values of the scaled I, descending */
+    int rank;                    /* of them that count */
+    sat4_real damping;           /* largest damping applied; 0: none */
+    int limited[SAT4_N];         /* 1 where the limit of a flywheel was reached */
+    sat4_real hardest[6];        /* wrench of unit size in the norm of K^-1 that is hardest to give */
+} sat4_inverse_result;
+
+extern const sat4_parameters sat4_default_parameters;             /* of the stand file */
+extern const sat4_table sat4_default;                             /* what prepare makes of them */
+extern const sat4_mount_table sat4_default_mounts;                /* what prepare_mounts makes of them */
+
+/* ---- functions ---- */
+
+/* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
+ * phi'' + J phi'), (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[4]  rad/s2; flywheel accelerations
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 1274 operations on reals, 1 of them a division. */
+sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+                         sat4_real V_dot[6]);
+
+/* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: K, K_dot, M, I, J, F
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1761 operations on reals, no division. */
+sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equations *out);
+
+/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: Z, Z0, energy, mass centre
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1524 operations on reals, 1 of them a division. */
+sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_momenta *out);
+
+/* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[4]  rad/s2; flywheel accelerations
+ *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 834 operations on reals, no division. */
+sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                        const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
+
+/* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
+ * eliminated first.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   tau[4]       N m; drive torques, mount on flywheel
+ *   locked[4]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[4]  out: rad/s2; flywheel accelerations
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 2136 operations on reals, 2 of them divisions. */
+sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+                         const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
+
+/* step: state a time step later, under drive torques and wrenches held constant.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[4]     N m; drive torques, mount on flywheel
+ *   locked[4]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next       out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 9121 operations on reals, 14 of them divisions. */
+sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+                      const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
+
+/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[4]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next         out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 5673 operations on reals, 10 of them divisions. */
+sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+                             sat4_real dt, int order, sat4_state *next);
+
+/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
+ * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
+ *   options   weights, limits, damping; the default is in the source
+ *   out       out: phi_ddot and how good it is
+ * Positive statuses are bits that may come together.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 24280 operations on reals, 319 of them divisions. */
+sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                         const sat4_inverse_options *options, sat4_inverse_result *out);
+
+/* measure: what an accelerometer and a gyro read at each instrument and point.
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
+ *   out[1]    out: a reading each
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 335 operations on reals, 1 of them a division. */
+sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                         sat4_reading out[SAT4_SENSORS]);
+
+/* quaternion: attitude quaternion of three angles.
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   attitude[4]  out: unit quaternion, w first
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 176 operations on reals, no division. */
+sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
+
+/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+ * (11).
+ *   stand        the prepared table
+ *   x            state; its attitude is not read, the angles take its place
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   phi_ddot[4]  rad/s2; flywheel accelerations
+ *   out          out: A, D, I0, J0, q_dot, q_ddot
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
+ * status is negative.
+ * At most 4828 operations on reals, 3 of them divisions. */
+sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sat4_real angles[3],
+                          const sat4_real phi_ddot[SAT4_N], sat4_generalized *out);
+
+/* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
+ *   parameters  masses, inertias, mountings
+ *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 5155 operations on reals, 25 of them divisions. */
+sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand);
+
+/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+ *   mounting     made by prepare_mounts
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[4]  rad/s2; flywheel accelerations
+ *   loads[24]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
+ *                at phi = 0; the fourth is tau
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1357 operations on reals, no division. */
+sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
+                        const sat4_real phi_ddot[SAT4_N], sat4_real loads[24]);
+
+/* prepare_mounts: makes the table that mounts needs beside the stand's.
+ *   parameters  masses, inertias, mountings
+ *   mounting    out: what mounts needs
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 1342 operations on reals, 18 of them divisions. */
+sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,351 @@
+/* shaker2.h: motion of the stand "shaker2": carrier, 0 instruments, 2 flywheels.
+ * mahovik 0.1.0; structure f884db42, physics 96a03d11. Generated: change the stand file instead.
+ *
+ * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
+ * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
+ * the same bits. gcc may call memcpy, memmove and memset.
+ *
+ * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
+ * mahovik. */
+#ifndef SHAKER2_H
+#define SHAKER2_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SHAKER2_STRUCTURE 0xf884db42u  /* of the stand: names, counts, kinds of wrench */
+#define SHAKER2_PHYSICS   0x96a03d11u  /* of the stand: structure and all numbers */
+
+typedef double shaker2_real;
+
+/* ---- ranges of inputs: magnitudes ---- */
+
+#define SHAKER2_MAX_POSITION     1.0e6     /* m; each component of the position of O1 */
+#define SHAKER2_MAX_VELOCITY     1.0e4     /* m/s; each component of v */
+#define SHAKER2_MAX_SPEED        1.0e5     /* rad/s; each component of omega, each phi_dot */
+#define SHAKER2_MAX_PHASE        1.0e7     /* rad; each phase and attitude angle */
+#define SHAKER2_MAX_ACCELERATION 1.0e9     /* rad/s2; each phi_ddot */
+#define SHAKER2_MAX_WRENCH       1.0e9     /* N, N m; each component of a run-time wrench */
+#define SHAKER2_MAX_STEP         10.0      /* s; a time step */
+#define SHAKER2_MAX_PARAMETER    1.0e9     /* SI; each mass, length and moment of inertia */
+#define SHAKER2_LARGEST          1.7976931348623157e308  /* largest finite number */
+
+/* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
+
+typedef enum shaker2_status {
+    SHAKER2_OK = 0,                       /* good */
+    SHAKER2_NEAR_SINGULAR = 1,            /* smallest kept singular value below the given threshold */
+    SHAKER2_DAMPED = 2,                   /* damping was applied */
+    SHAKER2_LIMITED = 4,                  /* a limit was reached; the mask says whose */
+    SHAKER2_UNREACHABLE = 8,              /* least-squares answer: the demand is out of reach */
+    SHAKER2_RANK_DEFICIENT = 16,          /* rank below min(6, N) */
+    SHAKER2_NOT_FINITE = -1,              /* an input is NaN or infinite */
+    SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length, leg of no length */
+    SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* a mass or inertia that no body has */
+    SHAKER2_SINGULAR_ATTITUDE = -4,       /* the attitude angles are at their singularity */
+    SHAKER2_BAD_ARGUMENT = -5             /* a count or an index */
+} shaker2_status;
+
+/* ---- numbers of bodies ---- */
+
+/* flywheels, in the order of the stand file */
+enum { SHAKER2_LEFT, SHAKER2_RIGHT, SHAKER2_N = 2 };
+
+/* ---- data ---- */
+
+/* State of the whole system. */
+typedef struct shaker2_state {
+    shaker2_real position[3];         /* m; of O1, in E0 */
+    shaker2_real attitude[4];         /* unit quaternion, w first: x0 = C x1 */
+    shaker2_real V[6];                /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
+    shaker2_real phi[SHAKER2_N];      /* rad; phases */
+    shaker2_real phi_dot[SHAKER2_N];  /* rad/s; speeds relative to the mount */
+} shaker2_state;
+
+/* Mass properties of one body, in its own frame. */
+typedef struct shaker2_body {
+    shaker2_real mass;               /* kg */
+    shaker2_real center_of_mass[3];  /* m; rc, from the body's origin, in its own axes */
+    shaker2_real inertia[6];         /* kg m2; J11, J22, J33, J12, J13, J23 about the body's origin */
+} shaker2_body;
+
+/* A flywheel and how it is mounted. */
+typedef struct shaker2_flywheel {
+    shaker2_body body;
+    shaker2_real position[3];  /* m; Os, in the frame of the mount */
+    shaker2_real axis[3];      /* spin axis in the frame of the mount, any length */
+    shaker2_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+} shaker2_flywheel;
+
+/* What prepare makes the table of: masses, inertias and mountings. */
+typedef struct shaker2_parameters {
+    shaker2_body carrier;
+    shaker2_flywheel flywheel[SHAKER2_N];
+} shaker2_parameters;
+
+/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+typedef struct shaker2_row {
+    shaker2_real mu_c[3];   /* kg m; first moment about O1: cos phi */
+    shaker2_real mu_s[3];   /* kg m; sin phi */
+    shaker2_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    shaker2_real J_s[6];    /* kg m2; sin phi */
+    shaker2_real J_2c[6];   /* kg m2; cos 2 phi */
+    shaker2_real J_2s[6];   /* kg m2; sin 2 phi */
+    shaker2_real t_0[3];    /* kg m2; moment part of I: constant */
+    shaker2_real t_c[3];    /* kg m2; cos phi */
+    shaker2_real t_s[3];    /* kg m2; sin phi */
+    shaker2_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
+    shaker2_real spin_inv;  /* 1/(kg m2) */
+} shaker2_row;
+
+/* Suspension of the carrier to E0. */
+typedef struct shaker2_suspension {
+    shaker2_real stiffness[6][6];  /* SI; wrench -= stiffness x */
+    shaker2_real damping[6][6];    /* SI; wrench -= damping V */
+    shaker2_real position[3];      /* m; equilibrium of O1, in E0 */
+    shaker2_real attitude[4];      /* quaternion of the equilibrium attitude */
+} shaker2_suspension;
+
+/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+typedef struct shaker2_table {
+    shaker2_real mass;                /* kg; of all bodies */
+    shaker2_real mass_inverse;        /* 1/kg */
+    shaker2_real first_moment[3];     /* kg m; mu about O1, constant part */
+    shaker2_real inertia[6];          /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added
+                                       * mass */
+    shaker2_row flywheel[SHAKER2_N];
+    shaker2_real gravity[3];          /* m/s2; in E0 */
+    shaker2_suspension suspension;
+} shaker2_table;
+
+/* The matrices of (8). */
+typedef struct shaker2_equations {
+    shaker2_real K[6][6];          /* kg, kg m, kg m2; mass matrix (2) */
+    shaker2_real K_dot[6][6];      /* per s; its rate (6) */
+    shaker2_real M[6][6];          /* per s; velocity matrix (9) */
+    shaker2_real I[6][SHAKER2_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
+    shaker2_real J[6][SHAKER2_N];  /* per s; its velocity part (9) */
+    shaker2_real F[6];             /* N, N m; total external wrench (7) */
+} shaker2_equations;
+
+/* Momentum, energy and mass centre. */
+typedef struct shaker2_momenta {
+    shaker2_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
+    shaker2_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
+    shaker2_real energy;             /* J; kinetic */
+    shaker2_real center_of_mass[3];  /* m; of all bodies, in E1 */
+} shaker2_momenta;
+
+/* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
+typedef struct shaker2_generalized {
+    shaker2_real A[6][6];    /* V = A q' (10) */
+    shaker2_real D[6][6];    /* 1/s; A' along the motion (10) */
+    shaker2_real I0[6][6];   /* K A (11) */
+    shaker2_real J0[6][6];   /* K D + M A (11) */
+    shaker2_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
+    shaker2_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+} shaker2_generalized;
+
+/* One flywheel and how it sits: for mounts only. */
+typedef struct shaker2_mount {
+    shaker2_real mass;             /* kg */
+    shaker2_real first_moment[3];  /* kg m; m rc, in Es */
+    shaker2_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
+    shaker2_real origin[3];        /* m; Os in E1 */
+    shaker2_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+} shaker2_mount;
+
+/* What mounts needs beside the table. Made by prepare_mounts. */
+typedef struct shaker2_mount_table {
+    shaker2_mount flywheel[SHAKER2_N];
+} shaker2_mount_table;
+
+/* How inverse chooses among flywheels, and near singularity. */
+typedef struct shaker2_inverse_options {
+    shaker2_real weight[SHAKER2_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    shaker2_real limit[SHAKER2_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    shaker2_real near;               /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
+    shaker2_real damping;            /* part of the largest singular value that damps those near zero,
+                                      * 0..1; 0: none */
+} shaker2_inverse_options;
+
+/* Answer of inverse, and how good it is. */
+typedef struct shaker2_inverse_result {
+    shaker2_real phi_ddot[SHAKER2_N];  /* rad/s2; flywheel accelerations */
+    shaker2_real residual[6];          /* N, N m; F - K V* - M V - J phi' - I phi'' */
+    shaker2_real sigma[2];             /* singular values of the scaled I, descending */
+    int rank;                          /* of them that count */
+    shaker2_real damping;              /* largest damping applied; 0: none */
+    int limited[SHAKER2_N];            /* 1 where the limit of a flywheel was reached */
+    shaker2_real hardest[6];           /* wrench of unit size in the norm of K^-1 that is hardest to give */
+} shaker2_inverse_result;
+
+extern const shaker2_parameters shaker2_default_parameters;       /* of the stand file */
+extern const shaker2_table shaker2_default;                       /* what prepare makes of them */
+extern const shaker2_mount_table shaker2_default_mounts;          /* what prepare_mounts makes of them */
+
+/* ---- functions ---- */
+
+/* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
+ * phi'' + J phi'), (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[2]  rad/s2; flywheel accelerations
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 1159 operations on reals, 5 of them divisions. */
+shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
+                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
+
+/* wrench: total external wrench of all bodies at a state, (7).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 926 operations on reals, 4 of them divisions. */
+shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x, shaker2_real F[6]);
+
+/* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: K, K_dot, M, I, J, F
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 1398 operations on reals, 4 of them divisions. */
+shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state *x, shaker2_equations *out);
+
+/* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
+ *   stand  the prepared table
+ *   x      state; its attitude within 1e-3 of unit length
+ *   out    out: Z, Z0, energy, mass centre
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 878 operations on reals, 1 of them a division. */
+shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state *x, shaker2_momenta *out);
+
+/* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[2]  rad/s2; flywheel accelerations
+ *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 535 operations on reals, 1 of them a division. */
+shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x, const shaker2_real V_dot[6],
+                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real tau[SHAKER2_N]);
+
+/* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
+ * eliminated first.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   tau[2]       N m; drive torques, mount on flywheel
+ *   locked[2]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[2]  out: rad/s2; flywheel accelerations
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 1656 operations on reals, 6 of them divisions. */
+shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *x,
+                               const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
+                               shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
+
+/* step: state a time step later, under drive torques and wrenches held constant.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[2]     N m; drive torques, mount on flywheel
+ *   locked[2]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next       out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 7133 operations on reals, 30 of them divisions. */
+shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
+                            const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
+                            int order, shaker2_state *next);
+
+/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[2]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   next         out: state after the step; may be x itself
+ * RANGE also where the new state would leave its ranges.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 5145 operations on reals, 26 of them divisions. */
+shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_state *x,
+                                   const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
+                                   shaker2_state *next);
+
+/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
+ * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ *   stand     the prepared table
+ *   x         state; its attitude within 1e-3 of unit length
+ *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
+ *   options   weights, limits, damping; the default is in the source
+ *   out       out: phi_ddot and how good it is
+ * Positive statuses are bits that may come together.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 20649 operations on reals, 321 of them divisions. */
+shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
+                               const shaker2_real V_dot[6], const shaker2_inverse_options *options,
+                               shaker2_inverse_result *out);
+
+/* quaternion: attitude quaternion of three angles.
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   attitude[4]  out: unit quaternion, w first
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 176 operations on reals, no division. */
+shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
+
+/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+ * (11).
+ *   stand        the prepared table
+ *   x            state; its attitude is not read, the angles take its place
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   phi_ddot[2]  rad/s2; flywheel accelerations
+ *   out          out: A, D, I0, J0, q_dot, q_ddot
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
+ * status is negative.
+ * At most 4350 operations on reals, 11 of them divisions. */
+shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state *x,
+                                const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
+                                shaker2_generalized *out);
+
+/* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
+ *   parameters  masses, inertias, mountings
+ *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 2567 operations on reals, 11 of them divisions. */
+shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *stand);
+
+/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+ *   stand        the prepared table
+ *   mounting     made by prepare_mounts
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[2]  rad/s2; flywheel accelerations
+ *   loads[12]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
+ *                at phi = 0; the fourth is tau
+ * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * At most 867 operations on reals, 1 of them a division. */
+shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_table *mounting,
+                              const shaker2_state *x, const shaker2_real V_dot[6],
+                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real loads[12]);
+
+/* prepare_mounts: makes the table that mounts needs beside the stand's.
+ *   parameters  masses, inertias, mountings
+ *   mounting    out: what mounts needs
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 630 operations on reals, 8 of them divisions. */
+shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
