@@ -11,7 +11,21 @@ from mahovik.emit.declaration import prototype
 from mahovik.emit.expression import Expressions
 from mahovik.emit.names import Names
 from mahovik.emit.statement import Statements
-from mahovik.program.expression import Negate, Not, Variable, both, compare, either, equal, real, select, word
+from mahovik.program.build import Body
+from mahovik.program.expression import (
+    Negate,
+    Not,
+    Variable,
+    both,
+    compare,
+    either,
+    equal,
+    real,
+    real_of_bits,
+    select,
+    word,
+)
+from mahovik.program.function import Function, Program
 from mahovik.program.interpret import Interpreter
 from mahovik.program.types import DOUBLE, FLOAT, Kind
 from toolchain.tools import require, run
@@ -124,10 +138,6 @@ def test_small_word_literals_have_the_whole_width(precision, tmp_path):
         -word(1): (1 << precision.width) - 1,
         select(trees.n.place[0] < 9, word(1), word(2)) << high: 1 << (precision.width - 1),
     }
-    from mahovik.program.build import Body
-    from mahovik.program.expression import real_of_bits
-    from mahovik.program.function import Function, Program
-
     functions = []
     for k, tree in enumerate(cases):
         body = Body()

@@ -57,6 +57,10 @@ def test_rounding_of_double_and_float():
 def test_literals_are_rounded_to_the_element_type():
     assert evaluate((R,), lambda x: x + 0.1, 0.0, precision=FLOAT) == np.float32(0.1)
     assert evaluate((R,), lambda x: x + 0.1, 0.0) == 0.1
+    # literals among themselves too: nothing is left to Python's own floats
+    product = evaluate((R,), lambda x: real(0.1) * real(0.1) + x, 0.0, precision=FLOAT)
+    assert product == np.float32(0.1) * np.float32(0.1)
+    assert evaluate((), lambda: real(1) / 0, precision=FLOAT) == np.inf
 
 
 def test_the_tree_is_the_order_of_operations():

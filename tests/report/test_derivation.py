@@ -217,6 +217,15 @@ def test_numbers_give_the_matrices_of_the_reference(seed: int) -> None:
         assert np.max(np.abs(own - expected)) <= 1e-12 * np.max(np.abs(expected)), name
 
 
+def test_cancelled_first_moment_is_shown_as_rounding() -> None:
+    """O1 of demo3 is its mass centre: what is left of the sum is no number to print, and true zeros stay apart."""
+    found = numbers(stand("demo3"))
+    left = np.array(found.K_constant)[3:, :3]
+    assert np.all(np.abs(left) <= np.array(found.noise)[3:, :3])
+    assert np.array(found.noise).max() < 1e-12
+    assert "10⁻¹⁸" not in html(stand("demo3"))
+
+
 def test_constant_columns_are_the_flywheel_s_own() -> None:
     """K at phi = 0 less the constant part is the sum of the other columns; the column of 1 is what a flywheel adds."""
     example = general(3, 7)

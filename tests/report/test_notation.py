@@ -146,6 +146,16 @@ def test_latex(text: str, latex: str) -> None:
     assert tex(parse(text)) == latex
 
 
+def test_numbers_stay_before_sums() -> None:
+    """A half of a sum is not multiplied out, a sum of negative terms is turned round."""
+    a, b, c = sp.symbols("a b c")
+    half = sp.Mul(sp.Rational(1, 2), a + b, evaluate=False)
+    assert notation(half) == parse("1/2 (a + b)")
+    assert notation((-a - b) * c) == parse("-(a + b) c")
+    assert notation(sp.Mul(-1, a + b, evaluate=False)) == parse("-(a + b)")
+    assert notation(-a / b) == notation(-(a / b))
+
+
 def test_mathml() -> None:
     """Presentation elements, zeros marked as such."""
     assert (

@@ -121,7 +121,8 @@ def _signed(term: sp.Expr) -> tuple[bool, sp.Expr]:
         turn = _negative(factor) or (factor.is_Add and all(_negative(a) for a in factor.args))
         negative ^= turn
         factors.append(-factor if turn else factor)
-    return negative, sp.Mul(*factors)
+    # not evaluated: SymPy would multiply a number into a sum
+    return negative, sp.Mul(*factors, evaluate=False) if len(factors) > 1 else factors[0]
 
 
 def _product(e: sp.Mul) -> Node:

@@ -75,7 +75,7 @@ class StandNumbers:
 
 KG_M, KG_M2 = '`"kg m"`', '`"kg m"^2`'
 ROUNDING = 1e-14
-"""Of the largest number of its kind: below this a number is rounding."""
+"""Of the natural size of its kind: below this a number is rounding."""
 
 
 def numbers(stand: Stand) -> StandNumbers:
@@ -99,7 +99,7 @@ def numbers(stand: Stand) -> StandNumbers:
         own = values.parameters["flywheel"][len(found)]
         columns = row | _constant_part(running, values.parameters, own, generic)
         found.append(_flywheel(s, columns, generic))
-    return StandNumbers(float(table["mass"]), _rows(K), _rows(K_zero), _rows(_noise(K, K_zero)), tuple(found))
+    return StandNumbers(float(table["mass"]), _rows(K), _rows(K_zero), _rows(_noise(K)), tuple(found))
 
 
 def _rows(matrix: Any) -> tuple[tuple[float, ...], ...]:
@@ -116,13 +116,11 @@ def _mass_matrix(given: Mapping[str, Any]) -> Any:
     return np.array(K.xreplace(known).tolist(), dtype=float)
 
 
-def _noise(*matrices: Any) -> Any:
-    """Rounding of each entry of K: of the largest number of its 3x3 block."""
-    found = np.zeros((6, 6))
-    for i in (0, 3):
-        for j in (0, 3):
-            found[i : i + 3, j : j + 3] = ROUNDING * max(np.abs(K[i : i + 3, j : j + 3]).max() for K in matrices)
-    return found
+def _noise(K: Any) -> Any:
+    """Rounding of each entry of K: masses by the largest mass, moments of inertia by the largest, kg m in between."""
+    mass, inertia = np.abs(K[:3, :3]).max(), np.abs(K[3:, 3:]).max()
+    size = np.repeat([np.sqrt(mass), np.sqrt(inertia)], 3)
+    return ROUNDING * np.outer(size, size)
 
 
 class _Generic:
@@ -178,5 +176,6 @@ def _flywheel(s: Flywheel, columns: Mapping[str, Any], generic: _Generic) -> Fly
         at += len(labels)
         largest[unit] = max(largest[unit], *(abs(x) for row in rows for x in row))
         parts.append((labels, unit, rows))
+    largest[KG_M] = max(largest[KG_M], float(np.sqrt(s.mass * largest[KG_M2])))
     quantities = tuple(Quantity(labels, unit, rows, ROUNDING * largest[unit]) for labels, unit, rows in parts)
     return FlywheelNumbers(s.name, s.mount, s.mass, float(columns["spin"]), quantities)

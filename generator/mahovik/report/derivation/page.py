@@ -241,7 +241,7 @@ _NOTES = {
         "`K_s = {m E, -<mu>; <mu>, J}`, and with a prime for the derivative by the phase "
         "`K*_s = dot(phi) {0, -<mu'>; <mu'>, J'}`, where `mu'` is `(I_1, I_2, I_3)`; "
         "`J_s = Phi I_s + dot(phi) I'_s`. A faint zero or a dot is exactly zero; "
-        "`≈ 0` is rounding, below `10^{-14}` of the largest number of its unit in that table."
+        "`≈ 0` is rounding, below `10^{-14}` of the natural size of its kind."
     ),
 }
 
