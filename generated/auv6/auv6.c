@@ -131,10 +131,10 @@ static auv6_real auv6_sqrt(auv6_real x)
     const auv6_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const auv6_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const auv6_real s = m * y3;
-    const auv6_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    const auv6_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
     /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
      * place. */
-    const auv6_word root = auv6_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const auv6_word root = auv6_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const auv6_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
     const auv6_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
     const auv6_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
@@ -1642,11 +1642,11 @@ auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const au
     auv6_real s_phi, c_phi;
     auv6_sincos(angles[2], &s_phi, &c_phi);
     const auv6_real singular = c_theta;  /* A has no inverse where this is 0 */
-    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return AUV6_SINGULAR_ATTITUDE; }
     status = auv6_forward(stand, &y, phi_ddot, V_dot);
     if (status != AUV6_OK) { return status; }
     status = auv6_matrices(stand, &y, &m);
     if (status != AUV6_OK) { return status; }
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return AUV6_SINGULAR_ATTITUDE; }
     /* J0 of (11) holds M at V itself, not relative to the stream */
     auv6_velocity_matrix(x->V, &m);
     auv6_real C[9];
@@ -2227,8 +2227,8 @@ auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mountin
         auv6_real s_phi, c_phi;
         auv6_sincos(x->phi[s], &s_phi, &c_phi);
         auv6_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], V, V_r_dot, g, W);
-        for (int i = 0; i < 6; ++i) {
-            loads[s * 6 + i] = W[i];
+        for (int j = 0; j < 6; ++j) {
+            loads[s * 6 + j] = W[j];
         }
     }
     return AUV6_OK;
@@ -2339,19 +2339,5 @@ const auv6_table auv6_default =
             {  0.0,  0.0,  0.0,  0.0,  2.0,  0.0 },
             {  0.0,  0.0,  0.0,  0.0,  0.0,  2.0 },
         },
-    },
-};
-
-AUV6_CONST
-const auv6_mount_table auv6_default_mounts =
-{
-    .flywheel = {
-        /*   mass          first_moment[3]                                                           inertia[6]                                                                                                                                 origin[3]                                                               axes[9] */
-        { 1.5, { -0.0015, 0.009000000000000001,   0.0045000000000000005 }, {             0.0032675, 0.0022150000000000004,             0.0020555, 2.9000000000000004e-5, 4.500000000000001e-6,                -1.7e-5 }, {               -0.3,               0.1,                   0.02 }, {      0.9950371902100053, -0.0995037190208377,                    0.0,   0.0995037190208377,      0.9950371902100053,                  0.0,                -0.0,                 0.0,                 1.0 } },  /* w1 */
-        { 1.5, {     0.0, 0.009899999999999999,                  0.0033 }, {             0.0033686, 0.0022732599999999996, 0.0021253400000000003,               2.06e-5,                  0.0, -1.1479999999999999e-5 }, {              -0.15,             -0.09,                   0.05 }, { -1.0289834168472537e-13,                -1.0, 1.0289834168455699e-14,   0.9950371902100053, -1.0341155355510722e-13,  -0.0995037190208377,  0.0995037190208377,                 0.0,  0.9950371902100053 } },  /* w2 */
-        { 1.5, {  0.0015,               0.0108,                  0.0021 }, {             0.0034727,            0.00233644,            0.00219926, 1.0399999999999999e-5,              -2.1e-6,  -4.519999999999999e-6 }, {                0.0,               0.1,                  -0.04 }, {     0.09950371902073478,                -0.0,    -0.9950371902100156,                  0.0,                     1.0,                 -0.0,  0.9950371902100156,                 0.0, 0.09950371902073478 } },  /* w3 */
-        { 1.5, { -0.0015, 0.011699999999999999,                  0.0009 }, {             0.0035798,            0.00240004, 0.0022727600000000004,               3.35e-5,               9.0e-7,   3.880000000000001e-6 }, {               0.15,             -0.08,                   0.04 }, {      0.6666666666669943, -0.7071067811862305,    0.23570226039554024,   0.6666666666663965,      0.7071067811868645,   0.2357022603953289, -0.3333333333332184,                 0.0,   0.942809041582104 } },  /* w4 */
-        { 1.5, {     0.0,               0.0126, -0.00030000000000000003 }, {             0.0036899,            0.00246406, 0.0023458399999999996,               2.24e-5,                  0.0,  1.3719999999999999e-5 }, {               0.28,              0.09,                  -0.03 }, {    -0.42426406871162603, -0.8574929257127915,      0.291042750043312,   0.7071067811868137,     -0.5144957554271143, -0.48507125007271507,  0.5656854249491322,                 0.0,  0.8246211251236046 } },  /* w5 */
-        { 1.5, {  0.0015, 0.013499999999999998,                 -0.0015 }, { 0.0038030000000000004, 0.0025330000000000005, 0.0024230000000000002,  9.500000000000002e-6,               1.5e-6,  2.4999999999999998e-5 }, { 0.3864074218757826, 0.040718600009405, 0.00026652585136140855 }, {     0.41612066497718053,  0.2834108022498927,    -0.8640149937049828, -0.23777534418754032,      0.9510414526858977,  0.19744123421817023,  0.8776710533425642, 0.12328208483461751,  0.4631361027639547 } },  /* w6 */
     },
 };

@@ -131,10 +131,10 @@ static bench8_real bench8_sqrt(bench8_real x)
     const bench8_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const bench8_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const bench8_real s = m * y3;
-    const bench8_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    const bench8_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
     /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
      * place. */
-    const bench8_word root = bench8_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const bench8_word root = bench8_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const bench8_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
     const bench8_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
     const bench8_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
@@ -1502,11 +1502,11 @@ bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, 
     bench8_real s_phi, c_phi;
     bench8_sincos(angles[2], &s_phi, &c_phi);
     const bench8_real singular = c_theta;  /* A has no inverse where this is 0 */
-    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return BENCH8_SINGULAR_ATTITUDE; }
     status = bench8_forward(stand, &y, phi_ddot, V_dot);
     if (status != BENCH8_OK) { return status; }
     status = bench8_matrices(stand, &y, &m);
     if (status != BENCH8_OK) { return status; }
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return BENCH8_SINGULAR_ATTITUDE; }
     bench8_real C[9];
     bench8_rotation(y.attitude, C);
     const bench8_real singular_inv = 1.0 / singular;
@@ -1910,8 +1910,8 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
         bench8_sincos(x->phi[s], &s_phi, &c_phi);
         bench8_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, g,
             W);
-        for (int i = 0; i < 6; ++i) {
-            loads[s * 6 + i] = W[i];
+        for (int j = 0; j < 6; ++j) {
+            loads[s * 6 + j] = W[j];
         }
     }
     return BENCH8_OK;
@@ -2004,21 +2004,5 @@ const bench8_table bench8_default =
         },
         .position = { 0.0, 0.0, 0.110441322 },
         .attitude = { 1.0, 0.0, 0.0, 0.0 },
-    },
-};
-
-BENCH8_CONST
-const bench8_mount_table bench8_default_mounts =
-{
-    .flywheel = {
-        /*    mass                          first_moment[3]                                                           inertia[6]                                                                                                                     origin[3]                                  axes[9] */
-        {  0.8, {                  0.0004, 0.0048000000000000004,               -0.00064 }, {           0.001179312,           0.000780712,              0.000769,               -3.24e-5,                3.2e-7,              1.184e-5 }, {   0.0,   0.2,  0.06 }, {                     1.0,                  0.0,                     0.0,                 0.0,                     1.0,                 -0.0,                -0.0,  0.0,                     1.0 } },  /* w1 */
-        { 0.78, { -0.00039000000000000005,              0.004368,                    0.0 }, {          0.0011744608, 0.0008001950000000001,          0.0007546558,             -1.7816e-5,                   0.0,                8.0e-6 }, {   0.0,  -0.2,  0.06 }, {     -0.9889363528682537, -0.14834045293053713,                     0.0, 0.14834045293053713,     -0.9889363528682537,                  0.0,                -0.0,  0.0,                     1.0 } },  /* w2 */
-        { 0.83, {                0.000415,              0.005229,               0.000664 }, {          0.0011834739, 0.0008207386999999999,          0.0007531502, -1.2614500000000001e-5,              -3.32e-7,             3.8168e-6 }, {   0.2,   0.0, -0.06 }, { -1.0341155355510722e-13,                 -1.0,                     0.0,                 1.0, -1.0341155355510722e-13,                  0.0,                -0.0,  0.0,                     1.0 } },  /* w3 */
-        {  0.8, {                 -0.0004,               0.00464,               -0.00064 }, {           0.001177424, 0.0008407120000000001,           0.000737112,  2.3200000000000002e-6,               -3.2e-7, 1.1711999999999999e-5 }, {  -0.2,   0.0, -0.06 }, {     0.09950371902073478,   0.9950371902100156,                     0.0, -0.9950371902100156,     0.09950371902073478,                 -0.0,                -0.0,  0.0,                     1.0 } },  /* w4 */
-        { 0.76, {                 0.00038,              0.004636,                    0.0 }, {          0.0011782796, 0.0008601899999999999, 0.0007284695999999999,               7.682e-6,                   0.0,                8.0e-6 }, {  0.16,  0.16,   0.0 }, { -1.0341155355510722e-13,                  0.0,                    -1.0,                -0.0,                     1.0,                  0.0,                 1.0, -0.0, -1.0341155355510722e-13 } },  /* w5 */
-        { 0.81, { -0.00040500000000000003,              0.005184,               0.000648 }, { 0.0011836960000000001, 0.0008807209000000001,          0.0007233801,  2.2592000000000003e-5, 3.2400000000000004e-7,  3.852799999999999e-6 }, { -0.16, -0.16,   0.0 }, { -1.0289834168445055e-14,                 -1.0, -1.0289834168472644e-13, 0.09950371902073478, -1.0341155355510722e-13,   0.9950371902100156, -0.9950371902100156,  0.0,     0.09950371902073478 } },  /* w6 */
-        { 0.79, {                0.000395,              0.004345, -0.0006320000000000001 }, {          0.0011744031,          0.0009007031, 0.0007040950000000001,             2.78275e-5,               3.16e-7,             1.1476e-5 }, {  0.16, -0.16,  0.02 }, {      0.6509445549045109,  -0.7071067811862305,    -0.27617238536938593,  0.6509445549039271,      0.7071067811868645,  -0.2761723853691383,  0.3905667329421394,  0.0,      0.9205746178984642 } },  /* w7 */
-        { 0.82, {                -0.00041,               0.00492,                    0.0 }, { 0.0011795199999999999,           0.000920205,           0.000699725,  4.2460000000000003e-5,                   0.0,                8.0e-6 }, { -0.16,  0.16,  0.02 }, {      -0.680413817439588,  -0.7071067811867916,      0.1924500897296282,  0.6804138174400577,     -0.7071067811863034, -0.19245008972976108, 0.27216552697565327,  0.0,      0.9622504486494485 } },  /* w8 */
     },
 };

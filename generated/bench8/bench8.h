@@ -3,7 +3,8 @@
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
- * the same bits. gcc may call memcpy, memmove and memset.
+ * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
  * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
@@ -183,7 +184,6 @@ typedef struct bench8_inverse_result {
 
 extern const bench8_parameters bench8_default_parameters;         /* of the stand file */
 extern const bench8_table bench8_default;                         /* what prepare makes of them */
-extern const bench8_mount_table bench8_default_mounts;            /* what prepare_mounts makes of them */
 
 /* ---- functions ---- */
 
@@ -192,7 +192,7 @@ extern const bench8_mount_table bench8_default_mounts;            /* what prepar
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[8]  rad/s2; flywheel accelerations
- *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
  * At most 2623 operations on reals, 5 of them divisions. */
 bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
@@ -321,7 +321,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
  *   stand        the prepared table
- *   mounting     made by prepare_mounts
+ *   mounting     made once by prepare_mounts
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[8]  rad/s2; flywheel accelerations

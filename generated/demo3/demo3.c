@@ -131,10 +131,10 @@ static demo3_real demo3_sqrt(demo3_real x)
     const demo3_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const demo3_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const demo3_real s = m * y3;
-    const demo3_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    const demo3_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
     /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
      * place. */
-    const demo3_word root = demo3_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const demo3_word root = demo3_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const demo3_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
     const demo3_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
     const demo3_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
@@ -1347,11 +1347,11 @@ demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, cons
     demo3_real s_phi, c_phi;
     demo3_sincos(angles[2], &s_phi, &c_phi);
     const demo3_real singular = c_theta;  /* A has no inverse where this is 0 */
-    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return DEMO3_SINGULAR_ATTITUDE; }
     status = demo3_forward(stand, &y, phi_ddot, V_dot);
     if (status != DEMO3_OK) { return status; }
     status = demo3_matrices(stand, &y, &m);
     if (status != DEMO3_OK) { return status; }
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return DEMO3_SINGULAR_ATTITUDE; }
     demo3_real C[9];
     demo3_rotation(y.attitude, C);
     const demo3_real singular_inv = 1.0 / singular;
@@ -1735,8 +1735,8 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
         demo3_real s_phi, c_phi;
         demo3_sincos(x->phi[s], &s_phi, &c_phi);
         demo3_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, W);
-        for (int i = 0; i < 6; ++i) {
-            loads[s * 6 + i] = W[i];
+        for (int j = 0; j < 6; ++j) {
+            loads[s * 6 + j] = W[j];
         }
     }
     return DEMO3_OK;
@@ -1798,16 +1798,5 @@ const demo3_table demo3_default =
         { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {                  0.004,                   0.0,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w1 */
         { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { -4.136462142204289e-16,                 0.004,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w2 */
         { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {   0.001128865042058947, 0.0007525766947066698, 0.0037628834735348427 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w3 */
-    },
-};
-
-DEMO3_CONST
-const demo3_mount_table demo3_default_mounts =
-{
-    .flywheel = {
-        /*   mass      first_moment[3]        inertia[6]                                origin[3]                                 axes[9] */
-        { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 }, {  0.12,  0.0, -0.02 }, {                     1.0,                0.0,                 0.0,                 0.0,                     1.0,                -0.0,               -0.0, 0.0,                1.0 } },  /* w1 */
-        { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 }, { -0.06,  0.1,  0.05 }, { -1.0341155355510722e-13,               -1.0,                 0.0,                 1.0, -1.0341155355510722e-13,                 0.0,               -0.0, 0.0,                1.0 } },  /* w2 */
-        { 2.0, { 0.0, 0.0, 0.0 }, { 0.004, 0.0025, 0.0025, 0.0, 0.0, 0.0 }, { -0.06, -0.1, -0.03 }, {      0.2822162605147367, -0.554700196225589, -0.7827270754281925, 0.18814417367666741,      0.8320502943376038, -0.5218180502859506, 0.9407208683837105, 0.0, 0.3391817326852932 } },  /* w3 */
     },
 };

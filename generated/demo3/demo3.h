@@ -3,7 +3,8 @@
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
- * the same bits. gcc may call memcpy, memmove and memset.
+ * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
  * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
@@ -173,7 +174,6 @@ typedef struct demo3_inverse_result {
 
 extern const demo3_parameters demo3_default_parameters;           /* of the stand file */
 extern const demo3_table demo3_default;                           /* what prepare makes of them */
-extern const demo3_mount_table demo3_default_mounts;              /* what prepare_mounts makes of them */
 
 /* ---- functions ---- */
 
@@ -182,7 +182,7 @@ extern const demo3_mount_table demo3_default_mounts;              /* what prepar
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[3]  rad/s2; flywheel accelerations
- *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
  * At most 1030 operations on reals, 1 of them a division. */
 demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
@@ -301,7 +301,7 @@ demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, cons
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   mounting     made by prepare_mounts
+ *   mounting     made once by prepare_mounts
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[3]  rad/s2; flywheel accelerations

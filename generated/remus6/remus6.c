@@ -131,10 +131,10 @@ static remus6_real remus6_sqrt(remus6_real x)
     const remus6_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const remus6_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const remus6_real s = m * y3;
-    const remus6_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    const remus6_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
     /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
      * place. */
-    const remus6_word root = remus6_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const remus6_word root = remus6_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const remus6_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
     const remus6_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
     const remus6_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
@@ -1642,11 +1642,11 @@ remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, 
     remus6_real s_phi, c_phi;
     remus6_sincos(angles[2], &s_phi, &c_phi);
     const remus6_real singular = c_theta;  /* A has no inverse where this is 0 */
-    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return REMUS6_SINGULAR_ATTITUDE; }
     status = remus6_forward(stand, &y, phi_ddot, V_dot);
     if (status != REMUS6_OK) { return status; }
     status = remus6_matrices(stand, &y, &m);
     if (status != REMUS6_OK) { return status; }
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return REMUS6_SINGULAR_ATTITUDE; }
     /* J0 of (11) holds M at V itself, not relative to the stream */
     remus6_velocity_matrix(x->V, &m);
     remus6_real C[9];
@@ -2292,8 +2292,8 @@ remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table 
         remus6_sincos(x->phi[s], &s_phi, &c_phi);
         remus6_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], V, V_r_dot, g,
             W);
-        for (int i = 0; i < 6; ++i) {
-            loads[s * 6 + i] = W[i];
+        for (int j = 0; j < 6; ++j) {
+            loads[s * 6 + j] = W[j];
         }
     }
     return REMUS6_OK;
@@ -2408,19 +2408,5 @@ const remus6_table remus6_default =
         {   4,    4,    10,  -188.0 },
         {   5,    1,     7,   -3.18 },
         {   5,    5,    11,   -94.0 },
-    },
-};
-
-REMUS6_CONST
-const remus6_mount_table remus6_default_mounts =
-{
-    .flywheel = {
-        /*    mass      first_moment[3]                                            inertia[6]                                                                                     origin[3]                                             axes[9] */
-        { 0.25, { 0.0,                 0.0002,                  0.0 }, { 0.00015, 8.5e-5, 9.0e-5, -3.6739403974420596e-23,                -6.0e-7, 0.0 }, {                0.22,  0.035,                 0.02 }, {                0.0,                  0.0,                  1.0,                 1.0,                 0.0,                   0.0,                 0.0,                   1.0,                0.0 } },  /* w1 */
-        { 0.25, { 0.0,                0.00021,                  0.0 }, { 0.00015, 8.5e-5, 8.8e-5,  -2.4999999999999994e-7, -4.3301270189221934e-7, 0.0 }, {               -0.22, -0.035,                 0.02 }, {                0.0,                  0.0,                 -1.0,                 1.0,                 0.0,                   0.0,                 0.0,                  -1.0,                0.0 } },  /* w2 */
-        { 0.25, { 0.0,                0.00019,                  0.0 }, { 0.00015, 8.6e-5, 9.0e-5,                 -4.0e-7,                    0.0, 0.0 }, {                0.12,  -0.02,                 0.03 }, {                0.0,                  0.0,                 -1.0,  0.2873478855663454,  0.9578262852211515,                   0.0,  0.9578262852211513,   -0.2873478855663454,                0.0 } },  /* w3 */
-        { 0.25, { 0.0, 0.00019318516525781366, 5.176380902050416e-5 }, { 0.00015, 8.4e-5, 8.9e-5,                     0.0,                    0.0, 0.0 }, {               -0.12,   0.02,                 0.03 }, {                0.0,                  0.0,                  1.0, -0.2873478855663454, -0.9578262852211515,                   0.0,  0.9578262852211513,   -0.2873478855663454,                0.0 } },  /* w4 */
-        { 0.25, { 0.0,                 0.0002,                  0.0 }, { 0.00015, 8.5e-5, 9.0e-5,  -2.5980762113533156e-7,  1.5000000000000002e-7, 0.0 }, {                 0.0,    0.0,                 0.04 }, { 0.9805806756909201,                  0.0, -0.19611613513818404,                 0.0,                 1.0,                   0.0, 0.19611613513818404,                   0.0, 0.9805806756909201 } },  /* w5 */
-        { 0.25, { 0.0,                0.00018,                  0.0 }, { 0.00015, 8.5e-5, 9.0e-5,    3.000000000000001e-7,  -5.196152422706631e-7, 0.0 }, { 0.45769912227475185,    0.0, 0.021299152741844518 }, { 0.7729086157753212, -0.07507152113966922,  -0.6300607418130837, 0.09667364890456637,  0.9953161335010482, 6.938893903907228e-18,  0.6271096214122008, -0.060910270942588704,  0.776545852880528 } },  /* w6 */
     },
 };

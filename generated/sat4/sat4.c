@@ -131,10 +131,10 @@ static sat4_real sat4_sqrt(sat4_real x)
     const sat4_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const sat4_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const sat4_real s = m * y3;
-    const sat4_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    const sat4_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
     /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
      * place. */
-    const sat4_word root = sat4_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const sat4_word root = sat4_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const sat4_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
     const sat4_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
     const sat4_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
@@ -1414,11 +1414,11 @@ sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sa
     sat4_real s_phi, c_phi;
     sat4_sincos(angles[2], &s_phi, &c_phi);
     const sat4_real singular = c_theta;  /* A has no inverse where this is 0 */
-    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return SAT4_SINGULAR_ATTITUDE; }
     status = sat4_forward(stand, &y, phi_ddot, V_dot);
     if (status != SAT4_OK) { return status; }
     status = sat4_matrices(stand, &y, &m);
     if (status != SAT4_OK) { return status; }
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return SAT4_SINGULAR_ATTITUDE; }
     sat4_real C[9];
     sat4_rotation(y.attitude, C);
     const sat4_real singular_inv = 1.0 / singular;
@@ -1826,8 +1826,8 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
         sat4_real s_phi, c_phi;
         sat4_sincos(x->phi[s], &s_phi, &c_phi);
         sat4_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, W);
-        for (int i = 0; i < 6; ++i) {
-            loads[s * 6 + i] = W[i];
+        for (int j = 0; j < 6; ++j) {
+            loads[s * 6 + j] = W[j];
         }
     }
     return SAT4_OK;
@@ -1899,17 +1899,5 @@ const sat4_table sat4_default =
     .sensor = {
         /*     origin[3]                           axes[9] */
         { { 0.0, 0.04, 0.26 }, { 0.8660254037844388, -0.5000000000000001, 0.0, 0.5000000000000001, 0.8660254037844388, 0.0, -0.0, 0.0, 1.0000000000000004 } },  /* acc1 */
-    },
-};
-
-SAT4_CONST
-const sat4_mount_table sat4_default_mounts =
-{
-    .flywheel = {
-        /*   mass      first_moment[3]                                               inertia[6]                                                                           origin[3]                              axes[9] */
-        { 2.4, { 0.0,                 1.5e-6,                    0.0 }, { 0.019099, 0.010504, 0.010609, -1.3471114790620885e-23,                -2.2e-7, 0.0 }, {  0.11,  0.11, -0.08 }, {  0.5773502691896258, -0.7071067811865475, -0.408248290463863,  0.5773502691896258,  0.7071067811865475, -0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw1 */
-        { 2.4, { 0.0,   5.130302149885032e-7,  1.4095389311788625e-6 }, { 0.019099, 0.010504, 0.010609,  -2.0673237657289985e-7,   7.524443153164712e-8, 0.0 }, { -0.11,  0.11, -0.08 }, { -0.5773502691896258, -0.7071067811865475,  0.408248290463863,  0.5773502691896258, -0.7071067811865475, -0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw2 */
-        { 2.4, { 0.0, -1.4095389311788625e-6,   5.130302149885033e-7 }, { 0.019099, 0.010504, 0.010609,   -1.905255888325765e-7, -1.1000000000000002e-7, 0.0 }, { -0.11, -0.11, -0.08 }, { -0.5773502691896258,  0.7071067811865475,  0.408248290463863, -0.5773502691896258, -0.7071067811865475,  0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw3 */
-        { 2.4, { 0.0,  -6.339273926110487e-7, -1.3594616805549751e-6 }, { 0.019099, 0.010504, 0.010609,   1.5556349186104045e-7, -1.5556349186104047e-7, 0.0 }, {  0.11, -0.11, -0.08 }, {  0.5773502691896258,  0.7071067811865475, -0.408248290463863, -0.5773502691896258,  0.7071067811865475,  0.408248290463863, 0.5773502691896258, 0.0, 0.816496580927726 } },  /* rw4 */
     },
 };

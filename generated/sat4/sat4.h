@@ -3,7 +3,8 @@
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
- * the same bits. gcc may call memcpy, memmove and memset.
+ * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
  * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
@@ -201,7 +202,6 @@ typedef struct sat4_inverse_result {
 
 extern const sat4_parameters sat4_default_parameters;             /* of the stand file */
 extern const sat4_table sat4_default;                             /* what prepare makes of them */
-extern const sat4_mount_table sat4_default_mounts;                /* what prepare_mounts makes of them */
 
 /* ---- functions ---- */
 
@@ -210,7 +210,7 @@ extern const sat4_mount_table sat4_default_mounts;                /* what prepar
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[4]  rad/s2; flywheel accelerations
- *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
  * At most 1274 operations on reals, 1 of them a division. */
 sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
@@ -338,7 +338,7 @@ sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sa
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   mounting     made by prepare_mounts
+ *   mounting     made once by prepare_mounts
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]  rad/s2; flywheel accelerations

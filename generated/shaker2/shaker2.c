@@ -131,10 +131,10 @@ static shaker2_real shaker2_sqrt(shaker2_real x)
     const shaker2_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const shaker2_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const shaker2_real s = m * y3;
-    const shaker2_real near = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    const shaker2_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
     /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
      * place. */
-    const shaker2_word root = shaker2_bits_of(near) - 0x3fe0000000000000u;  /* s as an integer */
+    const shaker2_word root = shaker2_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const shaker2_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
     const shaker2_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
     const shaker2_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
@@ -1506,11 +1506,11 @@ shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state 
     shaker2_real s_phi, c_phi;
     shaker2_sincos(angles[2], &s_phi, &c_phi);
     const shaker2_real singular = c_theta;  /* A has no inverse where this is 0 */
-    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return SHAKER2_SINGULAR_ATTITUDE; }
     status = shaker2_forward(stand, &y, phi_ddot, V_dot);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_matrices(stand, &y, &m);
     if (status != SHAKER2_OK) { return status; }
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return SHAKER2_SINGULAR_ATTITUDE; }
     shaker2_real C[9];
     shaker2_rotation(y.attitude, C);
     const shaker2_real singular_inv = 1.0 / singular;
@@ -1914,8 +1914,8 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
         shaker2_sincos(x->phi[s], &s_phi, &c_phi);
         shaker2_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, g,
             W);
-        for (int i = 0; i < 6; ++i) {
-            loads[s * 6 + i] = W[i];
+        for (int j = 0; j < 6; ++j) {
+            loads[s * 6 + j] = W[j];
         }
     }
     return SHAKER2_OK;
@@ -1996,15 +1996,5 @@ const shaker2_table shaker2_default =
         },
         .position = { 0.0, 0.0, 0.062122421 },
         .attitude = { 1.0, 0.0, 0.0, 0.0 },
-    },
-};
-
-SHAKER2_CONST
-const shaker2_mount_table shaker2_default_mounts =
-{
-    .flywheel = {
-        /*   mass      first_moment[3]           inertia[6]                                             origin[3]            axes[9] */
-        { 0.5, { 0.0, 0.002, 0.0 }, { 0.000908, 0.0006, 0.0006079999999999999, 0.0, 0.0, 0.0 }, { 0.0,  0.08, 0.0 }, { 1.0, 0.0, 0.0, 0.0, 1.0, -0.0, -0.0, 0.0, 1.0 } },  /* left */
-        { 0.5, { 0.0, 0.002, 0.0 }, { 0.000908, 0.0006, 0.0006079999999999999, 0.0, 0.0, 0.0 }, { 0.0, -0.08, 0.0 }, { 1.0, 0.0, 0.0, 0.0, 1.0, -0.0, -0.0, 0.0, 1.0 } },  /* right */
     },
 };

@@ -3,7 +3,8 @@
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
- * the same bits. gcc may call memcpy, memmove and memset.
+ * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
  * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
@@ -184,7 +185,6 @@ typedef struct shaker2_inverse_result {
 
 extern const shaker2_parameters shaker2_default_parameters;       /* of the stand file */
 extern const shaker2_table shaker2_default;                       /* what prepare makes of them */
-extern const shaker2_mount_table shaker2_default_mounts;          /* what prepare_mounts makes of them */
 
 /* ---- functions ---- */
 
@@ -193,7 +193,7 @@ extern const shaker2_mount_table shaker2_default_mounts;          /* what prepar
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[2]  rad/s2; flywheel accelerations
- *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
  * At most 1159 operations on reals, 5 of them divisions. */
 shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
@@ -325,7 +325,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
  *   stand        the prepared table
- *   mounting     made by prepare_mounts
+ *   mounting     made once by prepare_mounts
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[2]  rad/s2; flywheel accelerations

@@ -34,7 +34,7 @@ class ToolchainError(MahovikError):
     """A compiler or emulator is missing, or refused what it was given."""
 
 
-class CheckFailed(MahovikError):
+class CheckError(MahovikError):
     """What was asked to be checked is not so."""
 
     exit_status = 1

@@ -53,6 +53,16 @@ def test_what_the_c_lacks_is_an_error_line(tmp_path: Path) -> None:
     assert "V_dot" in second
 
 
+def test_the_second_derivation_is_a_backend() -> None:
+    states = GOOD + '{"id": "m", "want": ["matrices"]}\n'
+    result = run("eval", DEMO3, "--backend", "casadi", stdin=states)
+    first, second = lines(result.stdout)
+    literal = lines(run("eval", DEMO3, "--backend", "numpy", stdin=GOOD).stdout)[0]
+    assert first["V_dot"] == pytest.approx(literal["V_dot"], rel=1e-12, abs=1e-15)
+    assert result.exit_code == 1
+    assert "matrices" in second["error"]
+
+
 def test_no_states_are_no_failure() -> None:
     result = run("eval", DEMO3, "--backend", "numpy", stdin="\n\n")
     assert (result.exit_code, result.stdout) == (0, "")
@@ -61,7 +71,7 @@ def test_no_states_are_no_failure() -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("--backend", "casadi"), "the second derivation is not there yet"),
+        (("--backend", "casadi", "--real", "float"), "only --backend c has it"),
         (("--backend", "numpy", "--real", "float"), "only --backend c has it"),
         (("--real", "float"), "float C is not there yet"),
         (("--backend", "matlab"), "'matlab' is not one of"),

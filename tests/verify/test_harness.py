@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from mahovik.emit.generate import generate
-from mahovik.errors import CheckFailed, StateError, ToolchainError, UsageError
+from mahovik.errors import CheckError, StateError, ToolchainError, UsageError
 from mahovik.stand import Stand, State, load, rest_state
 from mahovik.stands import path
 from mahovik.verify.backends import NumpyBackend
@@ -194,7 +194,7 @@ def test_c_of_another_stand_or_none_is_refused(tmp_path: Path) -> None:
         verify_c(DEMO, against=tmp_path)
     written(tmp_path, DEMO)
     heavier = replace(DEMO, carrier=replace(DEMO.carrier, mass=DEMO.carrier.mass + 1))
-    with pytest.raises(CheckFailed, match="physics"):
+    with pytest.raises(CheckError, match="physics"):
         verify_c(heavier, against=tmp_path)
 
 

@@ -34,8 +34,6 @@ def evaluate(stand_file: str, backend: str, real: str) -> None:
     """
     if real == "float":
         raise UsageError(NOT_YET_FLOAT if backend == "c" else f"--real float: only --backend c has it, not {backend}")
-    if backend == "casadi":
-        raise UsageError("--backend casadi: the second derivation is not there yet")
     stand = load_stand(stand_file)
     chosen = _backend(stand, backend, real)
     from mahovik.verify.evaluate import results
@@ -55,6 +53,10 @@ def _backend(stand: Stand, name: str, real: str) -> Backend:
         from mahovik.verify.backends import NumpyBackend
 
         return NumpyBackend(stand)
+    if name == "casadi":
+        from mahovik.second import Second
+
+        return Second(stand)
     from mahovik.verify.c_backend import CBackend
 
     return CBackend(stand, real)

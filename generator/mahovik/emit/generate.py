@@ -184,13 +184,10 @@ class _Printer:
     def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:
         """Constant tables: name without prefix, type, value, meaning."""
         layout, values = self._layout, self._values
-        found = [
+        return [
             ("default_parameters", layout.parameters, values.parameters, "of the stand file"),
             ("default", layout.table, values.table, "what prepare makes of them"),
         ]
-        if values.mounting is not None:
-            found.append(("default_mounts", layout.mount_table, values.mounting, "what prepare_mounts makes of them"))
-        return found
 
     def _externs(self) -> list[tuple[str, str]]:
         """Declarations of the constant tables with their comments."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from mahovik.derive import accumulate as derived_rows
 from mahovik.derive import carrier as derived_carrier
 from mahovik.derive import drive as derived
@@ -32,7 +34,7 @@ def couple(lib: Library) -> Function:
     binding: dict[str, Expr] = {"s": s.place, "c": c.place}
     for name in ("c2", "s2"):
         binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
-    everything = binding | columns_of(row.place)
+    everything: dict[str, Any] = binding | columns_of(row.place)
     assign(body, list(out.place.I), derived_rows.columns().I, everything)
     mu_p, J_p = derived.phase_derivatives()
     assert list(mu_p) == list(derived_rows.columns().I[:3])

@@ -154,7 +154,8 @@ def forward(lib: Library) -> Function:
     """V* for given phi'' by (8)."""
     stand, x = lib.table_argument(), lib.state_argument()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
+    purpose = "derivative of the components of V; may overlap any input"
+    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose)
     body = Body()
     check_inputs(lib, body, stand, x, phi_ddot, wrench)
     result = body.local("result", (6,))

@@ -91,9 +91,9 @@ def attitude(lib: Library) -> Function:
         turn = sine_and_cosine(lib, body, angles.place[i], f"_{name}")
         binding |= {f"s_{name}": turn["s"], f"c_{name}": turn["c"]}
     singular = body.let("singular", translate(found.singular, binding), "A has no inverse where this is 0")
-    lib.guard(body, magnitude(singular) < SINGULAR_BELOW, "SINGULAR_ATTITUDE")
     lib.check(body, "forward", stand.place, y, *(a.place for a in (*phi_ddot, *wrench)), V_dot)
     lib.check(body, "matrices", stand.place, y, *(a.place for a in wrench), m)
+    lib.guard(body, magnitude(singular) < SINGULAR_BELOW, "SINGULAR_ATTITUDE")
     if layout.stream:
         body.note("J0 of (11) holds M at V itself, not relative to the stream")
         body.call(lib["velocity_matrix"], x.place.V, m)

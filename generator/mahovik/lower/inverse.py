@@ -1,7 +1,8 @@
 """inverse (12): flywheel accelerations for a wanted motion of the carrier, with diagnostics, and a cheap variant.
 
 K = G G^T, W = G^-1 I D^-1, r = G^-1 b with b = F - K V* - M V - J phi' and D^2 = diag(weight Theta_ff):
-least |r - W y|, then least |y|; phi'' = D^-1 y. The singular values of W are those of K^-1/2 I Theta_ff^-1/2 where all weights are 1.
+least |r - W y|, then least |y|; phi'' = D^-1 y. With all weights 1 the singular values of W are those of
+K^-1/2 I Theta_ff^-1/2.
 """
 
 from __future__ import annotations

@@ -95,7 +95,7 @@ def mounts(lib: Library) -> Function:
     """Wrenches of the mounts on all flywheels."""
     layout = lib.layout
     stand, x = lib.table_argument(), lib.state_argument()
-    table = Argument("mounting", layout.mount_table, purpose="made by prepare_mounts")
+    table = Argument("mounting", layout.mount_table, purpose="made once by prepare_mounts")
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = (
@@ -119,14 +119,20 @@ def mounts(lib: Library) -> Function:
         own_wrenches(lib, body, stand.place, x.place, seen.V, wrench, scratch, seen.own)
     W = body.local("W", (6,))
     with body.loop("s", layout.count) as s:
-        for i in range(6):
-            body.set(W[i], real(0) if seen.own is None else -seen.own[s * integer(6) + i])
+        for k in range(6):
+            body.set(W[k], real(0) if seen.own is None else -seen.own[s * integer(6) + k])
         turn = sine_and_cosine(lib, body, x.place.phi[s], "_phi")
-        named = {"mount": table.place.flywheel[s], **turn, "phi_dot": x.place.phi_dot[s], "V": seen.V, "W": W}
+        named: dict[str, Any] = {
+            "mount": table.place.flywheel[s],
+            **turn,
+            "phi_dot": x.place.phi_dot[s],
+            "V": seen.V,
+            "W": W,
+        }
         named |= {"phi_ddot": phi_ddot[0].place[s], "V_dot": moving, "g": seen.g}
         body.call(lib["mount_wrench"], *lib.passed("mount_wrench", **named))
-        with body.loop("i", 6) as i:
-            body.set(out.place[s * integer(6) + i], W[i])
+        with body.loop("j", 6) as j:
+            body.set(out.place[s * integer(6) + j], W[j])
     body.ret(Status("OK"))
     return Function(
         "mounts",

@@ -59,11 +59,11 @@ def square_root(precision: Precision) -> Function:
     for step in range(1, NEWTON_STEPS[precision.name] + 1):
         y = b.let(f"y{step}", y * (1.5 - half_m * y * y))
     s = b.let("s", m * y)
-    near = b.let("near", s + (m - s * s) * (y * 0.5), "within 1.5 units in the last place")
+    close = b.let("close", s + (m - s * s) * (y * 0.5), "within 1.5 units in the last place")
 
     b.note("The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last place.")
     one = precision.bias << fraction_bits
-    root = b.let("root", bits_of(near) - word(one - hidden), "s as an integer")
+    root = b.let("root", bits_of(close) - word(one - hidden), "s as an integer")
     d = b.let("d", (((fraction + hidden) << odd) << fraction_bits) - root * root)
     up = b.let("up", (root - d) >> (precision.width - 1), "1 where d > s: the next larger is nearer")
     down = b.let("down", (d + root - 1) >> (precision.width - 1), "1 where d <= -s: the next smaller is")

@@ -70,7 +70,7 @@ class Library:
         if isinstance(value, self._ffi.CData):
             return value
         if not a.shape and not a.variable.pointer:
-            return value
+            return 0 if value is None else value
         kind = self._c_type(a.type)
         if value is None:
             value = filled(a.type, a.shape, fill or 0.0)

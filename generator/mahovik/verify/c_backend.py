@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.emit.generate import Generated, generate_all
-from mahovik.errors import CheckFailed, UsageError
+from mahovik.errors import CheckError, UsageError
 from mahovik.program.interpret import Interpreter
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
@@ -51,7 +51,7 @@ class CBackend(ProgramBackend):
 
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
-    Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckFailed (of another stand).
+    Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
     """
 
     def __init__(self, stand: Stand, precision_name: str = "double", folder: Path | None = None) -> None:
@@ -69,7 +69,10 @@ class CBackend(ProgramBackend):
             return self.library.run(program.function(function), inputs)
 
         table = self.library.default("default")
-        mounting = self.library.default("default_mounts") if self.generated.layout.flywheels else None
+        mounting = None
+        if self.generated.layout.flywheels:
+            given = {"parameters": self.library.default("default_parameters")}
+            mounting = run("prepare_mounts", given)[1]["mounting"]
         super().__init__("c", self.generated.layout, program, table, mounting, run)
 
     @cached_property
@@ -107,7 +110,7 @@ def _written(files: Mapping[str, str], scratch: Path) -> Path:
 
 
 def _given(folder: Path, stand: Stand) -> Path:
-    """The folder, where it holds the C of this stand. Raises UsageError, CheckFailed."""
+    """The folder, where it holds the C of this stand. Raises UsageError, CheckError."""
     header = folder / f"{stand.name}.h"
     for path in (header, folder / f"{stand.name}.c"):
         if not path.is_file():
@@ -118,5 +121,5 @@ def _given(folder: Path, stand: Stand) -> Path:
         found = re.search(rf"#define {stand.name.upper()}_{kind.upper()} +0x([0-9a-f]+)u", text)
         have = found[1] if found else "none"
         if have != want:
-            raise CheckFailed(f"{header}: its {kind} is {have}, that of the stand file {want}: generate it again")
+            raise CheckError(f"{header}: its {kind} is {have}, that of the stand file {want}: generate it again")
     return folder

@@ -158,7 +158,7 @@ def same_bits(first: Any, second: Any) -> bool:
     """Whether two results hold the same numbers, bit for bit."""
     if isinstance(first, Mapping):
         return first.keys() == second.keys() and all(same_bits(first[name], second[name]) for name in first)
-    if isinstance(first, Sequence) and not isinstance(first, str):
+    if isinstance(first, Sequence | np.ndarray) and not isinstance(first, str):
         return len(first) == len(second) and all(map(same_bits, first, second))
     if isinstance(first, float | np.floating):
         return np.float64(first).tobytes() == np.float64(second).tobytes()

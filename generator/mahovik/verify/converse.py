@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Sequence
 from typing import IO
 
-from mahovik.errors import CheckFailed, UsageError
+from mahovik.errors import CheckError, UsageError
 
 _LONGEST = 16_000_000  # bytes of one line; more is no result of any stand
 
@@ -20,7 +20,7 @@ def converse(words: Sequence[str], lines: Sequence[str], timeout: float) -> list
     """What a program prints for these lines, blank lines left out.
 
     All lines are written and its input is closed, whether it answers each at once or all at the end.
-    Raises CheckFailed where it dies, hangs or does not stop printing; UsageError where it cannot be started.
+    Raises CheckError where it dies, hangs or does not stop printing; UsageError where it cannot be started.
     """
     try:
         process = subprocess.Popen(
@@ -42,13 +42,13 @@ def converse(words: Sequence[str], lines: Sequence[str], timeout: float) -> list
             thread.start()
         threads[1].join(timeout)
         if threads[1].is_alive():
-            raise CheckFailed(f"{words[0]} gave no complete answer in {timeout:g} s")
+            raise CheckError(f"{words[0]} gave no complete answer in {timeout:g} s")
         if len(found) > len(lines):
-            raise CheckFailed(f"{words[0]} gave more lines than the {len(lines)} states")
+            raise CheckError(f"{words[0]} gave more lines than the {len(lines)} states")
         try:
             status = process.wait(timeout)
         except subprocess.TimeoutExpired:
-            raise CheckFailed(f"{words[0]} did not end in {timeout:g} s") from None
+            raise CheckError(f"{words[0]} did not end in {timeout:g} s") from None
     finally:
         _stop(process)
         for thread in threads:
@@ -58,9 +58,9 @@ def converse(words: Sequence[str], lines: Sequence[str], timeout: float) -> list
     last = complaints[0].decode("utf-8", "replace").strip()[:200] if complaints else ""
     if status not in (0, 1):  # 1: some states failed, which their lines say
         how = f"signal {-status}" if status < 0 else f"status {status}"
-        raise CheckFailed(f"{words[0]} ended with {how}" + (f": {last}" if last else ""))
+        raise CheckError(f"{words[0]} ended with {how}" + (f": {last}" if last else ""))
     if not found:
-        raise CheckFailed(f"{words[0]} gave nothing" + (f": {last}" if last else ""))
+        raise CheckError(f"{words[0]} gave nothing" + (f": {last}" if last else ""))
     return found
 
 

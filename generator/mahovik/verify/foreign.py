@@ -7,7 +7,7 @@ import shlex
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from mahovik.errors import CheckFailed, UsageError
+from mahovik.errors import CheckError, UsageError
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.backends import WANTS
@@ -42,7 +42,7 @@ def verify_program(
     try:
         output = converse(_words(command, stand_file), lines, timeout)
         found = read_results(output, requests)
-    except CheckFailed as error:
+    except CheckError as error:
         return report(stand, command, seed, len(states), tolerance, (), str(error))
     rows = _rows(stand, requests, found, tolerance, bool(wants))
     return report(stand, command, seed, len(states), tolerance, rows)
@@ -66,21 +66,21 @@ def _words(command: str, stand_file: str) -> list[str]:
 
 
 def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Mapping[str, Any]]:
-    """A result for every request, in order. Raises CheckFailed."""
+    """A result for every request, in order. Raises CheckError."""
     found: list[Mapping[str, Any]] = []
     for number, (line, request) in enumerate(zip(lines, requests, strict=False), start=1):
         try:
             result = json.loads(line)
         except (ValueError, RecursionError):
-            raise CheckFailed(f"line {number} of its output is no JSON: {_start(line)}") from None
+            raise CheckError(f"line {number} of its output is no JSON: {_start(line)}") from None
         if not isinstance(result, dict):
-            raise CheckFailed(f"line {number} of its output is no object: {_start(line)}")
+            raise CheckError(f"line {number} of its output is no object: {_start(line)}")
         if result.get("id") != request.id:
             given = json.dumps(result.get("id"))[:60]
-            raise CheckFailed(f'line {number} of its output has the id {given}, expected "{request.id}"')
+            raise CheckError(f'line {number} of its output has the id {given}, expected "{request.id}"')
         found.append(result)
     if len(lines) != len(requests):
-        raise CheckFailed(f"{len(lines)} lines of output for {len(requests)} states")
+        raise CheckError(f"{len(lines)} lines of output for {len(requests)} states")
     return found
 
 

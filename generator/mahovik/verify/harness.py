@@ -69,7 +69,7 @@ def verify_c(
 ) -> Report:
     """Generated C, fresh or as it lies in `against`: compiled without a warning, and judged.
 
-    Raises ToolchainError where it does not compile, CheckFailed where it is of another stand.
+    Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
     from mahovik.verify.c_backend import CBackend
 

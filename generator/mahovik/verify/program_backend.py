@@ -40,9 +40,7 @@ class Runner(Protocol):
 class ProgramBackend:
     """Wants of a state from a program. `table`, `mounting` are what the functions take as the prepared stand."""
 
-    def __init__(
-        self, name: str, layout: Layout, program: Program, table: Any, mounting: Any, run: Runner
-    ) -> None:
+    def __init__(self, name: str, layout: Layout, program: Program, table: Any, mounting: Any, run: Runner) -> None:
         self.name = name
         self._mounting = mounting
         self.layout = layout

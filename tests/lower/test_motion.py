@@ -1,0 +1,186 @@
+"""step: order of convergence, conservation, locks, refusals; against SciPy's adaptive integration of the reference."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from mahovik.program.function import STATUS_VALUES
+from mahovik.reference import evaluate
+from mahovik.stand import State
+from mahovik.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.verify.c_backend import CBackend
+
+DURATION = 0.1
+
+
+@cache
+def free() -> CBackend:
+    """Three general flywheels, no external wrench."""
+    return CBackend(random_stand(np.random.default_rng(11), 3, BARE, name="free"))
+
+
+@cache
+def everything() -> CBackend:
+    """Five flywheels with every kind of wrench."""
+    return CBackend(random_stand(np.random.default_rng(12), 5, EVERYTHING, name="busy"))
+
+
+def start(c: CBackend) -> dict:
+    """A moving state."""
+    count = len(c.layout.structure.flywheels)
+    return {
+        "position": [0.1, -0.2, 0.3],
+        "attitude": [0.8, 0.0, 0.6, 0.0],
+        "V": [0.1, 0.2, -0.3, 0.4, -0.5, 0.6],
+        "phi": list(np.linspace(-1, 2, count)),
+        "phi_dot": list(np.linspace(-30, 40, count)),
+    }
+
+
+def inputs(c: CBackend, x: dict, **more) -> dict:
+    """Arguments of step by name; torques and accelerations that differ."""
+    count = len(x["phi"])
+    found = {"stand": c.library.default("default"), "x": x, "tau": [0.05 * (s + 1) for s in range(count)]}
+    found |= {"locked": [0] * count, "phi_ddot": [3.0 * (s - 1) for s in range(count)]}
+    found |= {"wrench": [0.0] * 6 * len(c.inputs), "dt": 1e-3, "order": 4}
+    return found | more
+
+
+def stepped(c: CBackend, function: str, steps: int, order: int, **more) -> dict:
+    """The state after DURATION in equal steps."""
+    x = start(c)
+    for _ in range(steps):
+        status, out = c.call(function, inputs(c, x, dt=DURATION / steps, order=order, **more))
+        assert status == 0
+        x = out["next"]
+    return x
+
+
+def flat(x: dict) -> np.ndarray:
+    """Numbers of a state; phases by their sine and cosine, for they are wrapped."""
+    phi = np.array(x["phi"])
+    return np.concatenate([x["position"], x["attitude"], x["V"], np.sin(phi), np.cos(phi), x["phi_dot"]])
+
+
+@pytest.mark.parametrize(
+    ("function", "order", "counts", "slack"),
+    [
+        ("step", 4, (80, 160, 320), 0.2),
+        ("step_driven", 4, (20, 40, 80), 0.2),  # with more steps rounding is all that is left
+        ("step", 2, (320, 640, 1280), 0.1),
+        ("step_driven", 2, (320, 640, 1280), 0.1),
+    ],
+)
+def test_order_of_convergence(function: str, order: int, counts: tuple[int, ...], slack: float) -> None:
+    """Errors against a much finer run fall with the power of the method."""
+    c = free()
+    exact = flat(stepped(c, function, 1280 * 4, 4))
+    errors = [np.abs(flat(stepped(c, function, n, order)) - exact).max() for n in counts]
+    slopes = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert slopes[-1] == pytest.approx(order, abs=slack)
+
+
+def test_free_motion_keeps_energy_and_momentum_in_E0() -> None:
+    """No torque, no wrench: Z0 and energy are constant to the method's error."""
+    c = free()
+    names = ("Z0", "energy")
+    x = start(c)
+    count = len(x["phi"])
+    first = c.call("momentum", inputs(c, x))[1]["out"]
+    last = c.call("momentum", inputs(c, stepped(c, "step", 800, 4, tau=[0.0] * count)))[1]["out"]
+    for name in names:
+        # 800 steps of 1.25e-4 s at 40 rad/s: RK4 loses about (phi' dt)^4 a step
+        assert np.allclose(first[name], last[name], rtol=1e-9, atol=1e-9 * np.abs(first[name]).max())
+
+
+def test_step_agrees_with_an_adaptive_integration_of_the_reference() -> None:
+    """The literal reference, integrated by SciPy with its own kinematics, ends where the C ends."""
+    c = everything()
+    stand = c.generated.values._stand
+    x = start(c)
+    count = len(x["phi"])
+    tau = tuple(inputs(c, x)["tau"])
+
+    def rates(t: float, y: np.ndarray) -> np.ndarray:
+        q = y[3:7] / np.linalg.norm(y[3:7])
+        state = State(
+            tuple(y[:3]), None, tuple(q), tuple(y[7:13]), tuple(y[13 : 13 + count]), tuple(y[13 + count :]),
+            (0.0,) * count, (0.0,) * 6, tau,
+        )  # fmt: skip
+        found = evaluate(stand, state, ["coupled"])
+        w, u = q[0], q[1:]
+        omega, v = y[10:13], y[7:10]
+        position = v + 2 * np.cross(u, np.cross(u, v) + w * v)
+        attitude = 0.5 * np.concatenate([[-u @ omega], w * omega + np.cross(u, omega)])
+        return np.concatenate([position, attitude, found["V_dot"], y[13 + count :], found["phi_ddot"]])
+
+    y0 = np.concatenate([x["position"], x["attitude"], x["V"], x["phi"], x["phi_dot"]])
+    judged = solve_ivp(rates, (0, DURATION), y0, method="DOP853", rtol=1e-10, atol=1e-12).y[:, -1]
+    ours = stepped(c, "step", 4000, 4)
+    expected = dict(zip(("position", "attitude", "V"), np.split(judged[:13], [3, 7]), strict=True))
+    expected |= {"phi": judged[13 : 13 + count], "phi_dot": judged[13 + count :]}
+    # 4,000 steps are within 1e-9 of 16,000; the integrator is asked for 1e-10 a step
+    assert flat(ours) == pytest.approx(flat(expected), rel=1e-8, abs=2e-8)
+
+
+def test_the_result_may_be_the_state_itself_and_phases_are_wrapped() -> None:
+    """In place gives the same bits; every phase ends within half a turn."""
+    c = free()
+    x = start(c) | {"phi": [900.0, -5000.0, 3.2]}
+    apart = c.call("step", inputs(c, x))[1]["next"]
+    assert max(abs(p) for p in apart["phi"]) <= np.pi * (1 + 1e-15)
+    ffi = c.library._ffi
+    place = ffi.new("free_state *", x)
+    given = inputs(c, x) | {"x": place, "next": place}
+    status, _ = c.library.run(
+        c.program.function("step"), {k: v for k, v in given.items() if k not in ("phi_ddot", "wrench")}
+    )
+    assert status == 0
+    assert list(place.phi) == apart["phi"]
+    assert list(place.V) == apart["V"]
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("dt", 0.0), ("dt", -1e-3), ("dt", 11.0), ("dt", float("nan")), ("order", 3)]
+)
+def test_a_bad_step_is_refused(name: str, value: float) -> None:
+    """dt outside (0, MAX_STEP] and an unknown order: BAD_ARGUMENT, nothing written."""
+    c = free()
+    status, out = c.library.run(
+        c.program.function("step"),
+        {k: v for k, v in inputs(c, start(c), **{name: value}).items() if k not in ("phi_ddot", "wrench")},
+        fill=5.5,
+    )
+    assert status == STATUS_VALUES["BAD_ARGUMENT"]
+    assert set(out["next"]["V"]) == {5.5}
+
+
+def test_a_locked_flywheel_is_one_more_rigid_body() -> None:
+    """All locked, all at rest on the carrier: the motion of forward with phi'' = 0."""
+    c = everything()
+    x = start(c)
+    x["phi_dot"] = [0.0] * len(x["phi"])
+    given = inputs(c, x, locked=[1] * len(x["phi"]), tau=[1e9] * len(x["phi"]))
+    moved = c.call("coupled", given)[1]
+    held = c.call("forward", given | {"phi_ddot": [0.0] * len(x["phi"])})[1]
+    assert moved["phi_ddot"] == [0.0] * len(x["phi"])
+    scale = np.abs(held["V_dot"]).max()
+    assert np.array(moved["V_dot"]) == pytest.approx(np.array(held["V_dot"]), abs=1e-12 * scale)
+
+
+def test_a_lock_holds_one_flywheel_only() -> None:
+    """The torque that coupled implies at a locked flywheel, given to a free one, holds it as well."""
+    c = everything()
+    x = start(c)
+    count = len(x["phi"])
+    given = inputs(c, x, locked=[0, 1] + [0] * (count - 2))
+    locked = c.call("coupled", given)[1]
+    assert locked["phi_ddot"][1] == 0.0
+    tau = c.call("torque", given | {"V_dot": locked["V_dot"], "phi_ddot": locked["phi_ddot"]})[1]["tau"]
+    free_now = c.call("coupled", given | {"tau": tau, "locked": [0] * count})[1]
+    scale = np.abs(locked["V_dot"]).max()
+    assert np.array(free_now["V_dot"]) == pytest.approx(np.array(locked["V_dot"]), abs=1e-11 * scale)
