@@ -1,4 +1,4 @@
-"""`mahovik verify`: the generated C, or any other program, against the literal reference."""
+"""`mahovik verify`: the generated C, or any other program, against the literal reference and the second derivation."""
 
 from __future__ import annotations
 
@@ -47,7 +47,8 @@ def verify(
     """Judge C or any program by the reference.
 
     Generates the C of a stand, compiles it with warnings as errors, evaluates random and extreme states, and compares
-    every quantity with the literal reference, relative to its natural scale. Exit status 0 only if all agree.
+    every quantity with the literal reference (worst), and that with the second derivation (second; between: it and the
+    C), relative to its natural scale. Exit status 0 only if all agree.
     """
     if real == "float":
         raise UsageError(NOT_YET_FLOAT)
@@ -141,18 +142,21 @@ def _print(found: Report) -> None:
     out = console()
     head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
     out.print(Text(head))
-    rows = table("quantity", "want", "states>", "worst>", "at state", "verdict")
+    rows = table("quantity", "want", "states>", "worst>", "second>", "between>", "at state", "verdict")
     for row in found.rows:
         judged = row.verdict in ("ok", "FAILED") and row.want
         style = "green" if row.verdict == "ok" else "red" if row.failed else "yellow"
         verdict = Text(row.verdict, style)
-        if row.reason:
-            verdict.append(f"  {row.reason}")
+        for words in (row.disagreement, row.reason):
+            if words:
+                verdict.append(f"  {words}")
         rows.add_row(
             Text(row.quantity),
             row.want,
             str(row.states) if row.states else "",
             f"{row.worst:.1e}" if judged else "",
+            "" if row.second is None else f"{row.second:.1e}",
+            "" if row.between is None else f"{row.between:.1e}",
             Text(row.state),
             verdict,
         )

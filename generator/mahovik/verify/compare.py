@@ -1,4 +1,4 @@
-"""Results against the reference: the worst difference of every quantity, relative to its natural scale."""
+"""Results against the reference and the second derivation: the worst difference of every quantity, relative to its natural scale."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ import numpy as np
 
 from mahovik import reference
 from mahovik.errors import StateError
+from mahovik.second import WANTS as SECOND_WANTS
+from mahovik.second import Second
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.scales import scales
@@ -23,9 +25,36 @@ UNDERFLOW = 1e-290
 """Floor of every scale: below it products of inputs are subnormal and have lost their digits."""
 
 
+@dataclass(frozen=True)
+class Three:
+    """Differences of the three pairs at one state; the names are those of Row."""
+
+    worst: float
+    second: float
+    between: float
+
+    def alone(self, tolerance: float, judged: str) -> str:
+        """Who stands alone: the two that are nearest are taken to agree, if they do within the tolerance."""
+        pairs = (
+            (self.between, f"{judged} and second agree, reference differs"),
+            (self.second, f"reference and second agree, {judged} differs"),
+            (self.worst, f"{judged} and reference agree, second differs"),
+        )
+        nearest, words = min(pairs)
+        return words if nearest <= tolerance else "no two agree"
+
+
 @dataclass
 class Row:
-    """One line of the verdict. `worst` is a relative difference; `state` is where it occurred."""
+    """One line of the verdict. Differences are relative; `state` is where the largest of them occurred.
+
+    worst         judged - reference
+    second        second derivation - reference; None where the second derivation has no such quantity
+    between       judged - second derivation; None likewise
+    disagreement  who stands alone, where they do not all agree
+    tolerance     accepted difference, where it is not the report's
+    three         the differences of `state`
+    """
 
     want: str
     quantity: str
@@ -35,30 +64,59 @@ class Row:
     request: Request | None = None
     verdict: str = ""
     reason: str = ""
+    second: float | None = None
+    between: float | None = None
+    disagreement: str = ""
+    tolerance: float | None = None
+    three: Three | None = None
 
     @property
     def failed(self) -> bool:
         """Whether the whole verification fails by this row."""
         return self.verdict not in ("ok", "not offered", "not compared")
 
+    @property
+    def largest(self) -> float:
+        """The largest difference of any pair."""
+        return max(self.worst, self.second or 0.0, self.between or 0.0)
+
     def note(self, difference: float, request: Request, reason: str = "") -> None:
-        """Count one state."""
+        """Count one state, of what the second derivation does not have."""
         self.states += 1
-        if difference > self.worst or self.request is None:
-            self.worst, self.request, self.reason = difference, request, reason
-            self.state = str(request.id).partition(",")[0]
+        self._keep(difference, request, reason)
+        self.worst = max(self.worst, difference)
+
+    def note_three(self, three: Three, request: Request, reason: str = "") -> None:
+        """Count one state that all three have evaluated, or refused."""
+        self.states += 1
+        if self._keep(max(three.worst, three.second, three.between), request, reason):
+            self.three = three
+        self.worst = max(self.worst, three.worst)
+        self.second = max(self.second or 0.0, three.second)
+        self.between = max(self.between or 0.0, three.between)
+
+    def _keep(self, difference: float, request: Request, reason: str) -> bool:
+        """Keep this state where none before was worse."""
+        if self.request is not None and difference <= self.largest:
+            return False
+        self.request, self.reason = request, reason
+        self.state = str(request.id).partition(",")[0]
+        return True
 
 
 class Judge:
     """Compares results of one stand with the reference and keeps the worst of every quantity.
 
+    With `second`, the second derivation, all three are compared with one another where it has the want.
     A state that the reference refuses is no test of anybody, and `expected` is None there; so is a state of
     `inverse` whose rank or status hangs on the last digits of a singular value.
     """
 
-    def __init__(self, stand: Stand, tolerance: float) -> None:
+    def __init__(self, stand: Stand, tolerance: float, second: Second | None = None, judged: str = "C") -> None:
         self._stand = stand
         self.tolerance = tolerance
+        self._second = second
+        self._judged = judged
         self._rows: dict[tuple[str, str], Row] = {}
         self._last: tuple[State | None, str, dict[str, Any] | None] = (None, "", None)
         self._pieces: tuple[State | None, reference.Pieces | None] = (None, None)
@@ -77,28 +135,59 @@ class Judge:
         return None if want == "inverse" and _ambiguous(found) else found
 
     def compare(self, request: Request, want: str, found: Mapping[str, Any]) -> float:
-        """Note the differences of one state; returns the largest."""
+        """Note the differences of one state; returns the largest from the reference."""
         expected = self.expected(request.state, want)
         if expected is None:
             return 0.0
         natural = self._scales(request.state, want)
+        second, refusal = self._second_values(request.state, want)
         largest = 0.0
         for quantity, value in expected.items():
             off, reason = difference(found.get(quantity), value, natural[quantity])
-            self._row(want, quantity).note(off, request, reason)
             largest = max(largest, off)
+            row = self._row(want, quantity)
+            if refusal:
+                row.note_three(Three(off, math.inf, math.inf), request, refusal)
+            elif quantity in second:
+                other, words = difference(second[quantity], value, natural[quantity])
+                apart = difference(found.get(quantity), second[quantity], natural[quantity])[0]
+                row.note_three(Three(off, other, apart), request, reason or words)
+            else:
+                row.note(off, request, reason)
         return largest
 
     def refused(self, request: Request, want: str, reason: str) -> None:
         """Note a state that was refused though the reference evaluates it."""
         expected = self.expected(request.state, want)
-        for quantity in expected or {}:
-            self._row(want, quantity).note(math.inf, request, reason)
+        if expected is None:
+            return
+        natural = self._scales(request.state, want)
+        second, refusal = self._second_values(request.state, want)
+        for quantity, value in expected.items():
+            row = self._row(want, quantity)
+            if refusal:
+                row.note_three(Three(math.inf, math.inf, 0.0), request, f"{reason}; {refusal}")
+            elif quantity in second:
+                other = difference(second[quantity], value, natural[quantity])[0]
+                row.note_three(Three(math.inf, other, math.inf), request, reason)
+            else:
+                row.note(math.inf, request, reason)
+
+    def _second_values(self, state: State, want: str) -> tuple[dict[str, Any], str]:
+        """What the second derivation gives: nothing where it has not the want; and the words of a refusal."""
+        if self._second is None or want not in SECOND_WANTS:
+            return {}, ""
+        try:
+            return self._second.evaluate(state, (want,)), ""
+        except StateError as error:
+            return {}, f"second derivation refused: {error}"
 
     def rows(self) -> list[Row]:
         """All rows with their verdicts, in the order in which the quantities came."""
         for row in self._rows.values():
-            row.verdict = "ok" if row.states and row.worst <= self.tolerance else "FAILED"
+            row.verdict = "ok" if row.states and row.largest <= self.tolerance else "FAILED"
+            if row.failed and row.three is not None:
+                row.disagreement = row.three.alone(self.tolerance, self._judged)
         return list(self._rows.values())
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Any program that speaks the `eval` contract, judged as a whole: states into it, its results against the reference."""
+"""Any program that speaks the `eval` contract, judged as a whole: states into it, its results against the references."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from mahovik.errors import CheckError, UsageError
+from mahovik.second import Second
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.backends import WANTS
@@ -92,7 +93,7 @@ def _rows(
     stand: Stand, requests: Sequence[Request], found: Sequence[Mapping[str, Any]], tolerance: float, required: bool
 ) -> list[Row]:
     """Rows of the wants it offers; one row for each it does not."""
-    judge = Judge(stand, tolerance)
+    judge = Judge(stand, tolerance, Second(stand), "program")
     wants = list(dict.fromkeys(request.want[0] for request in requests))
     offered = {request.want[0] for request, result in zip(requests, found, strict=True) if "error" not in result}
     for request, result in zip(requests, found, strict=True):

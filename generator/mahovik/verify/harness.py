@@ -1,4 +1,4 @@
-"""Judging a backend, and the generated C in particular, by the literal reference over random and extreme states."""
+"""Judging a backend, and the generated C in particular, by two derivations of the equations over random and extreme states."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mahovik.errors import StateError
+from mahovik.second import Second
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
@@ -39,9 +40,11 @@ def judge(
     wants: Sequence[str],
     tolerance: float = TOLERANCE["double"],
     progress: Progress | None = None,
+    second: Second | None = None,
+    judged: str = "C",
 ) -> list[Row]:
-    """Rows of every quantity that `wants` give: the backend against the reference."""
-    found = Judge(stand, tolerance)
+    """Rows of every quantity that `wants` give: the backend against the reference, and with `second` three ways."""
+    found = Judge(stand, tolerance, second, judged)
     for done, (name, state) in enumerate(states):
         for want in wants:
             if not askable(state, want):
@@ -67,7 +70,7 @@ def verify_c(
     real: str = "double",
     progress: Progress | None = None,
 ) -> Report:
-    """Generated C, fresh or as it lies in `against`: compiled without a warning, and judged.
+    """Generated C, fresh or as it lies in `against`: compiled without a warning, and judged three ways.
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
@@ -75,7 +78,7 @@ def verify_c(
 
     backend = CBackend(stand, real, against)
     states = draw(stand, seed, count, real, wrenches=against is None)
-    rows = judge(stand, backend, states, backend.wants, TOLERANCE[real], progress)
+    rows = judge(stand, backend, states, backend.wants, TOLERANCE[real], progress, Second(stand))
     rows.append(bits(backend, states, against))
     rows.append(refusals(backend.program, _good_inputs(backend, states), _raw(backend)))
     judged = "generated C" if against is None else f"C in {against}"

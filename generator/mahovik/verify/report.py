@@ -45,8 +45,9 @@ def conclusion(report: Report) -> str:
         return f"FAILED: {', '.join(dict.fromkeys(row.quantity for row in report.failures))}"
     if not report.passed:
         return "FAILED: nothing was compared"
-    worst = max(row.worst for row in report.rows if row.verdict == "ok")
-    return f"passed: worst {worst:.1e} of the natural scale, {report.tolerance:.0e} accepted"
+    accepted = [(row.largest, row.tolerance or report.tolerance) for row in report.rows if row.verdict == "ok"]
+    worst, tolerance = max(accepted, key=lambda pair: pair[0] / pair[1])
+    return f"passed: worst {worst:.1e} of the natural scale, {tolerance:.0e} accepted"
 
 
 def as_json(report: Report) -> str:
@@ -56,7 +57,11 @@ def as_json(report: Report) -> str:
             "want": row.want,
             "quantity": row.quantity,
             "states": row.states,
-            "worst": row.worst if math.isfinite(row.worst) else None,
+            "worst": _finite(row.worst),
+            "second": _finite(row.second),
+            "between": _finite(row.between),
+            "disagreement": row.disagreement,
+            "tolerance": row.tolerance or report.tolerance,
             "state": row.state,
             "verdict": row.verdict,
             "reason": row.reason,
@@ -78,6 +83,10 @@ def as_json(report: Report) -> str:
     return json.dumps(found, indent=1, allow_nan=False)
 
 
+def _finite(number: float | None) -> float | None:
+    return number if number is not None and math.isfinite(number) else None
+
+
 def as_junit(report: Report) -> str:
     """The table for continuous integration: a test case a row."""
     suite = ET.Element("testsuite", name=f"mahovik verify {report.stand}")
@@ -86,8 +95,14 @@ def as_junit(report: Report) -> str:
         name = f"{row.want}: {row.quantity}" if row.want else row.quantity
         case = ET.SubElement(suite, "testcase", classname=f"mahovik.{report.stand}", name=name)
         words = f"{row.verdict}, {row.states} states, worst {row.worst:.3g} at {row.state or '-'}"
+        if row.second is not None and row.between is not None:
+            words += f", second derivation {row.second:.3g} from the reference, {row.between:.3g} from what is judged"
+        if row.second is not None or row.tolerance is not None:
+            ET.SubElement(case, "system-out").text = _printable(words)
         if row.failed:
-            failure = ET.SubElement(case, "failure", message=_printable(f"{words} {row.reason}".strip()))
+            failure = ET.SubElement(
+                case, "failure", message=_printable(f"{words} {row.disagreement} {row.reason}".strip())
+            )
             failure.text = _printable(state_line(row.request) if row.request else row.reason)
         elif row.verdict != "ok":
             skipped += 1
@@ -112,7 +127,7 @@ def as_junit(report: Report) -> str:
 def worst_lines(report: Report) -> str:
     """States as `eval` takes them: the worst of every quantity that failed, or of all where none did; worst first."""
     rows = [row for row in report.failures or report.rows if row.request is not None]
-    rows.sort(key=lambda row: -row.worst)
+    rows.sort(key=lambda row: -row.largest)
     return "".join(f"{line}\n" for line in dict.fromkeys(state_line(row.request) for row in rows if row.request))
 
 
