@@ -184,10 +184,13 @@ class _Printer:
     def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:
         """Constant tables: name without prefix, type, value, meaning."""
         layout, values = self._layout, self._values
-        return [
+        found = [
             ("default_parameters", layout.parameters, values.parameters, "of the stand file"),
             ("default", layout.table, values.table, "what prepare makes of them"),
         ]
+        if values.options is not None:
+            found.append(("default_options", layout.inverse_options, values.options, "of inverse, by the stand file"))
+        return found
 
     def _externs(self) -> list[tuple[str, str]]:
         """Declarations of the constant tables with their comments."""

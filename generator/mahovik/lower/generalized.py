@@ -20,7 +20,8 @@ from mahovik.program.types import Kind
 _NAMES = ("psi", "theta", "phi")
 
 
-def _angles_argument(lib: Library) -> Argument:
+def angles_argument(lib: Library) -> Argument:
+    """psi, theta, phi in the sequence of the stand."""
     sequence = lib.layout.structure.angles
     axes = " ".join(f"C{axis}({name})" for axis, name in zip(derived.SEQUENCES[sequence], _NAMES, strict=True))
     return Argument("angles", Kind.REAL, (3,), unit="rad", purpose=f"psi, theta, phi of C = {axes} ({sequence})")
@@ -28,7 +29,7 @@ def _angles_argument(lib: Library) -> Argument:
 
 def quaternion(lib: Library) -> Function:
     """Unit quaternion of three angles."""
-    angles = _angles_argument(lib)
+    angles = angles_argument(lib)
     attitude = Argument("attitude", Kind.REAL, (4,), "out", purpose="unit quaternion, w first")
     body = Body()
     lib.begin(body)
@@ -75,7 +76,7 @@ def attitude(lib: Library) -> Function:
     layout = lib.layout
     stand = lib.table_argument()
     x = Argument("x", layout.state, purpose="state; its attitude is not read, the angles take its place")
-    angles = _angles_argument(lib)
+    angles = angles_argument(lib)
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     out = Argument("out", layout.generalized, (), "out", purpose="A, D, I0, J0, q_dot, q_ddot")
     body = Body()

@@ -165,7 +165,7 @@ def inverse(lib: Library) -> Function:
     stand, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
     options = Argument(
-        "options", layout.inverse_options, purpose="weights, limits, damping; the default is in the source"
+        "options", layout.inverse_options, purpose="weights, limits, damping; default_options has those of the stand"
     )
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and how good it is")
@@ -296,3 +296,91 @@ def _residual(lib: Library, body: Body, o: Place, work: Place, wanted: Place, fl
     tolerance = UNREACHABLE_ABOVE[lib.layout.precision.name]
     with body.when(left > tolerance * tolerance * wanted):
         body.set(flags, _flag(flags, "UNREACHABLE"))
+
+
+def inverse_fast(lib: Library) -> Function:
+    """phi'' for a wanted V* by the normal equations: for fast loops away from singularity."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
+    options = Argument("options", layout.inverse_options, purpose="weights and damping; near and limits are not read")
+    wrench = lib.wrench_arguments()
+    phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
+    p = options.place
+    wide = int(layout.count) >= 6
+    size = 6 if wide else int(layout.count)
+    body = Body()
+    _check(lib, body, stand, x, V_dot, p, wrench)
+    work = body.local("work", (), layout.inverse_work)
+    inputs = [w.place for w in wrench]
+    lib.check(body, "demand", stand.place, x.place, V_dot.place, p.weight, *inputs, work)
+    body.note("normal equations: W W^T z = r, y = W^T z" if wide else "normal equations: W^T W y = W^T r")
+    gram = body.local("gram", (size, size))
+    z = body.local("z", (size,))
+    trace = body.local("trace")
+    body.set(trace, real(0))
+    with body.loop("i", size) as i:
+        with body.loop("j", i + 1) as j:
+            body.set(gram[i][j], real(0))
+            with body.loop("k", layout.count if wide else 6) as k:
+                one, two = (work.W[i][k], work.W[j][k]) if wide else (work.W[k][i], work.W[k][j])
+                body.add(gram[i][j], one * two)
+        body.add(trace, gram[i][i])
+        if wide:
+            body.set(z[i], work.r[i])
+        else:
+            body.set(z[i], real(0))
+            with body.loop("k", 6) as k:
+                body.add(z[i], work.W[k][i] * work.r[k])
+    share = body.let("lambda2", p.damping * p.damping * trace, "damping, squared")
+    with body.loop("i", size) as i:
+        body.add(gram[i][i], share)
+    _solve_gram(lib, body, gram, z, size)
+    with body.loop("s", layout.count) as s:
+        y = body.local("y")
+        body.set(y, real(0) if wide else z[s])
+        if wide:
+            with body.loop("k", 6) as k:
+                body.add(y, work.W[k][s] * z[k])
+        body.set(phi_ddot.place[s], y * work.scale[s])
+    body.ret(Status("OK"))
+    return Function(
+        "inverse_fast",
+        "Flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal equations.",
+        (stand, x, V_dot, options, *wrench, phi_ddot),
+        body.statements,
+        equation="(12)",
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT"),
+        notes=(
+            "Squares the condition: as good as inverse where singular values are within some thousands of one another;",
+            "NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.",
+        ),
+        public=True,
+    )
+
+
+def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, size: int) -> None:
+    """z = gram^-1 z by a Cholesky factor in the lower triangle, in place."""
+    with body.loop("j", size) as j:
+        with body.loop("k", j) as k:
+            body.add(gram[j][j], -(gram[j][k] * gram[j][k]))
+        lib.guard(body, Not(gram[j][j] > GRAM_PIVOT[lib.layout.precision.name]), "NOT_POSITIVE_DEFINITE")
+        body.set(gram[j][j], call(lib["sqrt"], gram[j][j]))
+        with body.loop("i", size, start=j + 1) as i:
+            with body.loop("k", j) as k:
+                body.add(gram[i][j], -(gram[i][k] * gram[j][k]))
+            body.set(gram[i][j], gram[i][j] / gram[j][j])
+    with body.loop("i", size) as i:
+        with body.loop("k", i) as k:
+            body.add(z[i], -(gram[i][k] * z[k]))
+        body.set(z[i], z[i] / gram[i][i])
+    with body.loop("t", size) as t:
+        i_ = body.let("i", integer(size - 1) - t)
+        with body.loop("k", size, start=i_ + 1) as k:
+            body.add(z[i_], -(gram[k][i_] * z[k]))
+        body.set(z[i_], z[i_] / gram[i_][i_])
+
+
+GRAM_PIVOT = {"double": 1e-26, "float": 1e-12}
+"""Pivots of the dimensionless normal equations below this are noise."""

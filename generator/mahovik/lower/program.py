@@ -20,6 +20,7 @@ from mahovik.lower import (
     rotation,
     solve,
     step,
+    target,
     wrenches,
 )
 from mahovik.lower.layout import Layout
@@ -78,10 +79,12 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(inverse.factor(lib))
         lib.add(inverse.demand(lib))
         lib.add(inverse.inverse(lib))
+        lib.add(inverse.inverse_fast(lib))
     if layout.sensors:
         lib.add(measure.sense(lib))
         lib.add(measure.measure(lib))
     lib.add(generalized.quaternion(lib))
+    lib.add(target.target(lib))
     lib.add(generalized.products(lib))
     lib.add(generalized.attitude(lib))
     lib.add(placement.frame_of_axes(lib))

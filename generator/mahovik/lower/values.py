@@ -65,6 +65,10 @@ def _about_origin() -> Function:
     return Function("about_origin", "Parallel axes.", (mass, rc, central, J), body.statements)
 
 
+NEAR_SINGULAR_BELOW = 1e-6
+"""Default of `near`: as in `eval` (stand.md)."""
+
+
 class Values:
     """Parameters and table of one stand, from the interpreter of its program."""
 
@@ -76,6 +80,7 @@ class Values:
         self.parameters = self._parameters()
         self.table = self._table()
         self.mounting = self._mounting() if layout.flywheels else None
+        self.options = self._options() if layout.flywheels else None
 
     def _parameters(self) -> dict[str, Any]:
         layout, stand = self._layout, self._stand
@@ -136,6 +141,17 @@ class Values:
             raise StandError([f"stand {self._stand.name}: its masses and inertias are refused by prepare: {name}"])
         table: dict[str, Any] = outputs["stand"]
         return table
+
+    def _options(self) -> dict[str, Any]:
+        """Options of inverse by default: weights of the stand file, no limits, no damping."""
+        flywheels = self._stand.flywheels
+        largest = self._layout.precision.largest
+        return {
+            "weight": [s.inverse_weight for s in flywheels],
+            "limit": [largest] * len(flywheels),
+            "near": NEAR_SINGULAR_BELOW,
+            "damping": 0.0,
+        }
 
     def _mounting(self) -> dict[str, Any]:
         """prepare_mounts on the same parameters."""

@@ -86,6 +86,7 @@ def flywheel(table: FlywheelTable, where: str, problems: Problems) -> Flywheel |
         mounting=mounting,
         motor=Motor(**motor.model_dump()) if motor else None,
         encoder=Encoder(**encoder.model_dump()) if encoder else None,
+        inverse_weight=table.inverse_weight,
     )
 
 

@@ -142,13 +142,17 @@ class Encoder:
 
 @dataclass(frozen=True)
 class Flywheel(Body):
-    """A flywheel Es: origin Os in the frame of its mount, spinning about its own first axis."""
+    """A flywheel Es: origin Os in the frame of its mount, spinning about its own first axis.
+
+    `inverse_weight` is its weight in the norm of phi'' that `inverse` makes least, 1 by default.
+    """
 
     mount: str
     position: Vec3
     mounting: MountingAngles | MountingAxes
     motor: Motor | None
     encoder: Encoder | None
+    inverse_weight: float = 1.0
 
 
 @dataclass(frozen=True)

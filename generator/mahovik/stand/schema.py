@@ -298,6 +298,7 @@ class FlywheelTable(BodyTable):
     spin_inertia: Annotated[float, _scalar(units.INERTIA, least=0.0)] | None = None
     transverse_inertia: Annotated[tuple[float, ...], _validator(_transverse)] | None = None
     unbalance: UnbalanceTable | None = None
+    inverse_weight: Annotated[float, _scalar(units.PLAIN, least=1e-6)] = 1.0
     motor: MotorTable | None = None
     encoder: EncoderTable | None = None
 

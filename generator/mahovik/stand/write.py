@@ -97,6 +97,8 @@ def _flywheel(flywheel: Flywheel) -> list[str]:
     else:
         lines += _fields(mounting, "axis", "zero")
     lines += _body(flywheel)
+    if flywheel.inverse_weight != 1.0:
+        lines += _fields(flywheel, "inverse_weight")
     motor, encoder = flywheel.motor, flywheel.encoder
     if motor is not None:
         keys = ("torque", "speed", "constant", "resistance", "supply", "viscous", "coulomb", "coulomb_speed")
