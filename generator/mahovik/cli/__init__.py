@@ -15,6 +15,8 @@ from mahovik.cli.evaluate import evaluate
 from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
 from mahovik.cli.new import new
+from mahovik.cli.rest import rest
+from mahovik.cli.simulate import simulate
 from mahovik.cli.verify import verify
 
 
@@ -30,10 +32,11 @@ def main() -> None:
         mahovik check bench8.toml        masses, unbalance, warnings
         mahovik generate bench8.toml     C into ./bench8
         mahovik verify bench8.toml       that C against the literal reference
+        mahovik simulate bench8.toml --until 5 --regime R.toml -o run.csv
 
     Exit status: 0 good, 1 a check failed or some states, 2 bad input or usage.
     """
 
 
-for command in (new, check, derive, generate, verify, evaluate):
+for command in (new, check, derive, generate, verify, evaluate, rest, simulate):
     main.add_command(command)

@@ -36,6 +36,15 @@ class Library:
         """Is there a public function of that name (without prefix)?"""
         return hasattr(self._library, f"{self._prefix}_{function}")
 
+    @property
+    def ffi(self) -> cffi.FFI:
+        """What makes and reads data of the library's types, for callers that call one function many times."""
+        return self._ffi
+
+    def function(self, name: str) -> Any:
+        """A public function by its name without prefix, to be called with data of `ffi`."""
+        return getattr(self._library, f"{self._prefix}_{name}")
+
     def default(self, name: str) -> Any:
         """Address of a constant of the library, such as `default`."""
         try:

@@ -11,12 +11,12 @@ from pathlib import Path
 from mahovik.errors import UsageError
 
 
-def write(path: Path, text: str) -> None:
+def write(path: Path, text: str | bytes) -> None:
     """Write one file, atomically. Raises UsageError."""
     write_all(path.parent, {path.name: text})
 
 
-def write_all(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
+def write_all(folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str]) -> tuple[Path, ...]:
     """Write several files into a folder, which is made if need be: all of them or none. Raises UsageError.
 
     Each is written beside its place and moved there when all are complete, so that a build that runs at the same
@@ -29,7 +29,8 @@ def write_all(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
         for name, target in targets.items():
             if target.is_dir():
                 raise UsageError(f"{target}: is a directory, expected a file to write")
-            content = files[name].encode("utf-8")
+            given = files[name]
+            content = given.encode("utf-8") if isinstance(given, str) else given
             if not (target.is_file() and target.read_bytes() == content):
                 drafts[name] = _draft(folder, name, content)
         for name, draft in drafts.items():

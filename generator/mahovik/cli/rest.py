@@ -1,0 +1,89 @@
+"""`mahovik rest`: where a stand rests."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import click
+
+from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.errors import UsageError
+
+if TYPE_CHECKING:
+    from mahovik.stand.model import Stand
+    from mahovik.study.rest import Rest
+
+
+@click.command()
+@stand_argument
+@click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='Of a flywheel, "w1=90 deg"; default 0.')
+@click.option("--json", "as_json", is_flag=True, help="Print JSON; `simulate --start` reads it.")
+def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
+    """Find the static equilibrium.
+
+    Flywheels are at rest at their phases, no run-time wrench acts. Exit status 1 where there is no equilibrium.
+    """
+    stand = load_stand(stand_file)
+    phi = read_phases(stand, phases)
+    from mahovik.study.rest import rest as find
+
+    found = find(stand, phi)
+    if as_json:
+        import json
+
+        from mahovik.verify.evaluate import state_object
+
+        free = [list(direction) for direction in found.free]
+        state = state_object(found.state)
+        values = {"name": stand.name, "state": state, "V_dot": found.V_dot, "free": free, "unstable": found.unstable}
+        click.echo(json.dumps(values, indent=1, allow_nan=False))
+        return
+    _print(found, stand)
+
+
+def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
+    """Phases (rad) by flywheel. Raises UsageError."""
+    from mahovik.stand.names import nearest
+    from mahovik.stand.units import ANGLE, QuantityError, number
+
+    names = [s.name for s in stand.flywheels]
+    phi = [0.0] * len(names)
+    for each in given:
+        name, _, text = each.partition("=")
+        if name not in names:
+            hint = f', did you mean "{nearest(name, names)}"?' if names else ": the stand has none"
+            raise UsageError(f'--phase {each}: unknown flywheel "{name}"{hint}')
+        try:
+            phi[names.index(name)] = float(text)
+        except ValueError:
+            try:
+                phi[names.index(name)] = number(text, ANGLE)
+            except QuantityError as error:
+                raise UsageError(f"--phase {each}: {error}") from None
+        if not abs(phi[names.index(name)]) <= 1e7:
+            raise UsageError(f"--phase {each}: out of range")
+    return phi
+
+
+def _print(found: Rest, stand: Stand) -> None:
+    out = console()
+    state = found.state
+    turn = 2 * math.degrees(
+        math.atan2(math.hypot(*(state.quaternion or (1, 0, 0, 0))[1:]), (state.quaternion or (1,))[0])
+    )
+    out.print(f"[bold]{stand.name}[/bold] rests, turned by {turn:.6g} deg from E0")
+    rows = table("position of O1 in E0, m", "quaternion", "left of V_dot>")
+    rows.add_row(
+        "  ".join(f"{x:.9f}" for x in state.position),
+        "  ".join(f"{x:.9f}" for x in state.quaternion or ()),
+        f"{max(map(abs, found.V_dot)):.2g}",
+    )
+    out.print(rows)
+    if found.free:
+        free = table("free to move, in E1: x", "y", "z", "about x", "about y", "about z")
+        for direction in found.free:
+            free.add_row(*(f"{x:.6g}" for x in direction))
+        out.print(free)
+    if found.unstable:
+        out.print("warning: unstable, the stand would leave this pose", style="yellow")

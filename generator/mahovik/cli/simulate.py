@@ -1,0 +1,133 @@
+"""`mahovik simulate`: a stand under a regime, in time."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.errors import CheckError, UsageError
+
+if TYPE_CHECKING:
+    from mahovik.motion.regime import Regime
+    from mahovik.simulate import Case, Run
+    from mahovik.stand.model import Stand
+    from mahovik.stand.state import State
+
+
+@click.command()
+@stand_argument
+@click.option("--until", metavar="S", type=float, required=True, help="Duration, s.")
+@click.option("-o", "output", metavar="FILE.csv|FILE.parquet", type=click.Path(), required=True, help="Columns.")
+@click.option("--regime", metavar="FILE", type=click.Path(), help="What drives the flywheels; default: none turns.")
+@click.option("--start", metavar="STATE.json", type=click.Path(), help="Default: the static equilibrium.")
+@click.option("--dt", metavar="S", type=float, default=1e-4, show_default=True, help="Longest step, s.")
+@click.option("--every", metavar="S", type=float, default=1e-3, show_default=True, help="Time between rows, s.")
+@click.option("--order", type=click.Choice(["4", "2"]), default="4", show_default=True, help="Of the step.")
+@click.option(
+    "--backend",
+    type=click.Choice(["c", "scipy"]),
+    default="c",
+    show_default=True,
+    help="c: the generated C; scipy: the literal reference, adaptive, slow.",
+)
+@click.option("--mounts", is_flag=True, help="Write the wrench of the mount on each flywheel as well.")
+def simulate(
+    stand_file: str,
+    until: float,
+    output: str,
+    regime: str | None,
+    start: str | None,
+    dt: float,
+    every: float,
+    order: str,
+    backend: str,
+    mounts: bool,
+) -> None:
+    """Simulate a stand under a regime.
+
+    Motion of the carrier, flywheels, torques and readings of every point, in columns with units. Ctrl-C keeps
+    what is computed so far.
+    """
+    stand = load_stand(stand_file)
+    from mahovik.simulate import Case
+    from mahovik.simulate import simulate as run
+    from mahovik.simulate.output import check, save
+
+    check(Path(output))
+    chosen, state = _beginning(stand, regime, start, until)
+    case = Case(stand, chosen, state, until, every, dt, int(order))
+    _warn(case)
+    with _progress(until) as tell:
+        found = run(case, backend, mounts, tell)
+    save(found, Path(output))
+    click.echo(f"{click.format_filename(output)}   {len(found.data)} rows, {len(found.names)} columns")
+    _report(found)
+
+
+def _beginning(stand: Stand, regime: str | None, start: str | None, until: float) -> tuple[Regime, State]:
+    """The regime, and the state to begin with. Raises RegimeError, UsageError, CheckError."""
+    import math
+
+    from mahovik import motion
+    from mahovik.simulate.start import load
+    from mahovik.study.rest import rest
+
+    if not (math.isfinite(until) and until > 0.0):
+        raise UsageError(f"--until {until:g}: expected a time above 0, in s")
+    given = load(Path(start), stand) if start is not None else None
+    chosen = motion.load(regime, stand, until) if regime is not None else None
+    if given is not None:
+        return chosen or motion.steady(stand, given.phi_dot), given
+    chosen = chosen or motion.steady(stand, [0.0] * len(stand.flywheels))
+    try:
+        return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state
+    except CheckError as error:
+        raise CheckError(f"{error}; give a state to begin with by --start") from None
+
+
+def _warn(case: Case) -> None:
+    """Steps that are long for the speeds at the start."""
+    import numpy as np
+
+    _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
+    fastest = float(np.abs([*speeds.ravel(), *case.phi_dot0]).max(initial=0.0))
+    if fastest * case.dt > 0.3:
+        click.echo(f"warning: a flywheel turns {fastest * case.dt:.2g} rad a step: --dt {case.dt:g} is long", err=True)
+
+
+@contextmanager
+def _progress(until: float) -> Iterator[Callable[[float], None] | None]:
+    """A bar with the rate on standard error; nothing where that is no terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, ProgressColumn, TextColumn, TimeRemainingColumn
+    from rich.text import Text
+
+    class Rate(ProgressColumn):
+        """Simulated seconds a second."""
+
+        def render(self, task: object) -> Text:
+            speed = getattr(task, "speed", None)
+            return Text("" if speed is None else f"{speed:.3g} s/s")
+
+    columns = (TextColumn("{task.completed:.3g} s of {task.total:.3g} s"), BarColumn(), Rate(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=until)
+        yield lambda t: bar.update(task, completed=t)
+
+
+def _report(found: Run) -> None:
+    """Motors that fall short; why a run ended early. Exit status 1, or 130 for Ctrl-C."""
+    for name, (t, missing) in found.short.items():
+        click.echo(f"motor of {name}: cannot give what its law asks for; {missing:.4g} N m short at t = {t:.6g} s")
+    if found.stopped is not None:
+        click.echo(f"error: {found.stopped}; what was computed is kept", err=True)
+        raise SystemExit(130 if found.interrupted else 1)

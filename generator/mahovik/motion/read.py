@@ -1,0 +1,194 @@
+"""Regime file (TOML or JSON) -> Regime. Every problem of the file is found before any is reported."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Sequence
+from decimal import Decimal, InvalidOperation
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mahovik.errors import RegimeError
+from mahovik.motion import table
+from mahovik.motion.entry import DRIVEN_KEYS, LAWS, Entry, law_of
+from mahovik.motion.laws import Constant, WrenchTable
+from mahovik.motion.regime import Driven, Regime
+from mahovik.stand.model import Stand
+from mahovik.stand.names import nearest
+from mahovik.stand.problems import Problems
+from mahovik.stand.units import ANGLE, SPEED, Dimension, QuantityError, number, show
+
+_KEYS = ("schema", "name", "default", "flywheel", "wrench")
+_FORCE, _MOMENT = Dimension("a force", "N"), Dimension("a moment", "N m")
+_WRENCH = {"X": _FORCE, "Y": _FORCE, "Z": _FORCE, "K": _MOMENT, "M": _MOMENT, "N": _MOMENT}
+
+
+def steady(stand: Stand, speeds: Sequence[float]) -> Regime:
+    """Every flywheel keeps the speed it has (rad/s); no wrench."""
+    driven = (Driven(s.name, Constant(speed)) for s, speed in zip(stand.flywheels, speeds, strict=True))
+    return Regime("steady", tuple(driven), {})
+
+
+def load(path: str | Path, stand: Stand, until: float) -> Regime:
+    """Read and check the regime file at `path` for a run of `until` s. Raises RegimeError with every problem."""
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise RegimeError([f"{path}: cannot be read: {error.strerror or error}"]) from None
+    except ValueError as error:  # not UTF-8, or a NUL in the name
+        raise RegimeError([f"{show(str(path))}: not UTF-8 text: {error}"]) from None
+    return loads(text, stand, until, path.name, path.parent, is_json=path.suffix.lower() == ".json")
+
+
+def loads(
+    text: str, stand: Stand, until: float, source: str = "regime", folder: Path = Path(), is_json: bool = False
+) -> Regime:
+    """Read and check a regime given as text; its tables lie in `folder`. Raises RegimeError."""
+    try:
+        document = json.loads(text, parse_float=_decimal) if is_json else tomllib.loads(text, parse_float=_decimal)
+    except (json.JSONDecodeError, tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        raise RegimeError([f"{source}: not {'JSON' if is_json else 'TOML'}: {error}"]) from None
+    problems = Problems(source)
+    if not isinstance(document, dict):
+        raise RegimeError([f"{source}: expected an object, found {show(document)}"])
+    if document.get("schema") != 1:
+        raise RegimeError([f"{source}: schema: expected 1, found {show(document.get('schema', 'nothing'))}"])
+    for key in document:
+        if key not in _KEYS:
+            problems.add(f'unknown key {show(key)}, did you mean "{nearest(key, list(_KEYS))}"?')
+    name = document.get("name", Path(source).stem)
+    if not isinstance(name, str):
+        problems.add("name", f"expected a string, found {show(name)}")
+    flywheels = _flywheels(document, stand, problems, until, folder)
+    wrenches = _wrenches(document, stand, problems, until, folder)
+    if not problems.lines:
+        _check_mixture(flywheels, problems)
+    if problems.lines:
+        raise RegimeError(problems.lines)
+    return Regime(str(name), tuple(flywheels), wrenches)
+
+
+def _decimal(text: str) -> Decimal:
+    try:
+        return Decimal(text)
+    except InvalidOperation:
+        return Decimal("Infinity") if "e-" not in text.lower() else Decimal(0)
+
+
+def _tables(document: dict[str, Any], key: str, names: list[str], what: str, problems: Problems) -> dict[str, Any]:
+    """The table `key` of the file, from known names to what stands there."""
+    given = document.get(key, {})
+    if not isinstance(given, dict):
+        problems.add(key, f"expected a table of {what}s, found {show(given)}")
+        return {}
+    for name in given:
+        if name not in names:
+            hint = f', did you mean "{nearest(name, names)}"?' if names else ": the stand has none"
+            problems.add(key, f"unknown {what} {show(name)}{hint}")
+    return {name: value for name, value in given.items() if name in names}
+
+
+def _flywheels(document: dict[str, Any], stand: Stand, problems: Problems, until: float, folder: Path) -> list[Driven]:
+    names = [s.name for s in stand.flywheels]
+    given = _tables(document, "flywheel", names, "flywheel", problems)
+    default = document.get("default")
+    if default is not None:
+        _driven("default", "default", default, problems, until, folder)  # its problems, once
+    found = []
+    for name in names:
+        if name in given:
+            found.append(_driven(name, f"flywheel {show(name)}", given[name], problems, until, folder, default))
+        elif default is None:
+            problems.add(f"flywheel {show(name)}", "has no law: give it one, or a `default` for all that are not named")
+        else:
+            found.append(_driven(name, "default", default, problems, until, folder))
+    return found
+
+
+def _driven(
+    name: str, where: str, given: Any, problems: Problems, until: float, folder: Path, default: Any = None
+) -> Driven:
+    """One flywheel's entry; where it has no law of its own, the law of `default`."""
+    nothing = Driven(name, Constant(0.0))
+    if not isinstance(given, dict):
+        problems.add(where, f"expected a table with a law, found {show(given)}")
+        return nothing
+    known = [*LAWS, *DRIVEN_KEYS]
+    for key in given:
+        if key not in known:
+            problems.add(where, f'unknown key {show(key)}, did you mean "{nearest(key, known)}"?')
+    own = [key for key in LAWS if key in given]
+    if len(own) > 1:
+        problems.add(where, f"{', '.join(own)}: exactly one law, not {len(own)}")
+        return nothing
+    if not own and isinstance(default, dict):
+        given = {**default, **given}
+        own = [key for key in LAWS if key in given][:1]
+    if not own:
+        problems.add(where, f"no law: expected one of {', '.join(LAWS)}")
+        return nothing
+    law = law_of(Entry(where, own[0], given[own[0]], problems, until, folder))
+    phase = _optional(where, given, "phase", ANGLE, problems)
+    speed = _optional(where, given, "initial_speed", SPEED, problems)
+    if law is None:
+        return nothing
+    driven = Driven(name, law, phase, speed)
+    if speed is not None and not driven.by_torque:
+        problems.add(where, "initial_speed", f"goes with a law of torque; here `{own[0]}` gives the speed")
+    return driven
+
+
+def _optional(where: str, given: dict[str, Any], key: str, dimension: Dimension, problems: Problems) -> float | None:
+    if key not in given:
+        return None
+    try:
+        return number(given[key], dimension)
+    except QuantityError as error:
+        problems.add(where, key, str(error))
+        return None
+
+
+def _wrenches(
+    document: dict[str, Any], stand: Stand, problems: Problems, until: float, folder: Path
+) -> dict[str, WrenchTable]:
+    found = {}
+    for body, given in _tables(document, "wrench", [b.name for b in stand.bodies], "body", problems).items():
+        where = f"wrench {show(body)}"
+        if isinstance(given, list) and len(given) == len(_WRENCH):
+            values = []
+            for (letter, dimension), raw in zip(_WRENCH.items(), given, strict=True):
+                try:
+                    values.append(number(raw, dimension))
+                except QuantityError as error:
+                    problems.add(where, letter, str(error))
+                    values.append(0.0)
+            found[body] = WrenchTable(np.zeros(1), np.array([values]))
+        elif isinstance(given, str):
+            try:
+                read = table.read(folder / given, _WRENCH, until)
+            except table.TableError as error:
+                problems.add(where, str(error))
+                continue
+            columns = [read.columns.get(letter, np.zeros_like(read.times)) for letter in _WRENCH]
+            found[body] = WrenchTable(read.times, np.column_stack(columns))
+        else:
+            problems.add(where, f"expected six numbers or the name of a CSV file, found {show(given)}")
+    return found
+
+
+def _check_mixture(flywheels: list[Driven], problems: Problems) -> None:
+    """Beside torques, a given speed must be constant."""
+    torques = [each.name for each in flywheels if each.by_torque]
+    if not torques:
+        return
+    for each in flywheels:
+        if not each.by_torque and not isinstance(each.law, Constant):
+            problems.add(
+                f"flywheel {show(each.name)}",
+                f"its speed is given and varies, but {show(torques[0])} is driven by torque: "
+                "beside torques only `speed` and `hold` are possible",
+            )

@@ -1,0 +1,73 @@
+"""A regime: for each flywheel one law, for some bodies a wrench; and what both give at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from mahovik.motion.laws import Array, Constant, Law, Motion, RunUp, Torque, TorqueTable, WrenchTable
+from mahovik.motion.motor import drive
+from mahovik.stand.model import Motor, Vec6
+
+
+@dataclass(frozen=True)
+class Driven:
+    """One flywheel of a regime. `phase`, `speed`: at t = 0; None where the start decides."""
+
+    name: str
+    law: Law
+    phase: float | None = None
+    speed: float | None = None
+
+    @property
+    def by_torque(self) -> bool:
+        """Is its torque given, and not its speed?"""
+        return isinstance(self.law, Torque | RunUp | TorqueTable)
+
+
+@dataclass(frozen=True)
+class Regime:
+    """Laws of all flywheels in the stand's order, and wrenches by body."""
+
+    name: str
+    flywheels: tuple[Driven, ...]
+    wrenches: Mapping[str, WrenchTable]
+
+    @cached_property
+    def by_torque(self) -> bool:
+        """Is any flywheel driven by torque? Then the flywheels of given speed keep it constant."""
+        return any(each.by_torque for each in self.flywheels)
+
+    @cached_property
+    def kept(self) -> tuple[bool, ...]:
+        """Flywheels whose speed is constant by law: phi'' = 0, as by a lock."""
+        return tuple(isinstance(each.law, Constant) for each in self.flywheels)
+
+    def motion(self, t: Array) -> Motion:
+        """phi from t = 0, phi', phi'' of all flywheels (times x N); of one driven by torque: zero."""
+        found = np.zeros((3, len(t), len(self.flywheels)))
+        for s, each in enumerate(self.flywheels):
+            if not isinstance(each.law, Torque | RunUp | TorqueTable):
+                found[:, :, s] = each.law.motion(t)
+        return found[0], found[1], found[2]
+
+    def torques(self, t: float, speeds: Array, motors: tuple[Motor | None, ...]) -> list[float]:
+        """Drive torques (N, N m) that the motors give at a time and speeds; zero where the speed is given."""
+        found = [0.0] * len(self.flywheels)
+        for s, each in enumerate(self.flywheels):
+            if isinstance(each.law, Torque | RunUp | TorqueTable):
+                speed = float(speeds[s])
+                found[s] = drive(motors[s], each.law.command(t, speed), speed)
+        return found
+
+    def wrench(self, t: float) -> dict[str, Vec6]:
+        """Run-time wrenches by body at a time."""
+        return {body: table.at(t) for body, table in self.wrenches.items()}  # type: ignore[misc]  # six numbers
+
+    def breaks(self, until: float) -> list[float]:
+        """Times inside (0, until) at which some law is not smooth, ascending."""
+        laws = [each.law.breaks for each in self.flywheels] + [w.breaks for w in self.wrenches.values()]
+        return sorted({t for times in laws for t in times if 0.0 < t < until})

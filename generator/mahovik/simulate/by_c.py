@@ -1,0 +1,166 @@
+"""Motion by the generated C: its function `step`, or `step_driven` where all speeds are given."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, cast
+
+import numpy as np
+
+from mahovik.errors import StateError
+from mahovik.simulate.case import Array, Case, wrapped
+from mahovik.simulate.moment import Moment
+from mahovik.stand.model import Stand, Vec6
+from mahovik.verify.c_backend import CBackend
+from mahovik.verify.program_backend import STATUS_NAMES
+
+
+class CMotion:
+    """Steps of the C. Phases and speeds that are given are set exactly at the beginning of each step.
+
+    Within a step torques, wrenches and flywheel accelerations are constant: torques and wrenches of its middle,
+    accelerations by the speeds at its ends.
+    """
+
+    def __init__(self, case: Case) -> None:
+        self.case = case
+        self.c = CBackend(with_inputs(case.stand, set(case.regime.wrenches)))
+        self._name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
+        N = len(case.stand.flywheels)
+        ffi = self.c.library.ffi
+        self._x = ffi.new(f"{case.stand.name}_state *")
+        self._view = np.frombuffer(ffi.buffer(self._x), dtype=np.float64)
+        self._phi, self._phi_dot = slice(13, 13 + N), slice(13 + N, 13 + 2 * N)
+        self._drive = np.zeros(max(N, 1))
+        self._locked = np.array([*map(int, case.regime.kept), 0], dtype=np.intc)
+        self._wrench = np.zeros(6 * max(len(self.c.inputs), 1))
+        self._rate = np.zeros(N)
+        self._turns = np.zeros(N)
+        start = case.start
+        attitude = self.c.arguments(start)["x"]["attitude"]
+        self._view[:13] = [*start.position, *attitude, *start.V]
+        self._view[self._phi] = wrapped(case.phi0)
+        self._view[self._phi_dot] = case.phi_dot0
+
+    def moments(self, mounts: bool) -> Iterator[Moment]:
+        """See Motion."""
+        phi = self.case.phi0.copy()
+        times = self.case.times
+        for k, t in enumerate(times):
+            if k:
+                phi = self._advance(float(times[k - 1]), float(t), phi)
+            yield self._moment(float(t), phi, mounts)
+
+    def _arguments(self, h: float) -> list[Any]:
+        ffi = self.c.library.ffi
+
+        def real(array: Array) -> Any:
+            return ffi.cast(f"{self.case.stand.name}_real *", array.ctypes.data)
+
+        known = {
+            "stand": self.c.library.default("default"),
+            "x": self._x,
+            "tau": real(self._drive),
+            "phi_ddot": real(self._drive),
+            "locked": ffi.cast("int *", self._locked.ctypes.data),
+            "wrench": real(self._wrench),
+            "dt": h,
+            "order": self.case.order,
+            "next": self._x,
+        }
+        return [known[a.name] for a in self.c.program.function(self._name).arguments]
+
+    def _advance(self, begin: float, end: float, phi: Array) -> Array:
+        """Steps from one time of output to the next; returns the phases there, counted through."""
+        case, view = self.case, self._view
+        count = max(1, math.ceil((end - begin) / case.dt * (1 - 1e-9)))
+        h = (end - begin) / count
+        step, arguments = self.c.library.function(self._name), self._arguments(h)
+        times: Array = begin + h * np.arange(count + 1, dtype=np.float64)
+        times[-1] = end
+        given, speeds, _ = case.motion(times)
+        if not case.regime.by_torque:
+            states, mean = wrapped(given), np.diff(speeds, axis=0) / h
+            for k in range(count):
+                self._set_wrench(times[k] + h / 2)
+                view[self._phi], view[self._phi_dot] = states[k], speeds[k]
+                self._drive[: len(mean[k])] = mean[k]
+                self._check(step(*arguments), times[k])
+            view[self._phi], view[self._phi_dot] = states[-1], speeds[-1]
+            return np.asarray(given[-1])
+        if begin == 0.0:
+            self._rate = self._accelerations(0.0)[1]
+        for k in range(count):
+            before = view[self._phi_dot].copy()
+            phase = view[self._phi].copy()
+            middle = times[k] + h / 2
+            self._set_wrench(middle)
+            self._drive[:] = case.torques(middle, before + h / 2 * self._rate)
+            self._check(step(*arguments), times[k])
+            after = view[self._phi_dot]
+            self._rate = (after - before) / h
+            turned = view[self._phi] - phase
+            expected = h * (before + after) / 2
+            phi = phi + turned + 2 * np.pi * np.round((expected - turned) / (2 * np.pi))
+        return phi
+
+    def _set_wrench(self, t: float) -> None:
+        if self.case.regime.wrenches:
+            now = self.case.regime.wrench(t)
+            for i, body in enumerate(self.c.inputs):
+                self._wrench[6 * i : 6 * i + 6] = now.get(body, (0.0,) * 6)
+
+    def _check(self, status: int, t: float) -> None:
+        if status < 0:
+            raise StateError(f"at t = {t:.6g} s a step ends with {STATUS_NAMES[status]}: the motion leaves its ranges")
+
+    def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
+        """V_dot, phi_ddot and drive torques at the present state."""
+        case, view = self.case, self._view
+        phi_dot = view[self._phi_dot].copy()
+        state = case.state(t, view[:3], view[3:7], view[7:13], view[self._phi], phi_dot)
+        tau = np.array(case.torques(t, phi_dot))
+        inputs = self.c.arguments(replace(state, tau=tuple(tau.tolist()))) | {"x": self._x}
+        if case.regime.by_torque:
+            found = self._call("coupled", inputs | {"locked": self._locked[:-1].tolist()}, t)
+            phi_ddot = np.array(found["phi_ddot"])
+        else:
+            phi_ddot = case.motion(np.array([t]))[2][0]
+            found = self._call("forward", inputs | {"phi_ddot": phi_ddot.tolist()}, t)
+        V_dot = np.array(found["V_dot"])
+        if case.stand.flywheels:
+            inputs |= {"phi_ddot": phi_ddot.tolist(), "V_dot": V_dot.tolist()}
+            needed = np.array(self._call("torque", inputs, t)["tau"])
+            tau = np.where([each.by_torque for each in case.regime.flywheels], tau, needed)
+        return V_dot, phi_ddot, tau
+
+    def _call(self, function: str, inputs: dict[str, Any], t: float) -> dict[str, Any]:
+        status, outputs = self.c.call(function, inputs)
+        self._check(status, t)
+        return outputs
+
+    def _moment(self, t: float, phi: Array, mounts: bool) -> Moment:
+        view = self._view
+        V_dot, phi_ddot, tau = self._accelerations(t)
+        state = self.case.state(t, view[:3], view[3:7], view[7:13], view[self._phi], view[self._phi_dot].copy())
+        state = replace(state, V_dot=cast(Vec6, tuple(V_dot.tolist())), phi_ddot=tuple(phi_ddot.tolist()))
+        want = ["points", "mounts"] if mounts else ["points"]
+        found = self.c.evaluate(state, want)
+        loads = np.array(found["mount_wrench"]).reshape(-1, 6) if mounts else None
+        return Moment(t, state, phi.copy(), tau, found["points"], loads)
+
+
+def with_inputs(stand: Stand, bodies: set[str]) -> Stand:
+    """The stand with a run-time wrench on the bodies named, beside those that take one already."""
+
+    def one(body: Any) -> Any:
+        return replace(body, wrench_input=body.wrench_input or body.name in bodies)
+
+    return replace(
+        stand,
+        carrier=one(stand.carrier),
+        instruments=tuple(map(one, stand.instruments)),
+        flywheels=tuple(map(one, stand.flywheels)),
+    )

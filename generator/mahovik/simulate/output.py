@@ -1,0 +1,47 @@
+"""A run as a file: CSV, or Parquet where pyarrow is installed. Written whole or not at all."""
+
+from __future__ import annotations
+
+import io
+from importlib import import_module
+from pathlib import Path
+
+from mahovik.errors import UsageError
+from mahovik.simulate.run import Run
+from mahovik.verify.files import write
+
+SUFFIXES = (".csv", ".parquet")
+
+
+def check(path: Path) -> None:
+    """Can the file be written at all? Raises UsageError before anything is computed."""
+    if path.suffix not in SUFFIXES:
+        raise UsageError(f"-o {path}: expected a name that ends in .csv or .parquet")
+    if path.is_dir():
+        raise UsageError(f"{path}: is a directory, expected a file to write")
+    if path.suffix == ".parquet":
+        try:
+            import_module("pyarrow.parquet")
+        except ImportError:
+            raise UsageError(f'-o {path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
+
+
+def save(run: Run, path: Path) -> None:
+    """Write a run. Raises UsageError."""
+    check(path)
+    write(path, csv_text(run) if path.suffix == ".csv" else parquet_bytes(run))
+
+
+def csv_text(run: Run) -> str:
+    """A header of names, then a line a moment; numbers read back to the same bits."""
+    lines = [",".join(run.names), *(",".join(map(repr, row)) for row in run.data.tolist())]
+    return "\n".join(lines) + "\n"
+
+
+def parquet_bytes(run: Run) -> bytes:
+    """A table of doubles."""
+    arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
+    table = arrow.table({name: run.data[:, i].copy() for i, name in enumerate(run.names)})
+    buffer = io.BytesIO()
+    parquet.write_table(table, buffer)
+    return buffer.getvalue()

@@ -1,0 +1,1 @@
+"""Questions about a stand; so far where it rests."""
