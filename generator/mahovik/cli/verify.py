@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 )
 @click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
 @click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
+@click.option("--judges", is_flag=True, help="Judge by Pinocchio and MuJoCo; for stands without fluid.")
 @real_option
 def verify(
     stand_file: str,
@@ -42,6 +43,7 @@ def verify(
     command: str | None,
     want: str | None,
     timeout: float,
+    judges: bool,
     real: str,
 ) -> None:
     """Judge C or any program by the reference.
@@ -54,11 +56,17 @@ def verify(
         raise UsageError(NOT_YET_FLOAT)
     if command is not None and against is not None:
         raise UsageError("--with, --against: one of them")
+    if judges and (command is not None or against is not None):
+        raise UsageError("--judges judges a fresh copy: not with --with, --against")
     if want is not None and command is None:
         raise UsageError("--want goes with --with")
     wants = read_wants(want)
     stand = load_stand(stand_file)
-    if command is not None:
+    if judges:
+        from mahovik.verify.judges.compare import verify_judges
+
+        found = verify_judges(stand, seed=seed, count=states)
+    elif command is not None:
         from mahovik.verify.foreign import verify_program
 
         found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
@@ -140,9 +148,12 @@ def _print(found: Report) -> None:
     from mahovik.verify.report import conclusion
 
     out = console()
+    third = any(row.second is not None for row in found.rows)
     head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
     out.print(Text(head))
-    rows = table("quantity", "want", "states>", "worst>", "second>", "between>", "at state", "verdict")
+    pairs = ("second>", "between>") if third else ()
+    by = "judge" if any(row.tolerance for row in found.rows) else "want"
+    rows = table("quantity", by, "states>", "worst>", *pairs, "at state", "verdict")
     for row in found.rows:
         judged = row.verdict in ("ok", "FAILED") and row.want
         style = "green" if row.verdict == "ok" else "red" if row.failed else "yellow"
@@ -155,8 +166,7 @@ def _print(found: Report) -> None:
             row.want,
             str(row.states) if row.states else "",
             f"{row.worst:.1e}" if judged else "",
-            "" if row.second is None else f"{row.second:.1e}",
-            "" if row.between is None else f"{row.between:.1e}",
+            *("" if off is None else f"{off:.1e}" for off in (row.second, row.between) if third),
             Text(row.state),
             verdict,
         )

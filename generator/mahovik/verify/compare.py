@@ -1,4 +1,4 @@
-"""Results against the reference and the second derivation: the worst difference of every quantity, relative to its natural scale."""
+"""Results against reference and second derivation: the worst difference of every quantity over its natural scale."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Any program that speaks the `eval` contract, judged as a whole: states into it, its results against the references."""
+"""Any program that speaks the `eval` contract, judged as a whole: states into it, its results against ours."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Judging a backend, and the generated C in particular, by two derivations of the equations over random and extreme states."""
+"""Judging a backend, the generated C in particular, by two derivations, over random and extreme states."""
 
 from __future__ import annotations
 

@@ -1,0 +1,5 @@
+"""Outside judges: multibody programs of others, given the same stand, against the generated C.
+
+They know rigid bodies on joints, so a stand with fluid, suspension or legs is refused here. They are no dependencies:
+`pip install pin mujoco`, or the extra `judges`.
+"""

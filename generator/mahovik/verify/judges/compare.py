@@ -1,0 +1,159 @@
+"""The generated C against outside judges: the equations state by state, then a free motion."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Sequence
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any, cast
+
+import numpy as np
+
+from mahovik import reference
+from mahovik.errors import UsageError
+from mahovik.stand.model import Stand, Vec3, Vec6
+from mahovik.stand.state import State
+from mahovik.verify.c_backend import CBackend
+from mahovik.verify.compare import TOLERANCE, Row, difference
+from mahovik.verify.draw import draw
+from mahovik.verify.harness import report
+from mahovik.verify.judges.motion import MOTION_TOLERANCE, UNTIL, end_of_motion, moderate
+from mahovik.verify.judges.rigid import OutsideJudge, Values, missing
+from mahovik.verify.report import Report
+from mahovik.verify.scales import scales
+from mahovik.verify.scales.magnitudes import Magnitudes
+from mahovik.verify.states import Request
+
+JUDGES = {
+    "pinocchio": ("mahovik.verify.judges.pinocchio_judge", "PinocchioJudge"),
+    "mujoco": ("mahovik.verify.judges.mujoco_judge", "MujocoJudge"),
+}
+"""Module and class of every judge, imported only where it is asked."""
+
+INSTALL = "pip install pin mujoco"
+
+NEAR = 10.0
+"""m; judges add positions in E0 to those of bodies, and lose digits far from its origin."""
+
+QUANTITIES = {
+    "K": "mass matrix, carrier",
+    "I": "mass matrix, coupling",
+    "bias": "bias forces",
+    "V_dot_forward": "V_dot for given phi_ddot",
+    "V_dot": "V_dot for given tau",
+    "phi_ddot": "phi_ddot for given tau",
+    "base_wrench": "inverse dynamics, wrench on the carrier",
+    "tau": "inverse dynamics, tau",
+    "mount_wrench": "joint forces",
+    "points": "points",
+}
+"""What is compared, in words."""
+
+MOTION = f"free motion of {UNTIL:g} s"
+
+
+def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[OutsideJudge]:
+    """The judges with the model of the stand. UsageError: not installed, or the stand has what they have not."""
+    found = missing(stand)
+    if found:
+        raise UsageError(
+            f"--judges: Pinocchio and MuJoCo know rigid bodies on joints, and not {', '.join(found)}: "
+            "take these out of a copy of the stand file to have the rest judged"
+        )
+    if not any(body.mass > 0.0 for body in stand.bodies):
+        raise UsageError("--judges: no body of the stand has a mass")
+    judges = []
+    for name in names:
+        module, kind = JUDGES[name]
+        try:
+            judges.append(getattr(importlib.import_module(module), kind)(stand))
+        except ImportError as error:
+            raise UsageError(f"--judges: {name} is not installed ({error.name}): {INSTALL}") from None
+    return judges
+
+
+def verify_judges(stand: Stand, *, seed: int = 1, count: int = 200, names: Sequence[str] = tuple(JUDGES)) -> Report:
+    """Rows of every judge and quantity: generated C against the judge, relative to the natural scale."""
+    judges = load_judges(stand, names)
+    backend = CBackend(stand)
+    rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
+    for name, drawn in draw(stand, seed, count):
+        state = near(drawn)
+        own, natural = ours(backend, state), natural_scales(stand, state)
+        request = Request(name, state, ("matrices", "forward", "torque", "mounts", "points"))
+        for judge in judges:
+            given = judge.evaluate(state)
+            for key in QUANTITIES:
+                off, reason = difference(own[key], given[key], natural[key])
+                rows[judge.name, key].note(off, request, reason)
+    moved = [_motion_row(stand, backend, judge, seed) for judge in judges]
+    for row in (*rows.values(), *moved):
+        row.tolerance = row.tolerance or TOLERANCE["double"]
+        row.verdict = "ok" if row.states and row.worst <= row.tolerance else "FAILED"
+    ordered = [row for judge in judges for row in (*rows.values(), *moved) if row.want == judge.name]
+    who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
+    return report(stand, f"generated C against {who}", seed, count, TOLERANCE["double"], ordered)
+
+
+def near(state: State) -> State:
+    """The state with the carrier near the origin of E0, and no speed that overflows a judge's range."""
+    position = np.array(state.position)
+    away = float(np.linalg.norm(position))
+    if away > NEAR:
+        position *= NEAR / away
+    return replace(state, position=cast(Vec3, tuple(map(float, position))))
+
+
+def ours(backend: CBackend, state: State) -> Values:
+    """The quantities of a judge from the generated C."""
+    found: Values = {}
+    for want in ("matrices", "torque", "mounts", "points", "coupled"):
+        found |= backend.evaluate(state, (want,))
+    found["V_dot_forward"] = backend.evaluate(state, ("forward",))["V_dot"]
+    K, M, I, J, F = (np.array(found[name], dtype=np.float64) for name in ("K", "M", "I", "J", "F"))
+    I, J = I.reshape(6, -1), J.reshape(6, -1)
+    found["I"] = I
+    found["bias"] = M @ np.array(state.V) + J @ np.array(state.phi_dot) - F
+    found["base_wrench"] = found["bias"] + K @ np.array(state.V_dot) + I @ np.array(state.phi_ddot)
+    return found
+
+
+def natural_scales(stand: Stand, state: State) -> dict[str, Any]:
+    """Scales of the quantities of a judge: those of docs/verification.md."""
+    with np.errstate(all="ignore"):
+        at = reference.pieces(stand, state)
+        m = Magnitudes(stand, state, at)
+        given = m.S_K @ np.abs(np.array(state.V_dot)) + m.S_I @ m.acceleration
+        return {
+            "K": m.S_K,
+            "I": m.S_I,
+            "bias": m.S_bias,
+            "base_wrench": m.S_bias + given,
+            "V_dot_forward": scales(stand, state, at, "forward")["V_dot"],
+            **scales(stand, state, at, "coupled"),
+            **scales(stand, state, at, "torque"),
+            **scales(stand, state, at, "mounts"),
+            **scales(stand, state, at, "points"),
+        }
+
+
+def _motion_row(stand: Stand, backend: CBackend, judge: OutsideJudge, seed: int) -> Row:
+    """Where the stand is in the end, by the C and by the judge, each integrated by itself."""
+    state = moderate(stand, seed)
+    row = Row(judge.name, MOTION, tolerance=MOTION_TOLERANCE)
+
+    def coupled(moved: State) -> tuple[Vec6, tuple[float, ...]]:
+        found = backend.evaluate(moved, ("coupled",))
+        return found["V_dot"], found["phi_ddot"]
+
+    request = Request("moderate", replace(state, wrench=MappingProxyType({})), ("coupled",))
+    own, other = end_of_motion(stand, state, coupled, judge)
+    for part, value in own.items():
+        off, _ = difference(value.values, other[part].values, value.scale)
+        if off > row.worst or not row.states:
+            row.reason = part
+        row.note(off, request, part)
+    row.states = 1
+    row.reason = "" if row.worst <= MOTION_TOLERANCE else row.reason
+    return row
