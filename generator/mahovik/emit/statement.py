@@ -6,7 +6,7 @@ from mahovik.emit.expression import Expressions
 from mahovik.emit.layout import WIDTH, paragraph, wrapped
 from mahovik.emit.names import Names
 from mahovik.program.expression import Negate, Place, Variable
-from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.program.types import NamedCount
 
 _STEP = "    "
@@ -127,6 +127,8 @@ class Statements:
                 return self._line(f"{ignored}{self._expressions.call(call)};", indent, comment)
             case Return(value):
                 return self._line(f"return {text(value)};", indent, "")
+            case Block(body):
+                return [f"{indent}{{", *self.block(body, indent + _STEP), f"{indent}}}"]
             case Loop():
                 return self._loop(s, indent)
             case When():

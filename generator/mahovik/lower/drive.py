@@ -59,7 +59,8 @@ def couple(lib: Library) -> Function:
     )
 
 
-def _swing(lib: Library, body: Body, seen: Scene) -> Place:
+def swing_of(lib: Library, body: Body, seen: Scene) -> Place:
+    """omega x v - g, into a local."""
     swing = body.local(
         "swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v"
     )
@@ -68,16 +69,17 @@ def _swing(lib: Library, body: Body, seen: Scene) -> Place:
     return swing
 
 
-def _couple(
+def couple_flywheel(
     lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, swing: Place, out: Place
 ) -> dict[str, Expr]:
+    """I_s and the bias torque of flywheel s into `out`; returns its sine and cosine."""
     turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
     named = {"row": stand.flywheel[s], **turn, "V": seen.V, "swing": swing, "g": seen.g, "out": out}
     body.call(lib["couple"], *lib.passed("couple", **named))
     return turn
 
 
-def _along(column: Place, V_dot: Place) -> Expr:
+def along(column: Place, V_dot: Place) -> Expr:
     """I_s . V*."""
     return translate(vector("column", 6).dot(vector("V_dot", 6)), {"column": column, "V_dot": V_dot})
 
@@ -106,12 +108,12 @@ def torque(lib: Library) -> Function:
         for element in scratch:
             body.set(element, real(0))
         own_wrenches(lib, body, stand.place, x.place, seen.V, wrench, scratch, seen.own)
-    swing = _swing(lib, body, seen)
+    swing = swing_of(lib, body, seen)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        _couple(lib, body, stand.place, x.place, s, seen, swing, coupling)
+        couple_flywheel(lib, body, stand.place, x.place, s, seen, swing, coupling)
         spin = stand.place.flywheel[s].spin * phi_ddot[0].place[s]
-        total = _along(coupling.I, moving) + spin + coupling.bias
+        total = along(coupling.I, moving) + spin + coupling.bias
         body.set(tau.place[s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
     body.ret(Status("OK"))
     return Function(
@@ -221,10 +223,10 @@ def move(lib: Library) -> Function:
     lib.begin(body)
     seen = scene(lib, body, stand.place, x.place)
     drives = body.local("drive", (layout.count,), layout.coupling)
-    swing = _swing(lib, body, seen)
+    swing = swing_of(lib, body, seen)
     body.call(lib["start_sums"], stand.place, seen.sums)
     with body.loop("s", layout.count) as s:
-        turn = _couple(lib, body, stand.place, x.place, s, seen, swing, drives[s])
+        turn = couple_flywheel(lib, body, stand.place, x.place, s, seen, swing, drives[s])
         speed = x.place.phi_dot[s]
         body.call(lib["add_flywheel"], stand.place.flywheel[s], turn["s"], turn["c"], speed, real(0), seen.sums)
     F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
@@ -233,7 +235,7 @@ def move(lib: Library) -> Function:
     body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
-    _start_schur(lib, body, stand.place, seen.sums, K)
+    start_schur(lib, body, stand.place, seen.sums, K)
     rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
     with body.loop("s", layout.count) as s:
         body.set(rate[s], real(0))
@@ -247,7 +249,7 @@ def move(lib: Library) -> Function:
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], real(0))
         with body.when(equal(locked.place[s], integer(0))):
-            back = _along(drives[s].I, V_dot.place) * stand.place.flywheel[s].spin_inv
+            back = along(drives[s].I, V_dot.place) * stand.place.flywheel[s].spin_inv
             body.set(phi_ddot.place[s], rate[s] - back)
     from_stream(body, x.place, seen, V_dot.place)
     body.ret(Status("OK"))
@@ -294,7 +296,7 @@ def coupled(lib: Library) -> Function:
     )
 
 
-def _start_schur(lib: Library, body: Body, stand: Place, sums: Place, K: Place) -> None:
+def start_schur(lib: Library, body: Body, stand: Place, sums: Place, K: Place) -> None:
     """K of (2) by blocks."""
     if lib.layout.added_mass:
         body.copy_array(K.A, stand.A)

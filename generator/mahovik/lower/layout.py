@@ -107,6 +107,32 @@ class Layout(Tables):
         return Struct("inverse_result", "Answer of inverse, and how good it is.", fields)
 
     @cached_property
+    def forward_slopes(self) -> Struct:
+        fields = [Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j")]
+        if self.flywheels:
+            fields += [
+                Field("V_dot_phi", REAL, (6, self.count), "", "of V* by the phases"),
+                Field("V_dot_phi_dot", REAL, (6, self.count), "", "by the speeds"),
+                Field("V_dot_phi_ddot", REAL, (6, self.count), "", "by the accelerations"),
+            ]
+        return Struct("forward_slopes", "Derivatives of forward.", tuple(fields))
+
+    @cached_property
+    def coupled_slopes(self) -> Struct:
+        n = self.count
+        fields = (
+            Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j"),
+            Field("V_dot_phi", REAL, (6, n), "", "of V* by the phases"),
+            Field("V_dot_phi_dot", REAL, (6, n), "", "by the speeds"),
+            Field("V_dot_tau", REAL, (6, n), "", "by the drive torques"),
+            Field("phi_ddot_V", REAL, (n, 6), "", "of phi'' by V: row s, column j"),
+            Field("phi_ddot_phi", REAL, (n, n), "", "of phi'' by the phases"),
+            Field("phi_ddot_phi_dot", REAL, (n, n), "", "by the speeds"),
+            Field("phi_ddot_tau", REAL, (n, n), "", "by the drive torques"),
+        )
+        return Struct("coupled_slopes", "Derivatives of coupled.", fields)
+
+    @cached_property
     def matrices(self) -> Struct:
         fields = [
             Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),

@@ -10,6 +10,7 @@ from mahovik.lower import (
     forward,
     generalized,
     inverse,
+    jacobian,
     laws,
     matrices,
     measure,
@@ -18,6 +19,7 @@ from mahovik.lower import (
     placement,
     prepare,
     rotation,
+    sensitivity,
     solve,
     step,
     target,
@@ -73,6 +75,7 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(drive.move(lib))
         lib.add(drive.coupled(lib))
     step.add_all(lib)
+    _add_jacobians(lib)
     if layout.flywheels:
         square_root = lib["sqrt"]
         lib.add(routines.orthogonalise(layout.inverse_work, layout.count, square_root, precision.name))
@@ -129,6 +132,23 @@ def _add_wrenches(lib: Library) -> None:
     lib.add(wrenches.external(lib))
 
 
+def _add_jacobians(lib: Library) -> None:
+    """Derivatives of forward and coupled."""
+    layout = lib.layout
+    if layout.damped:
+        lib.add(sensitivity.damp_slope(lib))
+    if layout.own:
+        lib.add(sensitivity.own_slope(lib))
+    if layout.legs:
+        lib.add(sensitivity.pull_slope(lib))
+    lib.add(sensitivity.twist_slope(lib))
+    if layout.flywheels:
+        lib.add(sensitivity.row_slope(lib))
+    lib.add(jacobian.forward_jacobian(lib))
+    if layout.flywheels:
+        lib.add(jacobian.coupled_jacobian(lib))
+
+
 def _structs(layout: Layout) -> tuple[Struct, ...]:
     """Struct types in an order in which each comes after those it holds."""
     found: list[Struct] = []
@@ -152,7 +172,8 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         *((layout.reading,) if layout.sensors else ()),
         layout.sums,
         *((layout.coupling, layout.schur, layout.inverse_work) if layout.flywheels else ()),
-        *((layout.inverse_options, layout.inverse_result) if layout.flywheels else ()),
+        *((layout.inverse_options, layout.inverse_result, layout.coupled_slopes) if layout.flywheels else ()),
+        layout.forward_slopes,
     ):
         visit(struct)
     return tuple(found)

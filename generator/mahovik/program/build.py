@@ -14,7 +14,7 @@ from mahovik.program.expression import (
     as_expr,
 )
 from mahovik.program.function import Argument, Function
-from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.program.types import Kind, NamedCount, Struct
 
 
@@ -90,6 +90,14 @@ class Body:
         yield index.place
         body = tuple(self._blocks.pop())
         self._add(Loop(index, as_expr(start, Kind.INT), as_expr(stop, Kind.INT), body, comment, most))
+
+    @contextmanager
+    def block(self) -> Iterator[None]:
+        """A block of its own: its locals end with it. (One turn of a loop that is not printed as such.)"""
+        self._blocks.append([])
+        yield
+        body = tuple(self._blocks.pop())
+        self._add(Block(body))
 
     @contextmanager
     def when(self, condition: Expr, comment: str = "") -> Iterator[None]:

@@ -23,7 +23,7 @@ from mahovik.program.expression import (
     Select,
 )
 from mahovik.program.function import Function
-from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.program.types import Kind
 from mahovik.program.walk import inside
 
@@ -71,6 +71,8 @@ def _statement(s: Statement, bound: dict[str, int]) -> Cost:
             return _expr(value, bound) + extra
         case Do(call):
             return _expr(call, bound)
+        case Block(body):
+            return _block(body, bound)
         case Loop():
             return _loop(s, bound)
         case When(condition, body, otherwise):
@@ -96,6 +98,8 @@ def _names_in_bounds(body: tuple[Statement, ...]) -> set[str]:
     for s in body:
         if isinstance(s, Loop):
             found |= {e.root.name for side in (s.start, s.stop) for e in inside(side) if isinstance(e, Place)}
+            found |= _names_in_bounds(s.body)
+        elif isinstance(s, Block):
             found |= _names_in_bounds(s.body)
         elif isinstance(s, When):
             found |= _names_in_bounds((*s.body, *s.otherwise))

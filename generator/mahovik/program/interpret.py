@@ -31,7 +31,7 @@ from mahovik.program.expression import (
     Variable,
 )
 from mahovik.program.function import STATUS_VALUES, Argument, Function, Program
-from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.program.types import Field, Kind, Precision, Struct
 
 
@@ -191,6 +191,9 @@ class _Transpiler:
                 emit(f"{indent}{target} = {f'({target} + {right})' if add else right}")
             case Copy(target, source):
                 emit(f"{indent}assign({self._place(target)}, {self._place(source)})")
+            case Block(body):
+                for inner in body:
+                    self._statement(inner, indent)
             case Do(call):
                 emit(f"{indent}{self._expr(call)}")
             case Loop(index, start, stop, body):

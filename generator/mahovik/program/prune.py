@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from mahovik.program.expression import Call, Expr, Place
 from mahovik.program.function import Function
-from mahovik.program.statement import Declare, Do, Let, Loop, Set, Statement, When
+from mahovik.program.statement import Block, Declare, Do, Let, Loop, Set, Statement, When
 from mahovik.program.walk import expressions, inside
 
 
@@ -41,6 +41,8 @@ def _read(body: tuple[Statement, ...]) -> Iterator[Place]:
                     yield from list(_places(value))[1 if whole else 0 :]
             case Loop(_, start, stop, inner):
                 yield from (*_places(start), *_places(stop), *_read(inner))
+            case Block(inner):
+                yield from _read(inner)
             case When(condition, inner, otherwise):
                 yield from (*_places(condition), *_read(inner), *_read(otherwise))
             case _:
@@ -54,7 +56,7 @@ def _written_by_calls(body: tuple[Statement, ...], alive: set[int]) -> set[int]:
         match s:
             case Do(call) if not _dead(call, alive):
                 found |= {id(v.root) for v in call.arguments if isinstance(v, Place)}
-            case Loop():
+            case Loop() | Block():
                 found |= _written_by_calls(s.body, alive)
             case When():
                 found |= _written_by_calls((*s.body, *s.otherwise), alive)
@@ -77,6 +79,8 @@ def _block(body: tuple[Statement, ...], alive: set[int], kept_variables: set[int
                 continue
             case Do(call) if _dead(call, alive):
                 continue
+            case Block():
+                kept.append(replace(s, body=_block(s.body, alive, kept_variables)))
             case Loop():
                 kept.append(replace(s, body=_block(s.body, alive, kept_variables)))
             case When():
@@ -103,7 +107,7 @@ def _dead(call: Call, alive: set[int]) -> bool:
 def _size(body: tuple[Statement, ...]) -> int:
     total = len(body)
     for s in body:
-        if isinstance(s, Loop):
+        if isinstance(s, Loop | Block):
             total += _size(s.body)
         elif isinstance(s, When):
             total += _size(s.body) + _size(s.otherwise)

@@ -87,4 +87,11 @@ class Note:
     text: str
 
 
-Statement = Let | Declare | Set | Copy | Do | Loop | When | Return | Note
+@dataclass(frozen=True, eq=False)
+class Block:
+    """{ ... }: locals of their own."""
+
+    body: tuple[Statement, ...]
+
+
+Statement = Block | Let | Declare | Set | Copy | Do | Loop | When | Return | Note

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from mahovik.program.expression import Expr, Place, Variable
 from mahovik.program.function import Function, Program
-from mahovik.program.statement import Declare, Let, Loop, Return, Statement, When
+from mahovik.program.statement import Block, Declare, Let, Loop, Return, Statement, When
 from mahovik.program.types import Kind
 from mahovik.program.walk import called, expressions, used_variables
 
@@ -36,7 +36,7 @@ def _declared(body: tuple[Statement, ...]) -> Iterator[Variable]:
         match statement:
             case Let(variable) | Declare(variable):
                 yield variable
-            case Loop(_, _, _, inner):
+            case Loop(_, _, _, inner) | Block(inner):
                 yield from _declared(inner)
             case When(_, inner, otherwise):
                 yield from _declared(inner)
@@ -58,6 +58,8 @@ def _check_block(function: Function, body: tuple[Statement, ...], scope: dict[st
                 nested = dict(scope)
                 _declare(function, index.name, id(index), nested)
                 _check_block(function, inner, nested)
+            case Block(inner):
+                _check_block(function, inner, scope)
             case When(condition, inner, otherwise):
                 _check_uses(function, condition, scope)
                 _check_block(function, inner, scope)

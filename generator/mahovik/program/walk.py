@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from mahovik.program.expression import Binary, BitCast, Call, Compare, Convert, Expr, Logic, Negate, Not, Place, Select
 from mahovik.program.function import Function
-from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 
 
 def expressions(body: tuple[Statement, ...]) -> Iterator[Expr]:
@@ -29,6 +29,8 @@ def _of_statement(s: Statement) -> Iterator[Expr]:
             yield from inside(source)
         case Do(call):
             yield from inside(call)
+        case Block(body):
+            yield from expressions(body)
         case Loop(_, start, stop, body):
             yield from inside(start)
             yield from inside(stop)
