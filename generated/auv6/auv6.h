@@ -1,5 +1,5 @@
 /* auv6.h: motion of the stand "auv6": carrier, 1 instrument, 6 flywheels.
- * mahovik 0.1.0; structure d04ed473, physics 5e99ef10. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure d04ed473, physics a120c4b3. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 #define AUV6_STRUCTURE 0xd04ed473u  /* of the stand: names, counts, kinds of wrench */
-#define AUV6_PHYSICS   0x5e99ef10u  /* of the stand: structure and all numbers */
+#define AUV6_PHYSICS   0xa120c4b3u  /* of the stand: structure and all numbers */
 
 typedef double auv6_real;
 
@@ -226,8 +226,29 @@ typedef struct auv6_inverse_result {
     auv6_real hardest[6];        /* wrench of unit size in the norm of K^-1 that is hardest to give */
 } auv6_inverse_result;
 
+/* Derivatives of coupled. */
+typedef struct auv6_coupled_slopes {
+    auv6_real V_dot_V[6][6];                     /* of V* by V: row i, column j */
+    auv6_real V_dot_phi[6][AUV6_N];              /* of V* by the phases */
+    auv6_real V_dot_phi_dot[6][AUV6_N];          /* by the speeds */
+    auv6_real V_dot_tau[6][AUV6_N];              /* by the drive torques */
+    auv6_real phi_ddot_V[AUV6_N][6];             /* of phi'' by V: row s, column j */
+    auv6_real phi_ddot_phi[AUV6_N][AUV6_N];      /* of phi'' by the phases */
+    auv6_real phi_ddot_phi_dot[AUV6_N][AUV6_N];  /* by the speeds */
+    auv6_real phi_ddot_tau[AUV6_N][AUV6_N];      /* by the drive torques */
+} auv6_coupled_slopes;
+
+/* Derivatives of forward. */
+typedef struct auv6_forward_slopes {
+    auv6_real V_dot_V[6][6];              /* of V* by V: row i, column j */
+    auv6_real V_dot_phi[6][AUV6_N];       /* of V* by the phases */
+    auv6_real V_dot_phi_dot[6][AUV6_N];   /* by the speeds */
+    auv6_real V_dot_phi_ddot[6][AUV6_N];  /* by the accelerations */
+} auv6_forward_slopes;
+
 extern const auv6_parameters auv6_default_parameters;             /* of the stand file */
 extern const auv6_table auv6_default;                             /* what prepare makes of them */
+extern const auv6_inverse_options auv6_default_options;           /* of inverse, by the stand file */
 
 /* ---- functions ---- */
 
@@ -319,12 +340,35 @@ auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_r
 auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next);
 
+/* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   out          out: derivatives of V*
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 12672 operations on reals, 26 of them divisions. */
+auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
+                                  const auv6_real phi_ddot[AUV6_N], auv6_forward_slopes *out);
+
+/* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[6]     N m; drive torques, mount on flywheel
+ *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   out        out: derivatives of V* and phi''
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 22565 operations on reals, 52 of them divisions. */
+auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
+                                  const int locked[AUV6_N], auv6_coupled_slopes *out);
+
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi'', (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; the default is in the source
+ *   options   weights, limits, damping; default_options has those of the stand
  *   out       out: phi_ddot and how good it is
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
@@ -332,6 +376,22 @@ auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const
  * At most 28652 operations on reals, 322 of them divisions. */
 auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
+
+/* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
+ * equations, (12).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
+ *   options      weights and damping; near and limits are not read
+ *   phi_ddot[6]  out: rad/s2; flywheel accelerations
+ * Squares the condition: as good as inverse where singular values are within some thousands of one
+ * another;
+ * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 3689 operations on reals, 55 of them divisions. */
+auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+                              const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 
 /* measure: what an accelerometer and a gyro read at each instrument and point.
  *   stand     the prepared table
@@ -349,6 +409,18 @@ auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv
  * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
+
+/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+ *   position[3]  m; of O1, in E0
+ *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
+ *   q_dot[6]     m/s, rad/s; rates of position and of the angles
+ *   q_ddot[6]    m/s2, rad/s2; their rates
+ *   x            in and out: its position, attitude and V are written; phases stay
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * At most 465 operations on reals, 1 of them a division. */
+auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], const auv6_real q_dot[6],
+                        const auv6_real q_ddot[6], auv6_state *x, auv6_real V_dot[6]);
 
 /* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).

@@ -1,10 +1,10 @@
 /* bench8.c: motion of the stand "bench8". What each function does and takes: bench8.h.
- * mahovik 0.1.0; structure 8614c583, physics 8f235153. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 8614c583, physics 32540fb9. Generated: change the stand file instead. */
 #include "bench8.h"
 
 #include <stdint.h>
 
-#if BENCH8_STRUCTURE != 0x8614c583u || BENCH8_PHYSICS != 0x8f235153u
+#if BENCH8_STRUCTURE != 0x8614c583u || BENCH8_PHYSICS != 0x32540fb9u
 #error "bench8.h and bench8.c are of different stands"
 #endif
 
@@ -1166,6 +1166,503 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
     return BENCH8_OK;
 }
 
+/* derivative of F - Phi Z - K* V by the twist, (8). */
+BENCH8_CODE
+static void bench8_twist_slope(const bench8_table *stand, const bench8_real Z[6], const bench8_equations *m,
+                               bench8_real slope[36])
+{
+    slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
+    slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
+    slope[6] = 0.0;     slope[7] = 0.0;     slope[8] = 0.0;
+    slope[9] = Z[2];    slope[10] = 0.0;    slope[11] = -Z[0];
+    slope[12] = 0.0;    slope[13] = 0.0;    slope[14] = 0.0;
+    slope[15] = -Z[1];  slope[16] = Z[0];   slope[17] = 0.0;
+    slope[18] = 0.0;    slope[19] = -Z[2];  slope[20] = Z[1];
+    slope[21] = 0.0;    slope[22] = -Z[5];  slope[23] = Z[4];
+    slope[24] = Z[2];   slope[25] = 0.0;    slope[26] = -Z[0];
+    slope[27] = Z[5];   slope[28] = 0.0;    slope[29] = -Z[3];
+    slope[30] = -Z[1];  slope[31] = Z[0];   slope[32] = 0.0;
+    slope[33] = -Z[4];  slope[34] = Z[3];   slope[35] = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            slope[i * 6 + j] -= m->M[i][j];
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            slope[i * 6 + j] -= stand->suspension.damping[i][j];
+        }
+    }
+}
+
+/* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
+BENCH8_CODE
+static void bench8_row_slope(const bench8_row *row, const bench8_real weight[12], const bench8_real V[6],
+                             const bench8_real V_dot[6], const bench8_real g[3], bench8_real out[6])
+{
+    bench8_sums change;  /* of the sums */
+    bench8_real Z[6];  /* change of the momentum screw */
+    change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
+    change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
+    change.mu[2] = row->mu_c[2] * weight[0] + row->mu_s[2] * weight[1];
+    change.mu_dot[0] = row->mu_c[0] * weight[4] + row->mu_s[0] * weight[5];
+    change.mu_dot[1] = row->mu_c[1] * weight[4] + row->mu_s[1] * weight[5];
+    change.mu_dot[2] = row->mu_c[2] * weight[4] + row->mu_s[2] * weight[5];
+    change.J[0] = row->J_2c[0] * weight[2] + row->J_2s[0] * weight[3] + row->J_c[0] * weight[0]
+        + row->J_s[0] * weight[1];
+    change.J[1] = row->J_2c[1] * weight[2] + row->J_2s[1] * weight[3] + row->J_c[1] * weight[0]
+        + row->J_s[1] * weight[1];
+    change.J[2] = row->J_2c[2] * weight[2] + row->J_2s[2] * weight[3] + row->J_c[2] * weight[0]
+        + row->J_s[2] * weight[1];
+    change.J[3] = row->J_2c[3] * weight[2] + row->J_2s[3] * weight[3] + row->J_c[3] * weight[0]
+        + row->J_s[3] * weight[1];
+    change.J[4] = row->J_2c[4] * weight[2] + row->J_2s[4] * weight[3] + row->J_c[4] * weight[0]
+        + row->J_s[4] * weight[1];
+    change.J[5] = row->J_2c[5] * weight[2] + row->J_2s[5] * weight[3] + row->J_c[5] * weight[0]
+        + row->J_s[5] * weight[1];
+    change.J_dot[0] = row->J_2c[0] * weight[6] + row->J_2s[0] * weight[7] + row->J_c[0] * weight[4]
+        + row->J_s[0] * weight[5];
+    change.J_dot[1] = row->J_2c[1] * weight[6] + row->J_2s[1] * weight[7] + row->J_c[1] * weight[4]
+        + row->J_s[1] * weight[5];
+    change.J_dot[2] = row->J_2c[2] * weight[6] + row->J_2s[2] * weight[7] + row->J_c[2] * weight[4]
+        + row->J_s[2] * weight[5];
+    change.J_dot[3] = row->J_2c[3] * weight[6] + row->J_2s[3] * weight[7] + row->J_c[3] * weight[4]
+        + row->J_s[3] * weight[5];
+    change.J_dot[4] = row->J_2c[4] * weight[6] + row->J_2s[4] * weight[7] + row->J_c[4] * weight[4]
+        + row->J_s[4] * weight[5];
+    change.J_dot[5] = row->J_2c[5] * weight[6] + row->J_2s[5] * weight[7] + row->J_c[5] * weight[4]
+        + row->J_s[5] * weight[5];
+    change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
+    change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
+    change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
+    change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
+    change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
+    change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
+    Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
+    Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
+    Z[3] = change.J[0] * V[3] + change.J[3] * V[4] + change.J[4] * V[5] + change.h_rel[0]
+        + change.mu[1] * V[2] - change.mu[2] * V[1];
+    Z[4] = change.J[1] * V[4] + change.J[3] * V[3] + change.J[5] * V[5] + change.h_rel[1]
+        + change.mu[2] * V[0] - change.mu[0] * V[2];
+    Z[5] = change.J[2] * V[5] + change.J[4] * V[3] + change.J[5] * V[4] + change.h_rel[2]
+        + change.mu[0] * V[1] - change.mu[1] * V[0];
+    out[0] = change.mu[1] * V_dot[5] + change.mu_dot[1] * V[5] + V[5] * Z[1] - change.a_rel[0]
+        - change.mu[2] * V_dot[4] - change.mu_dot[2] * V[4] - V[4] * Z[2];
+    out[1] = change.mu[2] * V_dot[3] + change.mu_dot[2] * V[3] + V[3] * Z[2] - change.a_rel[1]
+        - change.mu[0] * V_dot[5] - change.mu_dot[0] * V[5] - V[5] * Z[0];
+    out[2] = change.mu[0] * V_dot[4] + change.mu_dot[0] * V[4] + V[4] * Z[0] - change.a_rel[2]
+        - change.mu[1] * V_dot[3] - change.mu_dot[1] * V[3] - V[3] * Z[1];
+    out[3] = g[2] * change.mu[1] + Z[4] * V[5] + change.mu[2] * V_dot[1] + change.mu_dot[2] * V[1]
+        + Z[1] * V[2] - change.J[0] * V_dot[3] - change.J[3] * V_dot[4] - change.J[4] * V_dot[5]
+        - change.J_dot[0] * V[3] - change.J_dot[3] * V[4] - change.J_dot[4] * V[5] - g[1] * change.mu[2]
+        - change.g_rel[0] - Z[5] * V[4] - change.mu[1] * V_dot[2] - change.mu_dot[1] * V[2] - Z[2] * V[1];
+    out[4] = g[0] * change.mu[2] + Z[5] * V[3] + change.mu[0] * V_dot[2] + change.mu_dot[0] * V[2]
+        + Z[2] * V[0] - change.J[1] * V_dot[4] - change.J[3] * V_dot[3] - change.J[5] * V_dot[5]
+        - change.J_dot[1] * V[4] - change.J_dot[3] * V[3] - change.J_dot[5] * V[5] - g[2] * change.mu[0]
+        - change.g_rel[1] - Z[3] * V[5] - change.mu[2] * V_dot[0] - change.mu_dot[2] * V[0] - Z[0] * V[2];
+    out[5] = g[1] * change.mu[0] + Z[3] * V[4] + change.mu[1] * V_dot[0] + change.mu_dot[1] * V[0]
+        + Z[0] * V[1] - change.J[2] * V_dot[5] - change.J[4] * V_dot[3] - change.J[5] * V_dot[4]
+        - change.J_dot[2] * V[5] - change.J_dot[4] * V[3] - change.J_dot[5] * V[4] - g[0] * change.mu[1]
+        - change.g_rel[2] - Z[4] * V[3] - change.mu[0] * V_dot[1] - change.mu_dot[0] * V[1] - Z[1] * V[0];
+}
+
+/* (8) */
+BENCH8_CODE
+bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
+                                      const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out)
+{
+    bench8_status status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real C[9];  /* attitude */
+    bench8_rotation(x->attitude, C);
+    bench8_real g[3];  /* gravity in E1 */
+    bench8_rotate_back(C, stand->gravity, g);
+    bench8_sums sum;
+    bench8_start_sums(stand, &sum);
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_real s_phi, c_phi;
+        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+    }
+    bench8_real F[6];  /* what K V* must equal */
+    bench8_real Z[6];  /* momentum screw (2) */
+    bench8_real V_result[6];  /* V_r* */
+    bench8_real rhs[6];
+    bench8_real y[6];
+    bench8_external(stand, x, &sum, C, g, F);
+    bench8_momentum_screw(stand, &sum, x->V, Z);
+    bench8_subtract_rates(&sum, x->V, Z, F);
+    status = bench8_solve_carrier(stand, &sum, F, V_result);
+    if (status != BENCH8_OK) { return status; }
+    bench8_equations m;
+    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
+    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
+    m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
+    m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
+    m.K[4][0] = sum.mu[2];   m.K[4][1] = 0.0;         m.K[4][2] = -sum.mu[0];
+    m.K[4][3] = sum.J[3];    m.K[4][4] = sum.J[1];    m.K[4][5] = sum.J[5];
+    m.K[5][0] = -sum.mu[1];  m.K[5][1] = sum.mu[0];   m.K[5][2] = 0.0;
+    m.K[5][3] = sum.J[4];    m.K[5][4] = sum.J[5];    m.K[5][5] = sum.J[2];
+    m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
+    m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
+    m.K_dot[1][0] = 0.0;             m.K_dot[1][1] = 0.0;             m.K_dot[1][2] = 0.0;
+    m.K_dot[1][3] = -sum.mu_dot[2];  m.K_dot[1][4] = 0.0;             m.K_dot[1][5] = sum.mu_dot[0];
+    m.K_dot[2][0] = 0.0;             m.K_dot[2][1] = 0.0;             m.K_dot[2][2] = 0.0;
+    m.K_dot[2][3] = sum.mu_dot[1];   m.K_dot[2][4] = -sum.mu_dot[0];  m.K_dot[2][5] = 0.0;
+    m.K_dot[3][0] = 0.0;             m.K_dot[3][1] = -sum.mu_dot[2];  m.K_dot[3][2] = sum.mu_dot[1];
+    m.K_dot[3][3] = sum.J_dot[0];    m.K_dot[3][4] = sum.J_dot[3];    m.K_dot[3][5] = sum.J_dot[4];
+    m.K_dot[4][0] = sum.mu_dot[2];   m.K_dot[4][1] = 0.0;             m.K_dot[4][2] = -sum.mu_dot[0];
+    m.K_dot[4][3] = sum.J_dot[3];    m.K_dot[4][4] = sum.J_dot[1];    m.K_dot[4][5] = sum.J_dot[5];
+    m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
+    m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
+    bench8_velocity_matrix(x->V, &m);
+    bench8_real slope[36];  /* by V, row by row */
+    bench8_twist_slope(stand, Z, &m, slope);
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            rhs[i] = slope[i * 6 + j];
+        }
+        (void)bench8_solve_carrier(stand, &sum, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_V[i][j] = y[i];
+        }
+    }
+    bench8_real change[12];  /* of the weights of a row */
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_real s_phi, c_phi;
+        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const bench8_real s2 = 2.0 * c_phi * s_phi;
+        const bench8_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const bench8_real ds = x->phi_dot[s] * c_phi;
+        const bench8_real dc2 = -2.0 * x->phi_dot[s] * s2;
+        const bench8_real ds2 = 2.0 * x->phi_dot[s] * c2;
+        const bench8_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second rates */
+        const bench8_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
+        {
+            change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
+            change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
+            change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
+            change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
+            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            (void)bench8_solve_carrier(stand, &sum, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi[i][s] = y[i];
+            }
+        }
+        {
+            change[0] = 0.0;        change[1] = 0.0;        change[2] = 0.0;
+            change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
+            change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
+            change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
+            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            (void)bench8_solve_carrier(stand, &sum, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi_dot[i][s] = y[i];
+            }
+        }
+        rhs[0] = stand->flywheel[s].mu_c[0] * s_phi - stand->flywheel[s].mu_s[0] * c_phi;
+        rhs[1] = stand->flywheel[s].mu_c[1] * s_phi - stand->flywheel[s].mu_s[1] * c_phi;
+        rhs[2] = stand->flywheel[s].mu_c[2] * s_phi - stand->flywheel[s].mu_s[2] * c_phi;
+        rhs[3] = -stand->flywheel[s].t_c[0] * c_phi - stand->flywheel[s].t_s[0] * s_phi
+            - stand->flywheel[s].t_0[0];
+        rhs[4] = -stand->flywheel[s].t_c[1] * c_phi - stand->flywheel[s].t_s[1] * s_phi
+            - stand->flywheel[s].t_0[1];
+        rhs[5] = -stand->flywheel[s].t_c[2] * c_phi - stand->flywheel[s].t_s[2] * s_phi
+            - stand->flywheel[s].t_0[2];
+        (void)bench8_solve_carrier(stand, &sum, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_phi_ddot[i][s] = y[i];
+        }
+    }
+    return BENCH8_OK;
+}
+
+/* Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude. */
+BENCH8_CODE
+bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
+                                      const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                                      bench8_coupled_slopes *out)
+{
+    bench8_status status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real V_result[6];  /* V*, then V_r* */
+    bench8_real phi_result[BENCH8_N];  /* phi'' */
+    status = bench8_move(stand, x, tau, locked, V_result, phi_result);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real C[9];  /* attitude */
+    bench8_rotation(x->attitude, C);
+    bench8_real g[3];  /* gravity in E1 */
+    bench8_rotate_back(C, stand->gravity, g);
+    bench8_sums sum;
+    bench8_start_sums(stand, &sum);
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_real s_phi, c_phi;
+        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_result[s], &sum);
+    }
+    bench8_real Z[6];  /* momentum screw (2) */
+    bench8_momentum_screw(stand, &sum, x->V, Z);
+    bench8_equations m;
+    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
+    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
+    m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
+    m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
+    m.K[4][0] = sum.mu[2];   m.K[4][1] = 0.0;         m.K[4][2] = -sum.mu[0];
+    m.K[4][3] = sum.J[3];    m.K[4][4] = sum.J[1];    m.K[4][5] = sum.J[5];
+    m.K[5][0] = -sum.mu[1];  m.K[5][1] = sum.mu[0];   m.K[5][2] = 0.0;
+    m.K[5][3] = sum.J[4];    m.K[5][4] = sum.J[5];    m.K[5][5] = sum.J[2];
+    m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
+    m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
+    m.K_dot[1][0] = 0.0;             m.K_dot[1][1] = 0.0;             m.K_dot[1][2] = 0.0;
+    m.K_dot[1][3] = -sum.mu_dot[2];  m.K_dot[1][4] = 0.0;             m.K_dot[1][5] = sum.mu_dot[0];
+    m.K_dot[2][0] = 0.0;             m.K_dot[2][1] = 0.0;             m.K_dot[2][2] = 0.0;
+    m.K_dot[2][3] = sum.mu_dot[1];   m.K_dot[2][4] = -sum.mu_dot[0];  m.K_dot[2][5] = 0.0;
+    m.K_dot[3][0] = 0.0;             m.K_dot[3][1] = -sum.mu_dot[2];  m.K_dot[3][2] = sum.mu_dot[1];
+    m.K_dot[3][3] = sum.J_dot[0];    m.K_dot[3][4] = sum.J_dot[3];    m.K_dot[3][5] = sum.J_dot[4];
+    m.K_dot[4][0] = sum.mu_dot[2];   m.K_dot[4][1] = 0.0;             m.K_dot[4][2] = -sum.mu_dot[0];
+    m.K_dot[4][3] = sum.J_dot[3];    m.K_dot[4][4] = sum.J_dot[1];    m.K_dot[4][5] = sum.J_dot[5];
+    m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
+    m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
+    bench8_velocity_matrix(x->V, &m);
+    bench8_real slope[36];  /* by V, row by row */
+    bench8_twist_slope(stand, Z, &m, slope);
+    bench8_coupling drive[BENCH8_N];
+    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    bench8_real rhs[6];  /* of the carrier */
+    bench8_real drive_rhs[BENCH8_N];  /* of the drives */
+    bench8_real y[6];
+    rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
+    rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_real s_phi, c_phi;
+        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        bench8_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive[s]);
+        if (locked[s] == 0) {
+            bench8_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
+        }
+    }
+    bench8_real drive_slope[BENCH8_N][6];  /* of the bias torques by V */
+    bench8_real J_p[6];  /* dJ / dphi */
+    bench8_real turned[3];  /* J' omega */
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_real s_phi, c_phi;
+        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);
+        const bench8_real s2 = 2.0 * c_phi * s_phi;
+        J_p[0] = 2.0 * stand->flywheel[s].J_2s[0] * c2 + stand->flywheel[s].J_s[0] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[0] * s2 - stand->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = 2.0 * stand->flywheel[s].J_2s[1] * c2 + stand->flywheel[s].J_s[1] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[1] * s2 - stand->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = 2.0 * stand->flywheel[s].J_2s[2] * c2 + stand->flywheel[s].J_s[2] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[2] * s2 - stand->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = 2.0 * stand->flywheel[s].J_2s[3] * c2 + stand->flywheel[s].J_s[3] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[3] * s2 - stand->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = 2.0 * stand->flywheel[s].J_2s[4] * c2 + stand->flywheel[s].J_s[4] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[4] * s2 - stand->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = 2.0 * stand->flywheel[s].J_2s[5] * c2 + stand->flywheel[s].J_s[5] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[5] * s2 - stand->flywheel[s].J_c[5] * s_phi;
+        turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
+        turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
+        turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
+        drive_slope[s][0] = drive[s].I[1] * x->V[5] - drive[s].I[2] * x->V[4];
+        drive_slope[s][1] = drive[s].I[2] * x->V[3] - drive[s].I[0] * x->V[5];
+        drive_slope[s][2] = drive[s].I[0] * x->V[4] - drive[s].I[1] * x->V[3];
+        drive_slope[s][3] = drive[s].I[2] * x->V[1] - drive[s].I[1] * x->V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I[0] * x->V[2] - drive[s].I[2] * x->V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I[1] * x->V[0] - drive[s].I[0] * x->V[1] - turned[2];
+    }
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            rhs[i] = slope[i * 6 + j];
+        }
+        for (int s = 0; s < BENCH8_N; ++s) {
+            drive_rhs[s] = -drive_slope[s][j];
+        }
+        for (int t = 0; t < BENCH8_N; ++t) {
+            if (locked[t] == 0) {
+                const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[t].I[i] * share;
+                }
+            }
+        }
+        (void)bench8_solve_schur(&K, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_V[i][j] = y[i];
+        }
+        for (int t = 0; t < BENCH8_N; ++t) {
+            out->phi_ddot_V[t][j] = 0.0;
+            if (locked[t] == 0) {
+                out->phi_ddot_V[t][j] = (drive_rhs[t]
+                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    * stand->flywheel[t].spin_inv;
+            }
+        }
+    }
+    bench8_real change[12];  /* of the weights of a row */
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_real s_phi, c_phi;
+        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const bench8_real s2 = 2.0 * c_phi * s_phi;
+        const bench8_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const bench8_real ds = x->phi_dot[s] * c_phi;
+        const bench8_real dc2 = -2.0 * x->phi_dot[s] * s2;
+        const bench8_real ds2 = 2.0 * x->phi_dot[s] * c2;
+        const bench8_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second rates */
+        const bench8_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
+        {
+            change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
+            change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
+            change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
+            change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
+            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            for (int t = 0; t < BENCH8_N; ++t) {
+                drive_rhs[t] = 0.0;
+            }
+            bench8_real mu_pp[3];  /* d2 mu / dphi2 */
+            bench8_real J_pp[6];  /* d2 J / dphi2 */
+            bench8_real I_p[6];  /* dI / dphi */
+            mu_pp[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
+            mu_pp[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
+            mu_pp[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
+            J_pp[0] = -4.0 * stand->flywheel[s].J_2c[0] * c2 - 4.0 * stand->flywheel[s].J_2s[0] * s2
+                - stand->flywheel[s].J_c[0] * c_phi - stand->flywheel[s].J_s[0] * s_phi;
+            J_pp[1] = -4.0 * stand->flywheel[s].J_2c[1] * c2 - 4.0 * stand->flywheel[s].J_2s[1] * s2
+                - stand->flywheel[s].J_c[1] * c_phi - stand->flywheel[s].J_s[1] * s_phi;
+            J_pp[2] = -4.0 * stand->flywheel[s].J_2c[2] * c2 - 4.0 * stand->flywheel[s].J_2s[2] * s2
+                - stand->flywheel[s].J_c[2] * c_phi - stand->flywheel[s].J_s[2] * s_phi;
+            J_pp[3] = -4.0 * stand->flywheel[s].J_2c[3] * c2 - 4.0 * stand->flywheel[s].J_2s[3] * s2
+                - stand->flywheel[s].J_c[3] * c_phi - stand->flywheel[s].J_s[3] * s_phi;
+            J_pp[4] = -4.0 * stand->flywheel[s].J_2c[4] * c2 - 4.0 * stand->flywheel[s].J_2s[4] * s2
+                - stand->flywheel[s].J_c[4] * c_phi - stand->flywheel[s].J_s[4] * s_phi;
+            J_pp[5] = -4.0 * stand->flywheel[s].J_2c[5] * c2 - 4.0 * stand->flywheel[s].J_2s[5] * s2
+                - stand->flywheel[s].J_c[5] * c_phi - stand->flywheel[s].J_s[5] * s_phi;
+            I_p[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
+            I_p[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
+            I_p[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
+            I_p[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
+            I_p[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
+            I_p[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+                + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
+                + (mu_pp[0] * swing[0] + mu_pp[1] * swing[1] + mu_pp[2] * swing[2]
+                - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
+                - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
+                - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
+            for (int t = 0; t < BENCH8_N; ++t) {
+                if (locked[t] == 0) {
+                    const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    for (int i = 0; i < 6; ++i) {
+                        rhs[i] -= drive[t].I[i] * share;
+                    }
+                }
+            }
+            (void)bench8_solve_schur(&K, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi[i][s] = y[i];
+            }
+            for (int t = 0; t < BENCH8_N; ++t) {
+                out->phi_ddot_phi[t][s] = 0.0;
+                if (locked[t] == 0) {
+                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        * stand->flywheel[t].spin_inv;
+                }
+            }
+        }
+        {
+            change[0] = 0.0;        change[1] = 0.0;        change[2] = 0.0;
+            change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
+            change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
+            change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
+            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            for (int t = 0; t < BENCH8_N; ++t) {
+                drive_rhs[t] = 0.0;
+            }
+            for (int t = 0; t < BENCH8_N; ++t) {
+                if (locked[t] == 0) {
+                    const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    for (int i = 0; i < 6; ++i) {
+                        rhs[i] -= drive[t].I[i] * share;
+                    }
+                }
+            }
+            (void)bench8_solve_schur(&K, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi_dot[i][s] = y[i];
+            }
+            for (int t = 0; t < BENCH8_N; ++t) {
+                out->phi_ddot_phi_dot[t][s] = 0.0;
+                if (locked[t] == 0) {
+                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        * stand->flywheel[t].spin_inv;
+                }
+            }
+        }
+        rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
+        rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
+        for (int t = 0; t < BENCH8_N; ++t) {
+            drive_rhs[t] = 0.0;
+        }
+        drive_rhs[s] = 1.0;
+        for (int t = 0; t < BENCH8_N; ++t) {
+            if (locked[t] == 0) {
+                const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[t].I[i] * share;
+                }
+            }
+        }
+        (void)bench8_solve_schur(&K, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_tau[i][s] = y[i];
+        }
+        for (int t = 0; t < BENCH8_N; ++t) {
+            out->phi_ddot_tau[t][s] = 0.0;
+            if (locked[t] == 0) {
+                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    * stand->flywheel[t].spin_inv;
+            }
+        }
+    }
+    return BENCH8_OK;
+}
+
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 BENCH8_CODE
@@ -1447,6 +1944,82 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
     return (bench8_status)flags;
 }
 
+/* (12) */
+BENCH8_CODE
+bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state *x,
+                                  const bench8_real V_dot[6], const bench8_inverse_options *options,
+                                  bench8_real phi_ddot[BENCH8_N])
+{
+    bench8_status status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(V_dot, 6, BENCH8_MAX_ACCELERATION);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(options->weight, BENCH8_N, BENCH8_MAX_PARAMETER);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(options->limit, BENCH8_N, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return status; }
+    if (!(options->near >= 0.0 && options->near <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
+    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return BENCH8_BAD_ARGUMENT; }
+    }
+    bench8_inverse_work work;
+    status = bench8_demand(stand, x, V_dot, options->weight, &work);
+    if (status != BENCH8_OK) { return status; }
+    /* normal equations: W W^T z = r, y = W^T z */
+    bench8_real gram[6][6];
+    bench8_real z[6];
+    bench8_real trace = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < i + 1; ++j) {
+            gram[i][j] = 0.0;
+            for (int k = 0; k < BENCH8_N; ++k) {
+                gram[i][j] += work.W[i][k] * work.W[j][k];
+            }
+        }
+        trace += gram[i][i];
+        z[i] = work.r[i];
+    }
+    const bench8_real lambda2 = options->damping * options->damping * trace;  /* damping, squared */
+    for (int i = 0; i < 6; ++i) {
+        gram[i][i] += lambda2;
+    }
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        if (!(gram[j][j] > 1.0e-26)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        gram[j][j] = bench8_sqrt(gram[j][j]);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < i; ++k) {
+            z[i] -= gram[i][k] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_real y = 0.0;
+        for (int k = 0; k < 6; ++k) {
+            y += work.W[k][s] * z[k];
+        }
+        phi_ddot[s] = y * work.scale[s];
+    }
+    return BENCH8_OK;
+}
+
 /* Attitude quaternion of three angles. */
 BENCH8_CODE
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4])
@@ -1463,6 +2036,59 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
     attitude[1] = c_psi * c_theta * s_phi - c_phi * s_psi * s_theta;
     attitude[2] = c_phi * c_psi * s_theta + c_theta * s_phi * s_psi;
     attitude[3] = c_phi * c_theta * s_psi - c_psi * s_phi * s_theta;
+    return BENCH8_OK;
+}
+
+/* (10) */
+BENCH8_CODE
+bench8_status bench8_target(const bench8_real position[3], const bench8_real angles[3],
+                            const bench8_real q_dot[6], const bench8_real q_ddot[6], bench8_state *x,
+                            bench8_real V_dot[6])
+{
+    bench8_status status = bench8_within(position, 3, BENCH8_MAX_POSITION);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(q_dot, 6, BENCH8_MAX_SPEED);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(q_ddot, 6, BENCH8_MAX_ACCELERATION);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real attitude[4];
+    bench8_real C[9];
+    bench8_real v[3];  /* C^T r' */
+    bench8_real a[3];  /* C^T r'' */
+    bench8_real omega[3];  /* B (psi', theta', phi') */
+    status = bench8_quaternion(angles, attitude);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real s_theta, c_theta;
+    bench8_sincos(angles[1], &s_theta, &c_theta);
+    bench8_real s_phi, c_phi;
+    bench8_sincos(angles[2], &s_phi, &c_phi);
+    const bench8_real singular = c_theta;
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return BENCH8_SINGULAR_ATTITUDE; }
+    bench8_rotation(attitude, C);
+    v[0] = C[0] * q_dot[0] + C[3] * q_dot[1] + C[6] * q_dot[2];
+    v[1] = C[1] * q_dot[0] + C[4] * q_dot[1] + C[7] * q_dot[2];
+    v[2] = C[2] * q_dot[0] + C[5] * q_dot[1] + C[8] * q_dot[2];
+    a[0] = C[0] * q_ddot[0] + C[3] * q_ddot[1] + C[6] * q_ddot[2];
+    a[1] = C[1] * q_ddot[0] + C[4] * q_ddot[1] + C[7] * q_ddot[2];
+    a[2] = C[2] * q_ddot[0] + C[5] * q_ddot[1] + C[8] * q_ddot[2];
+    omega[0] = q_dot[5] - q_dot[3] * s_theta;
+    omega[1] = q_dot[3] * c_theta * s_phi + q_dot[4] * c_phi;
+    omega[2] = q_dot[3] * c_phi * c_theta - q_dot[4] * s_phi;
+    /* V* = A q'' + D q': v* = C^T r'' - omega x v */
+    V_dot[0] = v[1] * omega[2] + a[0] - v[2] * omega[1];
+    V_dot[1] = v[2] * omega[0] + a[1] - v[0] * omega[2];
+    V_dot[2] = v[0] * omega[1] + a[2] - v[1] * omega[0];
+    V_dot[3] = q_ddot[5] - q_ddot[3] * s_theta - q_dot[3] * c_theta * q_dot[4];
+    V_dot[4] = q_ddot[3] * c_theta * s_phi + q_ddot[4] * c_phi
+        + q_dot[3] * (c_phi * c_theta * q_dot[5] - s_phi * s_theta * q_dot[4]) - q_dot[4] * q_dot[5] * s_phi;
+    V_dot[5] = q_ddot[3] * c_phi * c_theta
+        + q_dot[3] * (-c_phi * s_theta * q_dot[4] - c_theta * q_dot[5] * s_phi) - q_ddot[4] * s_phi
+        - q_dot[4] * c_phi * q_dot[5];
+    x->position[0] = position[0];  x->position[1] = position[1];  x->position[2] = position[2];
+    x->attitude[0] = attitude[0];  x->attitude[1] = attitude[1];  x->attitude[2] = attitude[2];
+    x->attitude[3] = attitude[3];
+    x->V[0] = v[0];      x->V[3] = omega[0];  x->V[1] = v[1];
+    x->V[4] = omega[1];  x->V[2] = v[2];      x->V[5] = omega[2];
     return BENCH8_OK;
 }
 
@@ -2005,4 +2631,13 @@ const bench8_table bench8_default =
         .position = { 0.0, 0.0, 0.110441322 },
         .attitude = { 1.0, 0.0, 0.0, 0.0 },
     },
+};
+
+BENCH8_CONST
+const bench8_inverse_options bench8_default_options =
+{
+    .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .near = 1.0e-6,
+    .damping = 0.0,
 };

@@ -1,5 +1,5 @@
 /* bench8.h: motion of the stand "bench8": carrier, 0 instruments, 8 flywheels.
- * mahovik 0.1.0; structure 8614c583, physics 8f235153. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 8614c583, physics 32540fb9. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 #define BENCH8_STRUCTURE 0x8614c583u  /* of the stand: names, counts, kinds of wrench */
-#define BENCH8_PHYSICS   0x8f235153u  /* of the stand: structure and all numbers */
+#define BENCH8_PHYSICS   0x32540fb9u  /* of the stand: structure and all numbers */
 
 typedef double bench8_real;
 
@@ -182,8 +182,29 @@ typedef struct bench8_inverse_result {
     bench8_real hardest[6];          /* wrench of unit size in the norm of K^-1 that is hardest to give */
 } bench8_inverse_result;
 
+/* Derivatives of coupled. */
+typedef struct bench8_coupled_slopes {
+    bench8_real V_dot_V[6][6];                         /* of V* by V: row i, column j */
+    bench8_real V_dot_phi[6][BENCH8_N];                /* of V* by the phases */
+    bench8_real V_dot_phi_dot[6][BENCH8_N];            /* by the speeds */
+    bench8_real V_dot_tau[6][BENCH8_N];                /* by the drive torques */
+    bench8_real phi_ddot_V[BENCH8_N][6];               /* of phi'' by V: row s, column j */
+    bench8_real phi_ddot_phi[BENCH8_N][BENCH8_N];      /* of phi'' by the phases */
+    bench8_real phi_ddot_phi_dot[BENCH8_N][BENCH8_N];  /* by the speeds */
+    bench8_real phi_ddot_tau[BENCH8_N][BENCH8_N];      /* by the drive torques */
+} bench8_coupled_slopes;
+
+/* Derivatives of forward. */
+typedef struct bench8_forward_slopes {
+    bench8_real V_dot_V[6][6];                /* of V* by V: row i, column j */
+    bench8_real V_dot_phi[6][BENCH8_N];       /* of V* by the phases */
+    bench8_real V_dot_phi_dot[6][BENCH8_N];   /* by the speeds */
+    bench8_real V_dot_phi_ddot[6][BENCH8_N];  /* by the accelerations */
+} bench8_forward_slopes;
+
 extern const bench8_parameters bench8_default_parameters;         /* of the stand file */
 extern const bench8_table bench8_default;                         /* what prepare makes of them */
+extern const bench8_inverse_options bench8_default_options;       /* of inverse, by the stand file */
 
 /* ---- functions ---- */
 
@@ -277,12 +298,36 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
 
+/* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[8]  rad/s2; flywheel accelerations
+ *   out          out: derivatives of V*
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 11485 operations on reals, 35 of them divisions. */
+bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
+                                      const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out);
+
+/* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[8]     N m; drive torques, mount on flywheel
+ *   locked[8]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   out        out: derivatives of V* and phi''
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 28486 operations on reals, 67 of them divisions. */
+bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
+                                      const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                                      bench8_coupled_slopes *out);
+
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi'', (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; the default is in the source
+ *   options   weights, limits, damping; default_options has those of the stand
  *   out       out: phi_ddot and how good it is
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
@@ -291,12 +336,42 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
 bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
+/* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
+ * equations, (12).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
+ *   options      weights and damping; near and limits are not read
+ *   phi_ddot[8]  out: rad/s2; flywheel accelerations
+ * Squares the condition: as good as inverse where singular values are within some thousands of one
+ * another;
+ * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 4482 operations on reals, 60 of them divisions. */
+bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state *x,
+                                  const bench8_real V_dot[6], const bench8_inverse_options *options,
+                                  bench8_real phi_ddot[BENCH8_N]);
+
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
+
+/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+ *   position[3]  m; of O1, in E0
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   q_dot[6]     m/s, rad/s; rates of position and of the angles
+ *   q_ddot[6]    m/s2, rad/s2; their rates
+ *   x            in and out: its position, attitude and V are written; phases stay
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * At most 465 operations on reals, 1 of them a division. */
+bench8_status bench8_target(const bench8_real position[3], const bench8_real angles[3],
+                            const bench8_real q_dot[6], const bench8_real q_ddot[6], bench8_state *x,
+                            bench8_real V_dot[6]);
 
 /* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).

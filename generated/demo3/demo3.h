@@ -1,5 +1,5 @@
 /* demo3.h: motion of the stand "demo3": carrier, 0 instruments, 3 flywheels.
- * mahovik 0.1.0; structure d7df2554, physics 6be26344. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure d7df2554, physics b6eae828. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 #define DEMO3_STRUCTURE 0xd7df2554u  /* of the stand: names, counts, kinds of wrench */
-#define DEMO3_PHYSICS   0x6be26344u  /* of the stand: structure and all numbers */
+#define DEMO3_PHYSICS   0xb6eae828u  /* of the stand: structure and all numbers */
 
 typedef double demo3_real;
 
@@ -172,8 +172,29 @@ typedef struct demo3_inverse_result {
     demo3_real hardest[6];         /* wrench of unit size in the norm of K^-1 that is hardest to give */
 } demo3_inverse_result;
 
+/* Derivatives of coupled. */
+typedef struct demo3_coupled_slopes {
+    demo3_real V_dot_V[6][6];                       /* of V* by V: row i, column j */
+    demo3_real V_dot_phi[6][DEMO3_N];               /* of V* by the phases */
+    demo3_real V_dot_phi_dot[6][DEMO3_N];           /* by the speeds */
+    demo3_real V_dot_tau[6][DEMO3_N];               /* by the drive torques */
+    demo3_real phi_ddot_V[DEMO3_N][6];              /* of phi'' by V: row s, column j */
+    demo3_real phi_ddot_phi[DEMO3_N][DEMO3_N];      /* of phi'' by the phases */
+    demo3_real phi_ddot_phi_dot[DEMO3_N][DEMO3_N];  /* by the speeds */
+    demo3_real phi_ddot_tau[DEMO3_N][DEMO3_N];      /* by the drive torques */
+} demo3_coupled_slopes;
+
+/* Derivatives of forward. */
+typedef struct demo3_forward_slopes {
+    demo3_real V_dot_V[6][6];               /* of V* by V: row i, column j */
+    demo3_real V_dot_phi[6][DEMO3_N];       /* of V* by the phases */
+    demo3_real V_dot_phi_dot[6][DEMO3_N];   /* by the speeds */
+    demo3_real V_dot_phi_ddot[6][DEMO3_N];  /* by the accelerations */
+} demo3_forward_slopes;
+
 extern const demo3_parameters demo3_default_parameters;           /* of the stand file */
 extern const demo3_table demo3_default;                           /* what prepare makes of them */
+extern const demo3_inverse_options demo3_default_options;         /* of inverse, by the stand file */
 
 /* ---- functions ---- */
 
@@ -258,12 +279,36 @@ demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
 
+/* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[3]  rad/s2; flywheel accelerations
+ *   out          out: derivatives of V*
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 4774 operations on reals, 16 of them divisions. */
+demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state *x,
+                                    const demo3_real phi_ddot[DEMO3_N], demo3_forward_slopes *out);
+
+/* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[3]     N m; drive torques, mount on flywheel
+ *   locked[3]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   out        out: derivatives of V* and phi''
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 10507 operations on reals, 32 of them divisions. */
+demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state *x,
+                                    const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
+                                    demo3_coupled_slopes *out);
+
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi'', (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; the default is in the source
+ *   options   weights, limits, damping; default_options has those of the stand
  *   out       out: phi_ddot and how good it is
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
@@ -272,12 +317,40 @@ demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
 demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
+/* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
+ * equations, (12).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
+ *   options      weights and damping; near and limits are not read
+ *   phi_ddot[3]  out: rad/s2; flywheel accelerations
+ * Squares the condition: as good as inverse where singular values are within some thousands of one
+ * another;
+ * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 1894 operations on reals, 33 of them divisions. */
+demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+                                const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
+
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
+
+/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+ *   position[3]  m; of O1, in E0
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   q_dot[6]     m/s, rad/s; rates of position and of the angles
+ *   q_ddot[6]    m/s2, rad/s2; their rates
+ *   x            in and out: its position, attitude and V are written; phases stay
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * At most 465 operations on reals, 1 of them a division. */
+demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3], const demo3_real q_dot[6],
+                          const demo3_real q_ddot[6], demo3_state *x, demo3_real V_dot[6]);
 
 /* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).

@@ -1,10 +1,10 @@
 /* remus6.c: motion of the stand "remus6". What each function does and takes: remus6.h.
- * mahovik 0.1.0; structure 7b01c6fe, physics 35f5a308. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 7b01c6fe, physics a90ecc69. Generated: change the stand file instead. */
 #include "remus6.h"
 
 #include <stdint.h>
 
-#if REMUS6_STRUCTURE != 0x7b01c6feu || REMUS6_PHYSICS != 0x35f5a308u
+#if REMUS6_STRUCTURE != 0x7b01c6feu || REMUS6_PHYSICS != 0xa90ecc69u
 #error "remus6.h and remus6.c are of different stands"
 #endif
 
@@ -1205,6 +1205,600 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
     return REMUS6_OK;
 }
 
+/* change of the damping of one body with its twist, (7). */
+REMUS6_CODE
+static void remus6_damp_slope(const remus6_table *stand, const remus6_damper *damper, const remus6_real V[6],
+                              const remus6_real change[6], remus6_real P[6])
+{
+    remus6_real x[12];  /* u v w p q r and their magnitudes */
+    remus6_real dx[12];  /* their changes */
+    x[0] = V[0];
+    x[6] = (V[0] < 0.0) ? -V[0] : V[0];
+    dx[0] = change[0];
+    dx[6] = (V[0] < 0.0) ? -change[0] : change[0];
+    x[1] = V[1];
+    x[7] = (V[1] < 0.0) ? -V[1] : V[1];
+    dx[1] = change[1];
+    dx[7] = (V[1] < 0.0) ? -change[1] : change[1];
+    x[2] = V[2];
+    x[8] = (V[2] < 0.0) ? -V[2] : V[2];
+    dx[2] = change[2];
+    dx[8] = (V[2] < 0.0) ? -change[2] : change[2];
+    x[3] = V[3];
+    x[9] = (V[3] < 0.0) ? -V[3] : V[3];
+    dx[3] = change[3];
+    dx[9] = (V[3] < 0.0) ? -change[3] : change[3];
+    x[4] = V[4];
+    x[10] = (V[4] < 0.0) ? -V[4] : V[4];
+    dx[4] = change[4];
+    dx[10] = (V[4] < 0.0) ? -change[4] : change[4];
+    x[5] = V[5];
+    x[11] = (V[5] < 0.0) ? -V[5] : V[5];
+    dx[5] = change[5];
+    dx[11] = (V[5] < 0.0) ? -change[5] : change[5];
+    for (int t = damper->first_term; t < damper->last_term; ++t) {
+        P[stand->term[t].wrench] += stand->term[t].value
+            * (dx[stand->term[t].first] * x[stand->term[t].second]
+            + x[stand->term[t].first] * dx[stand->term[t].second]);
+    }
+}
+
+/* derivative of F - Phi Z - K* V by the twist, (8). */
+REMUS6_CODE
+static void remus6_twist_slope(const remus6_table *stand, const remus6_real V[6], const remus6_real Z[6],
+                               const remus6_equations *m, remus6_real slope[36])
+{
+    slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
+    slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
+    slope[6] = 0.0;     slope[7] = 0.0;     slope[8] = 0.0;
+    slope[9] = Z[2];    slope[10] = 0.0;    slope[11] = -Z[0];
+    slope[12] = 0.0;    slope[13] = 0.0;    slope[14] = 0.0;
+    slope[15] = -Z[1];  slope[16] = Z[0];   slope[17] = 0.0;
+    slope[18] = 0.0;    slope[19] = -Z[2];  slope[20] = Z[1];
+    slope[21] = 0.0;    slope[22] = -Z[5];  slope[23] = Z[4];
+    slope[24] = Z[2];   slope[25] = 0.0;    slope[26] = -Z[0];
+    slope[27] = Z[5];   slope[28] = 0.0;    slope[29] = -Z[3];
+    slope[30] = -Z[1];  slope[31] = Z[0];   slope[32] = 0.0;
+    slope[33] = -Z[4];  slope[34] = Z[3];   slope[35] = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            slope[i * 6 + j] -= m->M[i][j];
+        }
+    }
+    for (int j = 0; j < 6; ++j) {
+        remus6_real change[6];  /* unit twist */
+        remus6_real F[6];  /* change of the wrench */
+        for (int i = 0; i < 6; ++i) {
+            change[i] = 0.0;
+            F[i] = 0.0;
+        }
+        change[j] = 1.0;
+        remus6_damp_slope(stand, &stand->damper, V, change, F);
+        for (int i = 0; i < 6; ++i) {
+            slope[i * 6 + j] += F[i];
+        }
+    }
+}
+
+/* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
+REMUS6_CODE
+static void remus6_row_slope(const remus6_row *row, const remus6_real weight[12], const remus6_real V[6],
+                             const remus6_real V_dot[6], const remus6_real g[3], remus6_real out[6])
+{
+    remus6_sums change;  /* of the sums */
+    remus6_real Z[6];  /* change of the momentum screw */
+    change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
+    change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
+    change.mu[2] = row->mu_c[2] * weight[0] + row->mu_s[2] * weight[1];
+    change.mu_dot[0] = row->mu_c[0] * weight[4] + row->mu_s[0] * weight[5];
+    change.mu_dot[1] = row->mu_c[1] * weight[4] + row->mu_s[1] * weight[5];
+    change.mu_dot[2] = row->mu_c[2] * weight[4] + row->mu_s[2] * weight[5];
+    change.J[0] = row->J_2c[0] * weight[2] + row->J_2s[0] * weight[3] + row->J_c[0] * weight[0]
+        + row->J_s[0] * weight[1];
+    change.J[1] = row->J_2c[1] * weight[2] + row->J_2s[1] * weight[3] + row->J_c[1] * weight[0]
+        + row->J_s[1] * weight[1];
+    change.J[2] = row->J_2c[2] * weight[2] + row->J_2s[2] * weight[3] + row->J_c[2] * weight[0]
+        + row->J_s[2] * weight[1];
+    change.J[3] = row->J_2c[3] * weight[2] + row->J_2s[3] * weight[3] + row->J_c[3] * weight[0]
+        + row->J_s[3] * weight[1];
+    change.J[4] = row->J_2c[4] * weight[2] + row->J_2s[4] * weight[3] + row->J_c[4] * weight[0]
+        + row->J_s[4] * weight[1];
+    change.J[5] = row->J_2c[5] * weight[2] + row->J_2s[5] * weight[3] + row->J_c[5] * weight[0]
+        + row->J_s[5] * weight[1];
+    change.J_dot[0] = row->J_2c[0] * weight[6] + row->J_2s[0] * weight[7] + row->J_c[0] * weight[4]
+        + row->J_s[0] * weight[5];
+    change.J_dot[1] = row->J_2c[1] * weight[6] + row->J_2s[1] * weight[7] + row->J_c[1] * weight[4]
+        + row->J_s[1] * weight[5];
+    change.J_dot[2] = row->J_2c[2] * weight[6] + row->J_2s[2] * weight[7] + row->J_c[2] * weight[4]
+        + row->J_s[2] * weight[5];
+    change.J_dot[3] = row->J_2c[3] * weight[6] + row->J_2s[3] * weight[7] + row->J_c[3] * weight[4]
+        + row->J_s[3] * weight[5];
+    change.J_dot[4] = row->J_2c[4] * weight[6] + row->J_2s[4] * weight[7] + row->J_c[4] * weight[4]
+        + row->J_s[4] * weight[5];
+    change.J_dot[5] = row->J_2c[5] * weight[6] + row->J_2s[5] * weight[7] + row->J_c[5] * weight[4]
+        + row->J_s[5] * weight[5];
+    change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
+    change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
+    change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
+    change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
+    change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
+    change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
+    Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
+    Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
+    Z[3] = change.J[0] * V[3] + change.J[3] * V[4] + change.J[4] * V[5] + change.h_rel[0]
+        + change.mu[1] * V[2] - change.mu[2] * V[1];
+    Z[4] = change.J[1] * V[4] + change.J[3] * V[3] + change.J[5] * V[5] + change.h_rel[1]
+        + change.mu[2] * V[0] - change.mu[0] * V[2];
+    Z[5] = change.J[2] * V[5] + change.J[4] * V[3] + change.J[5] * V[4] + change.h_rel[2]
+        + change.mu[0] * V[1] - change.mu[1] * V[0];
+    out[0] = change.mu[1] * V_dot[5] + change.mu_dot[1] * V[5] + V[5] * Z[1] - change.a_rel[0]
+        - change.mu[2] * V_dot[4] - change.mu_dot[2] * V[4] - V[4] * Z[2];
+    out[1] = change.mu[2] * V_dot[3] + change.mu_dot[2] * V[3] + V[3] * Z[2] - change.a_rel[1]
+        - change.mu[0] * V_dot[5] - change.mu_dot[0] * V[5] - V[5] * Z[0];
+    out[2] = change.mu[0] * V_dot[4] + change.mu_dot[0] * V[4] + V[4] * Z[0] - change.a_rel[2]
+        - change.mu[1] * V_dot[3] - change.mu_dot[1] * V[3] - V[3] * Z[1];
+    out[3] = g[2] * change.mu[1] + Z[4] * V[5] + change.mu[2] * V_dot[1] + change.mu_dot[2] * V[1]
+        + Z[1] * V[2] - change.J[0] * V_dot[3] - change.J[3] * V_dot[4] - change.J[4] * V_dot[5]
+        - change.J_dot[0] * V[3] - change.J_dot[3] * V[4] - change.J_dot[4] * V[5] - g[1] * change.mu[2]
+        - change.g_rel[0] - Z[5] * V[4] - change.mu[1] * V_dot[2] - change.mu_dot[1] * V[2] - Z[2] * V[1];
+    out[4] = g[0] * change.mu[2] + Z[5] * V[3] + change.mu[0] * V_dot[2] + change.mu_dot[0] * V[2]
+        + Z[2] * V[0] - change.J[1] * V_dot[4] - change.J[3] * V_dot[3] - change.J[5] * V_dot[5]
+        - change.J_dot[1] * V[4] - change.J_dot[3] * V[3] - change.J_dot[5] * V[5] - g[2] * change.mu[0]
+        - change.g_rel[1] - Z[3] * V[5] - change.mu[2] * V_dot[0] - change.mu_dot[2] * V[0] - Z[0] * V[2];
+    out[5] = g[1] * change.mu[0] + Z[3] * V[4] + change.mu[1] * V_dot[0] + change.mu_dot[1] * V[0]
+        + Z[0] * V[1] - change.J[2] * V_dot[5] - change.J[4] * V_dot[3] - change.J[5] * V_dot[4]
+        - change.J_dot[2] * V[5] - change.J_dot[4] * V[3] - change.J_dot[5] * V[4] - g[0] * change.mu[1]
+        - change.g_rel[2] - Z[4] * V[3] - change.mu[0] * V_dot[1] - change.mu_dot[0] * V[1] - Z[1] * V[0];
+}
+
+/* (8) */
+REMUS6_CODE
+remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
+                                      const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out)
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_sums sum;
+    remus6_start_sums(stand, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+    }
+    remus6_real F[6];  /* what K V* must equal */
+    remus6_real Z[6];  /* momentum screw (2) */
+    remus6_real V_result[6];  /* V_r* */
+    remus6_real rhs[6];
+    remus6_real y[6];
+    remus6_external(stand, &sum, V, g, F);
+    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_subtract_rates(&sum, V, Z, F);
+    status = remus6_solve_carrier(stand, &sum, F, V_result);
+    if (status != REMUS6_OK) { return status; }
+    remus6_equations m;
+    m.K[0][0] = stand->A[0];  m.K[0][1] = stand->A[3];  m.K[0][2] = stand->A[4];
+    m.K[0][3] = stand->G[0];
+    m.K[0][4] = stand->G[3] + sum.mu[2];
+    m.K[0][5] = stand->G[6] - sum.mu[1];
+    m.K[1][0] = stand->A[3];  m.K[1][1] = stand->A[1];  m.K[1][2] = stand->A[5];
+    m.K[1][3] = stand->G[1] - sum.mu[2];
+    m.K[1][4] = stand->G[4];
+    m.K[1][5] = stand->G[7] + sum.mu[0];
+    m.K[2][0] = stand->A[4];  m.K[2][1] = stand->A[5];  m.K[2][2] = stand->A[2];
+    m.K[2][3] = stand->G[2] + sum.mu[1];
+    m.K[2][4] = stand->G[5] - sum.mu[0];
+    m.K[2][5] = stand->G[8];
+    m.K[3][0] = stand->G[0];
+    m.K[3][1] = stand->G[1] - sum.mu[2];
+    m.K[3][2] = stand->G[2] + sum.mu[1];
+    m.K[3][3] = sum.J[0];  m.K[3][4] = sum.J[3];  m.K[3][5] = sum.J[4];
+    m.K[4][0] = stand->G[3] + sum.mu[2];
+    m.K[4][1] = stand->G[4];
+    m.K[4][2] = stand->G[5] - sum.mu[0];
+    m.K[4][3] = sum.J[3];  m.K[4][4] = sum.J[1];  m.K[4][5] = sum.J[5];
+    m.K[5][0] = stand->G[6] - sum.mu[1];
+    m.K[5][1] = stand->G[7] + sum.mu[0];
+    m.K[5][2] = stand->G[8];  m.K[5][3] = sum.J[4];     m.K[5][4] = sum.J[5];
+    m.K[5][5] = sum.J[2];
+    m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
+    m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
+    m.K_dot[1][0] = 0.0;             m.K_dot[1][1] = 0.0;             m.K_dot[1][2] = 0.0;
+    m.K_dot[1][3] = -sum.mu_dot[2];  m.K_dot[1][4] = 0.0;             m.K_dot[1][5] = sum.mu_dot[0];
+    m.K_dot[2][0] = 0.0;             m.K_dot[2][1] = 0.0;             m.K_dot[2][2] = 0.0;
+    m.K_dot[2][3] = sum.mu_dot[1];   m.K_dot[2][4] = -sum.mu_dot[0];  m.K_dot[2][5] = 0.0;
+    m.K_dot[3][0] = 0.0;             m.K_dot[3][1] = -sum.mu_dot[2];  m.K_dot[3][2] = sum.mu_dot[1];
+    m.K_dot[3][3] = sum.J_dot[0];    m.K_dot[3][4] = sum.J_dot[3];    m.K_dot[3][5] = sum.J_dot[4];
+    m.K_dot[4][0] = sum.mu_dot[2];   m.K_dot[4][1] = 0.0;             m.K_dot[4][2] = -sum.mu_dot[0];
+    m.K_dot[4][3] = sum.J_dot[3];    m.K_dot[4][4] = sum.J_dot[1];    m.K_dot[4][5] = sum.J_dot[5];
+    m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
+    m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
+    remus6_velocity_matrix(V, &m);
+    remus6_real slope[36];  /* by V, row by row */
+    remus6_twist_slope(stand, V, Z, &m, slope);
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            rhs[i] = slope[i * 6 + j];
+        }
+        (void)remus6_solve_carrier(stand, &sum, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_V[i][j] = y[i];
+        }
+    }
+    /* V* = V_r* - (omega x C^T u, 0) */
+    out->V_dot_V[0][4] -= u[2];  out->V_dot_V[0][5] += u[1];
+    out->V_dot_V[1][5] -= u[0];  out->V_dot_V[1][3] += u[2];
+    out->V_dot_V[2][3] -= u[1];  out->V_dot_V[2][4] += u[0];
+    remus6_real change[12];  /* of the weights of a row */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const remus6_real s2 = 2.0 * c_phi * s_phi;
+        const remus6_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const remus6_real ds = x->phi_dot[s] * c_phi;
+        const remus6_real dc2 = -2.0 * x->phi_dot[s] * s2;
+        const remus6_real ds2 = 2.0 * x->phi_dot[s] * c2;
+        const remus6_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second rates */
+        const remus6_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
+        {
+            change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
+            change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
+            change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
+            change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
+            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
+            (void)remus6_solve_carrier(stand, &sum, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi[i][s] = y[i];
+            }
+        }
+        {
+            change[0] = 0.0;        change[1] = 0.0;        change[2] = 0.0;
+            change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
+            change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
+            change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
+            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
+            (void)remus6_solve_carrier(stand, &sum, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi_dot[i][s] = y[i];
+            }
+        }
+        rhs[0] = stand->flywheel[s].mu_c[0] * s_phi - stand->flywheel[s].mu_s[0] * c_phi;
+        rhs[1] = stand->flywheel[s].mu_c[1] * s_phi - stand->flywheel[s].mu_s[1] * c_phi;
+        rhs[2] = stand->flywheel[s].mu_c[2] * s_phi - stand->flywheel[s].mu_s[2] * c_phi;
+        rhs[3] = -stand->flywheel[s].t_c[0] * c_phi - stand->flywheel[s].t_s[0] * s_phi
+            - stand->flywheel[s].t_0[0];
+        rhs[4] = -stand->flywheel[s].t_c[1] * c_phi - stand->flywheel[s].t_s[1] * s_phi
+            - stand->flywheel[s].t_0[1];
+        rhs[5] = -stand->flywheel[s].t_c[2] * c_phi - stand->flywheel[s].t_s[2] * s_phi
+            - stand->flywheel[s].t_0[2];
+        (void)remus6_solve_carrier(stand, &sum, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_phi_ddot[i][s] = y[i];
+        }
+    }
+    return REMUS6_OK;
+}
+
+/* Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude. */
+REMUS6_CODE
+remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
+                                      const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                      remus6_coupled_slopes *out)
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real V_result[6];  /* V*, then V_r* */
+    remus6_real phi_result[REMUS6_N];  /* phi'' */
+    status = remus6_move(stand, x, tau, locked, V_result, phi_result);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, stand->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, stand->gravity, g);
+    remus6_sums sum;
+    remus6_start_sums(stand, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_result[s], &sum);
+    }
+    remus6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    V_result[0] += drift[0];  V_result[1] += drift[1];  V_result[2] += drift[2];
+    remus6_real Z[6];  /* momentum screw (2) */
+    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_equations m;
+    m.K[0][0] = stand->A[0];  m.K[0][1] = stand->A[3];  m.K[0][2] = stand->A[4];
+    m.K[0][3] = stand->G[0];
+    m.K[0][4] = stand->G[3] + sum.mu[2];
+    m.K[0][5] = stand->G[6] - sum.mu[1];
+    m.K[1][0] = stand->A[3];  m.K[1][1] = stand->A[1];  m.K[1][2] = stand->A[5];
+    m.K[1][3] = stand->G[1] - sum.mu[2];
+    m.K[1][4] = stand->G[4];
+    m.K[1][5] = stand->G[7] + sum.mu[0];
+    m.K[2][0] = stand->A[4];  m.K[2][1] = stand->A[5];  m.K[2][2] = stand->A[2];
+    m.K[2][3] = stand->G[2] + sum.mu[1];
+    m.K[2][4] = stand->G[5] - sum.mu[0];
+    m.K[2][5] = stand->G[8];
+    m.K[3][0] = stand->G[0];
+    m.K[3][1] = stand->G[1] - sum.mu[2];
+    m.K[3][2] = stand->G[2] + sum.mu[1];
+    m.K[3][3] = sum.J[0];  m.K[3][4] = sum.J[3];  m.K[3][5] = sum.J[4];
+    m.K[4][0] = stand->G[3] + sum.mu[2];
+    m.K[4][1] = stand->G[4];
+    m.K[4][2] = stand->G[5] - sum.mu[0];
+    m.K[4][3] = sum.J[3];  m.K[4][4] = sum.J[1];  m.K[4][5] = sum.J[5];
+    m.K[5][0] = stand->G[6] - sum.mu[1];
+    m.K[5][1] = stand->G[7] + sum.mu[0];
+    m.K[5][2] = stand->G[8];  m.K[5][3] = sum.J[4];     m.K[5][4] = sum.J[5];
+    m.K[5][5] = sum.J[2];
+    m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
+    m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
+    m.K_dot[1][0] = 0.0;             m.K_dot[1][1] = 0.0;             m.K_dot[1][2] = 0.0;
+    m.K_dot[1][3] = -sum.mu_dot[2];  m.K_dot[1][4] = 0.0;             m.K_dot[1][5] = sum.mu_dot[0];
+    m.K_dot[2][0] = 0.0;             m.K_dot[2][1] = 0.0;             m.K_dot[2][2] = 0.0;
+    m.K_dot[2][3] = sum.mu_dot[1];   m.K_dot[2][4] = -sum.mu_dot[0];  m.K_dot[2][5] = 0.0;
+    m.K_dot[3][0] = 0.0;             m.K_dot[3][1] = -sum.mu_dot[2];  m.K_dot[3][2] = sum.mu_dot[1];
+    m.K_dot[3][3] = sum.J_dot[0];    m.K_dot[3][4] = sum.J_dot[3];    m.K_dot[3][5] = sum.J_dot[4];
+    m.K_dot[4][0] = sum.mu_dot[2];   m.K_dot[4][1] = 0.0;             m.K_dot[4][2] = -sum.mu_dot[0];
+    m.K_dot[4][3] = sum.J_dot[3];    m.K_dot[4][4] = sum.J_dot[1];    m.K_dot[4][5] = sum.J_dot[5];
+    m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
+    m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
+    remus6_velocity_matrix(V, &m);
+    remus6_real slope[36];  /* by V, row by row */
+    remus6_twist_slope(stand, V, Z, &m, slope);
+    remus6_coupling drive[REMUS6_N];
+    remus6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = stand->A[0];  K.A[1] = stand->A[1];  K.A[2] = stand->A[2];
+    K.A[3] = stand->A[3];  K.A[4] = stand->A[4];  K.A[5] = stand->A[5];
+    K.B[0] = stand->G[0];              K.B[1] = stand->G[1] - sum.mu[2];  K.B[2] = stand->G[2] + sum.mu[1];
+    K.B[3] = stand->G[3] + sum.mu[2];  K.B[4] = stand->G[4];              K.B[5] = stand->G[5] - sum.mu[0];
+    K.B[6] = stand->G[6] - sum.mu[1];  K.B[7] = stand->G[7] + sum.mu[0];  K.B[8] = stand->G[8];
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    remus6_real rhs[6];  /* of the carrier */
+    remus6_real drive_rhs[REMUS6_N];  /* of the drives */
+    remus6_real y[6];
+    rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
+    rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        remus6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive[s]);
+        if (locked[s] == 0) {
+            remus6_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
+        }
+    }
+    remus6_real drive_slope[REMUS6_N][6];  /* of the bias torques by V */
+    remus6_real J_p[6];  /* dJ / dphi */
+    remus6_real turned[3];  /* J' omega */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);
+        const remus6_real s2 = 2.0 * c_phi * s_phi;
+        J_p[0] = 2.0 * stand->flywheel[s].J_2s[0] * c2 + stand->flywheel[s].J_s[0] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[0] * s2 - stand->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = 2.0 * stand->flywheel[s].J_2s[1] * c2 + stand->flywheel[s].J_s[1] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[1] * s2 - stand->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = 2.0 * stand->flywheel[s].J_2s[2] * c2 + stand->flywheel[s].J_s[2] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[2] * s2 - stand->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = 2.0 * stand->flywheel[s].J_2s[3] * c2 + stand->flywheel[s].J_s[3] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[3] * s2 - stand->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = 2.0 * stand->flywheel[s].J_2s[4] * c2 + stand->flywheel[s].J_s[4] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[4] * s2 - stand->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = 2.0 * stand->flywheel[s].J_2s[5] * c2 + stand->flywheel[s].J_s[5] * c_phi
+            - 2.0 * stand->flywheel[s].J_2c[5] * s2 - stand->flywheel[s].J_c[5] * s_phi;
+        turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
+        turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
+        turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
+        drive_slope[s][0] = drive[s].I[1] * V[5] - drive[s].I[2] * V[4];
+        drive_slope[s][1] = drive[s].I[2] * V[3] - drive[s].I[0] * V[5];
+        drive_slope[s][2] = drive[s].I[0] * V[4] - drive[s].I[1] * V[3];
+        drive_slope[s][3] = drive[s].I[2] * V[1] - drive[s].I[1] * V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I[0] * V[2] - drive[s].I[2] * V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I[1] * V[0] - drive[s].I[0] * V[1] - turned[2];
+    }
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            rhs[i] = slope[i * 6 + j];
+        }
+        for (int s = 0; s < REMUS6_N; ++s) {
+            drive_rhs[s] = -drive_slope[s][j];
+        }
+        for (int t = 0; t < REMUS6_N; ++t) {
+            if (locked[t] == 0) {
+                const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[t].I[i] * share;
+                }
+            }
+        }
+        (void)remus6_solve_schur(&K, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_V[i][j] = y[i];
+        }
+        for (int t = 0; t < REMUS6_N; ++t) {
+            out->phi_ddot_V[t][j] = 0.0;
+            if (locked[t] == 0) {
+                out->phi_ddot_V[t][j] = (drive_rhs[t]
+                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    * stand->flywheel[t].spin_inv;
+            }
+        }
+    }
+    /* V* = V_r* - (omega x C^T u, 0) */
+    out->V_dot_V[0][4] -= u[2];  out->V_dot_V[0][5] += u[1];
+    out->V_dot_V[1][5] -= u[0];  out->V_dot_V[1][3] += u[2];
+    out->V_dot_V[2][3] -= u[1];  out->V_dot_V[2][4] += u[0];
+    remus6_real change[12];  /* of the weights of a row */
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real s_phi, c_phi;
+        remus6_sincos(x->phi[s], &s_phi, &c_phi);
+        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const remus6_real s2 = 2.0 * c_phi * s_phi;
+        const remus6_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const remus6_real ds = x->phi_dot[s] * c_phi;
+        const remus6_real dc2 = -2.0 * x->phi_dot[s] * s2;
+        const remus6_real ds2 = 2.0 * x->phi_dot[s] * c2;
+        const remus6_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second rates */
+        const remus6_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
+        {
+            change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
+            change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
+            change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
+            change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
+            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
+            for (int t = 0; t < REMUS6_N; ++t) {
+                drive_rhs[t] = 0.0;
+            }
+            remus6_real mu_pp[3];  /* d2 mu / dphi2 */
+            remus6_real J_pp[6];  /* d2 J / dphi2 */
+            remus6_real I_p[6];  /* dI / dphi */
+            mu_pp[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
+            mu_pp[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
+            mu_pp[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
+            J_pp[0] = -4.0 * stand->flywheel[s].J_2c[0] * c2 - 4.0 * stand->flywheel[s].J_2s[0] * s2
+                - stand->flywheel[s].J_c[0] * c_phi - stand->flywheel[s].J_s[0] * s_phi;
+            J_pp[1] = -4.0 * stand->flywheel[s].J_2c[1] * c2 - 4.0 * stand->flywheel[s].J_2s[1] * s2
+                - stand->flywheel[s].J_c[1] * c_phi - stand->flywheel[s].J_s[1] * s_phi;
+            J_pp[2] = -4.0 * stand->flywheel[s].J_2c[2] * c2 - 4.0 * stand->flywheel[s].J_2s[2] * s2
+                - stand->flywheel[s].J_c[2] * c_phi - stand->flywheel[s].J_s[2] * s_phi;
+            J_pp[3] = -4.0 * stand->flywheel[s].J_2c[3] * c2 - 4.0 * stand->flywheel[s].J_2s[3] * s2
+                - stand->flywheel[s].J_c[3] * c_phi - stand->flywheel[s].J_s[3] * s_phi;
+            J_pp[4] = -4.0 * stand->flywheel[s].J_2c[4] * c2 - 4.0 * stand->flywheel[s].J_2s[4] * s2
+                - stand->flywheel[s].J_c[4] * c_phi - stand->flywheel[s].J_s[4] * s_phi;
+            J_pp[5] = -4.0 * stand->flywheel[s].J_2c[5] * c2 - 4.0 * stand->flywheel[s].J_2s[5] * s2
+                - stand->flywheel[s].J_c[5] * c_phi - stand->flywheel[s].J_s[5] * s_phi;
+            I_p[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
+            I_p[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
+            I_p[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
+            I_p[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
+            I_p[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
+            I_p[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+                + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
+                + (mu_pp[0] * swing[0] + mu_pp[1] * swing[1] + mu_pp[2] * swing[2]
+                - 0.5 * (J_pp[0] * V[3] + J_pp[3] * V[4] + J_pp[4] * V[5]) * V[3]
+                - 0.5 * (J_pp[1] * V[4] + J_pp[3] * V[3] + J_pp[5] * V[5]) * V[4]
+                - 0.5 * (J_pp[2] * V[5] + J_pp[4] * V[3] + J_pp[5] * V[4]) * V[5]));
+            for (int t = 0; t < REMUS6_N; ++t) {
+                if (locked[t] == 0) {
+                    const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    for (int i = 0; i < 6; ++i) {
+                        rhs[i] -= drive[t].I[i] * share;
+                    }
+                }
+            }
+            (void)remus6_solve_schur(&K, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi[i][s] = y[i];
+            }
+            for (int t = 0; t < REMUS6_N; ++t) {
+                out->phi_ddot_phi[t][s] = 0.0;
+                if (locked[t] == 0) {
+                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        * stand->flywheel[t].spin_inv;
+                }
+            }
+        }
+        {
+            change[0] = 0.0;        change[1] = 0.0;        change[2] = 0.0;
+            change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
+            change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
+            change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
+            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
+            for (int t = 0; t < REMUS6_N; ++t) {
+                drive_rhs[t] = 0.0;
+            }
+            for (int t = 0; t < REMUS6_N; ++t) {
+                if (locked[t] == 0) {
+                    const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    for (int i = 0; i < 6; ++i) {
+                        rhs[i] -= drive[t].I[i] * share;
+                    }
+                }
+            }
+            (void)remus6_solve_schur(&K, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi_dot[i][s] = y[i];
+            }
+            for (int t = 0; t < REMUS6_N; ++t) {
+                out->phi_ddot_phi_dot[t][s] = 0.0;
+                if (locked[t] == 0) {
+                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        * stand->flywheel[t].spin_inv;
+                }
+            }
+        }
+        rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
+        rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
+        for (int t = 0; t < REMUS6_N; ++t) {
+            drive_rhs[t] = 0.0;
+        }
+        drive_rhs[s] = 1.0;
+        for (int t = 0; t < REMUS6_N; ++t) {
+            if (locked[t] == 0) {
+                const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[t].I[i] * share;
+                }
+            }
+        }
+        (void)remus6_solve_schur(&K, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_tau[i][s] = y[i];
+        }
+        for (int t = 0; t < REMUS6_N; ++t) {
+            out->phi_ddot_tau[t][s] = 0.0;
+            if (locked[t] == 0) {
+                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
+                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    * stand->flywheel[t].spin_inv;
+            }
+        }
+    }
+    return REMUS6_OK;
+}
+
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 REMUS6_CODE
@@ -1514,6 +2108,84 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
     return (remus6_status)flags;
 }
 
+/* (12) */
+REMUS6_CODE
+remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state *x,
+                                  const remus6_real V_dot[6], const remus6_inverse_options *options,
+                                  remus6_real phi_ddot[REMUS6_N])
+{
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(options->weight, REMUS6_N, REMUS6_MAX_PARAMETER);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(options->limit, REMUS6_N, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return status; }
+    if (!(options->near >= 0.0 && options->near <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return REMUS6_BAD_ARGUMENT; }
+    }
+    remus6_inverse_work work;
+    status = remus6_demand(stand, x, V_dot, options->weight, &work);
+    if (status != REMUS6_OK) { return status; }
+    /* normal equations: W W^T z = r, y = W^T z */
+    remus6_real gram[6][6];
+    remus6_real z[6];
+    remus6_real trace = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < i + 1; ++j) {
+            gram[i][j] = 0.0;
+            for (int k = 0; k < REMUS6_N; ++k) {
+                gram[i][j] += work.W[i][k] * work.W[j][k];
+            }
+        }
+        trace += gram[i][i];
+        z[i] = work.r[i];
+    }
+    const remus6_real lambda2 = options->damping * options->damping * trace;  /* damping, squared */
+    for (int i = 0; i < 6; ++i) {
+        gram[i][i] += lambda2;
+    }
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        if (!(gram[j][j] > 1.0e-26)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        gram[j][j] = remus6_sqrt(gram[j][j]);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < i; ++k) {
+            z[i] -= gram[i][k] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_real y = 0.0;
+        for (int k = 0; k < 6; ++k) {
+            y += work.W[k][s] * z[k];
+        }
+        phi_ddot[s] = y * work.scale[s];
+    }
+    return REMUS6_OK;
+}
+
 /* reading of one sensor. */
 REMUS6_CODE
 static void remus6_sense(const remus6_sensor *sensor, const remus6_real r[3], const remus6_real V[6],
@@ -1603,6 +2275,59 @@ remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitud
     attitude[1] = c_psi * c_theta * s_phi - c_phi * s_psi * s_theta;
     attitude[2] = c_phi * c_psi * s_theta + c_theta * s_phi * s_psi;
     attitude[3] = c_phi * c_theta * s_psi - c_psi * s_phi * s_theta;
+    return REMUS6_OK;
+}
+
+/* (10) */
+REMUS6_CODE
+remus6_status remus6_target(const remus6_real position[3], const remus6_real angles[3],
+                            const remus6_real q_dot[6], const remus6_real q_ddot[6], remus6_state *x,
+                            remus6_real V_dot[6])
+{
+    remus6_status status = remus6_within(position, 3, REMUS6_MAX_POSITION);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(q_dot, 6, REMUS6_MAX_SPEED);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(q_ddot, 6, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real attitude[4];
+    remus6_real C[9];
+    remus6_real v[3];  /* C^T r' */
+    remus6_real a[3];  /* C^T r'' */
+    remus6_real omega[3];  /* B (psi', theta', phi') */
+    status = remus6_quaternion(angles, attitude);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real s_theta, c_theta;
+    remus6_sincos(angles[1], &s_theta, &c_theta);
+    remus6_real s_phi, c_phi;
+    remus6_sincos(angles[2], &s_phi, &c_phi);
+    const remus6_real singular = c_theta;
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return REMUS6_SINGULAR_ATTITUDE; }
+    remus6_rotation(attitude, C);
+    v[0] = C[0] * q_dot[0] + C[3] * q_dot[1] + C[6] * q_dot[2];
+    v[1] = C[1] * q_dot[0] + C[4] * q_dot[1] + C[7] * q_dot[2];
+    v[2] = C[2] * q_dot[0] + C[5] * q_dot[1] + C[8] * q_dot[2];
+    a[0] = C[0] * q_ddot[0] + C[3] * q_ddot[1] + C[6] * q_ddot[2];
+    a[1] = C[1] * q_ddot[0] + C[4] * q_ddot[1] + C[7] * q_ddot[2];
+    a[2] = C[2] * q_ddot[0] + C[5] * q_ddot[1] + C[8] * q_ddot[2];
+    omega[0] = q_dot[5] - q_dot[3] * s_theta;
+    omega[1] = q_dot[3] * c_theta * s_phi + q_dot[4] * c_phi;
+    omega[2] = q_dot[3] * c_phi * c_theta - q_dot[4] * s_phi;
+    /* V* = A q'' + D q': v* = C^T r'' - omega x v */
+    V_dot[0] = v[1] * omega[2] + a[0] - v[2] * omega[1];
+    V_dot[1] = v[2] * omega[0] + a[1] - v[0] * omega[2];
+    V_dot[2] = v[0] * omega[1] + a[2] - v[1] * omega[0];
+    V_dot[3] = q_ddot[5] - q_ddot[3] * s_theta - q_dot[3] * c_theta * q_dot[4];
+    V_dot[4] = q_ddot[3] * c_theta * s_phi + q_ddot[4] * c_phi
+        + q_dot[3] * (c_phi * c_theta * q_dot[5] - s_phi * s_theta * q_dot[4]) - q_dot[4] * q_dot[5] * s_phi;
+    V_dot[5] = q_ddot[3] * c_phi * c_theta
+        + q_dot[3] * (-c_phi * s_theta * q_dot[4] - c_theta * q_dot[5] * s_phi) - q_ddot[4] * s_phi
+        - q_dot[4] * c_phi * q_dot[5];
+    x->position[0] = position[0];  x->position[1] = position[1];  x->position[2] = position[2];
+    x->attitude[0] = attitude[0];  x->attitude[1] = attitude[1];  x->attitude[2] = attitude[2];
+    x->attitude[3] = attitude[3];
+    x->V[0] = v[0];      x->V[3] = omega[0];  x->V[1] = v[1];
+    x->V[4] = omega[1];  x->V[2] = v[2];      x->V[5] = omega[2];
     return REMUS6_OK;
 }
 
@@ -2409,4 +3134,13 @@ const remus6_table remus6_default =
         {   5,    1,     7,   -3.18 },
         {   5,    5,    11,   -94.0 },
     },
+};
+
+REMUS6_CONST
+const remus6_inverse_options remus6_default_options =
+{
+    .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .near = 1.0e-6,
+    .damping = 0.0,
 };

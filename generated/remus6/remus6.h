@@ -1,5 +1,5 @@
 /* remus6.h: motion of the stand "remus6": carrier, 1 instrument, 6 flywheels.
- * mahovik 0.1.0; structure 7b01c6fe, physics 35f5a308. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 7b01c6fe, physics a90ecc69. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 #define REMUS6_STRUCTURE 0x7b01c6feu  /* of the stand: names, counts, kinds of wrench */
-#define REMUS6_PHYSICS   0x35f5a308u  /* of the stand: structure and all numbers */
+#define REMUS6_PHYSICS   0xa90ecc69u  /* of the stand: structure and all numbers */
 
 typedef double remus6_real;
 
@@ -244,8 +244,29 @@ typedef struct remus6_inverse_result {
     remus6_real hardest[6];          /* wrench of unit size in the norm of K^-1 that is hardest to give */
 } remus6_inverse_result;
 
+/* Derivatives of coupled. */
+typedef struct remus6_coupled_slopes {
+    remus6_real V_dot_V[6][6];                         /* of V* by V: row i, column j */
+    remus6_real V_dot_phi[6][REMUS6_N];                /* of V* by the phases */
+    remus6_real V_dot_phi_dot[6][REMUS6_N];            /* by the speeds */
+    remus6_real V_dot_tau[6][REMUS6_N];                /* by the drive torques */
+    remus6_real phi_ddot_V[REMUS6_N][6];               /* of phi'' by V: row s, column j */
+    remus6_real phi_ddot_phi[REMUS6_N][REMUS6_N];      /* of phi'' by the phases */
+    remus6_real phi_ddot_phi_dot[REMUS6_N][REMUS6_N];  /* by the speeds */
+    remus6_real phi_ddot_tau[REMUS6_N][REMUS6_N];      /* by the drive torques */
+} remus6_coupled_slopes;
+
+/* Derivatives of forward. */
+typedef struct remus6_forward_slopes {
+    remus6_real V_dot_V[6][6];                /* of V* by V: row i, column j */
+    remus6_real V_dot_phi[6][REMUS6_N];       /* of V* by the phases */
+    remus6_real V_dot_phi_dot[6][REMUS6_N];   /* by the speeds */
+    remus6_real V_dot_phi_ddot[6][REMUS6_N];  /* by the accelerations */
+} remus6_forward_slopes;
+
 extern const remus6_parameters remus6_default_parameters;         /* of the stand file */
 extern const remus6_table remus6_default;                         /* what prepare makes of them */
+extern const remus6_inverse_options remus6_default_options;       /* of inverse, by the stand file */
 
 /* ---- functions ---- */
 
@@ -339,12 +360,36 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next);
 
+/* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[6]  rad/s2; flywheel accelerations
+ *   out          out: derivatives of V*
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 11526 operations on reals, 26 of them divisions. */
+remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
+                                      const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out);
+
+/* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[6]     N m; drive torques, mount on flywheel
+ *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   out        out: derivatives of V* and phi''
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 21419 operations on reals, 52 of them divisions. */
+remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
+                                      const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                      remus6_coupled_slopes *out);
+
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi'', (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; the default is in the source
+ *   options   weights, limits, damping; default_options has those of the stand
  *   out       out: phi_ddot and how good it is
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
@@ -352,6 +397,23 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
  * At most 28502 operations on reals, 322 of them divisions. */
 remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
+
+/* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
+ * equations, (12).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
+ *   options      weights and damping; near and limits are not read
+ *   phi_ddot[6]  out: rad/s2; flywheel accelerations
+ * Squares the condition: as good as inverse where singular values are within some thousands of one
+ * another;
+ * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 3539 operations on reals, 55 of them divisions. */
+remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state *x,
+                                  const remus6_real V_dot[6], const remus6_inverse_options *options,
+                                  remus6_real phi_ddot[REMUS6_N]);
 
 /* measure: what an accelerometer and a gyro read at each instrument and point.
  *   stand     the prepared table
@@ -369,6 +431,19 @@ remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, c
  * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4]);
+
+/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+ *   position[3]  m; of O1, in E0
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   q_dot[6]     m/s, rad/s; rates of position and of the angles
+ *   q_ddot[6]    m/s2, rad/s2; their rates
+ *   x            in and out: its position, attitude and V are written; phases stay
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * At most 465 operations on reals, 1 of them a division. */
+remus6_status remus6_target(const remus6_real position[3], const remus6_real angles[3],
+                            const remus6_real q_dot[6], const remus6_real q_ddot[6], remus6_state *x,
+                            remus6_real V_dot[6]);
 
 /* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).

@@ -1,5 +1,5 @@
 /* sat4.h: motion of the stand "sat4": carrier, 0 instruments, 4 flywheels.
- * mahovik 0.1.0; structure b82f7f7b, physics 939478ee. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure b82f7f7b, physics 3728bc60. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 #define SAT4_STRUCTURE 0xb82f7f7bu  /* of the stand: names, counts, kinds of wrench */
-#define SAT4_PHYSICS   0x939478eeu  /* of the stand: structure and all numbers */
+#define SAT4_PHYSICS   0x3728bc60u  /* of the stand: structure and all numbers */
 
 typedef double sat4_real;
 
@@ -200,8 +200,29 @@ typedef struct sat4_inverse_result {
     sat4_real hardest[6];        /* wrench of unit size in the norm of K^-1 that is hardest to give */
 } sat4_inverse_result;
 
+/* Derivatives of coupled. */
+typedef struct sat4_coupled_slopes {
+    sat4_real V_dot_V[6][6];                     /* of V* by V: row i, column j */
+    sat4_real V_dot_phi[6][SAT4_N];              /* of V* by the phases */
+    sat4_real V_dot_phi_dot[6][SAT4_N];          /* by the speeds */
+    sat4_real V_dot_tau[6][SAT4_N];              /* by the drive torques */
+    sat4_real phi_ddot_V[SAT4_N][6];             /* of phi'' by V: row s, column j */
+    sat4_real phi_ddot_phi[SAT4_N][SAT4_N];      /* of phi'' by the phases */
+    sat4_real phi_ddot_phi_dot[SAT4_N][SAT4_N];  /* by the speeds */
+    sat4_real phi_ddot_tau[SAT4_N][SAT4_N];      /* by the drive torques */
+} sat4_coupled_slopes;
+
+/* Derivatives of forward. */
+typedef struct sat4_forward_slopes {
+    sat4_real V_dot_V[6][6];              /* of V* by V: row i, column j */
+    sat4_real V_dot_phi[6][SAT4_N];       /* of V* by the phases */
+    sat4_real V_dot_phi_dot[6][SAT4_N];   /* by the speeds */
+    sat4_real V_dot_phi_ddot[6][SAT4_N];  /* by the accelerations */
+} sat4_forward_slopes;
+
 extern const sat4_parameters sat4_default_parameters;             /* of the stand file */
 extern const sat4_table sat4_default;                             /* what prepare makes of them */
+extern const sat4_inverse_options sat4_default_options;           /* of inverse, by the stand file */
 
 /* ---- functions ---- */
 
@@ -285,12 +306,35 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
 sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
+/* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[4]  rad/s2; flywheel accelerations
+ *   out          out: derivatives of V*
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 5996 operations on reals, 19 of them divisions. */
+sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
+                                  const sat4_real phi_ddot[SAT4_N], sat4_forward_slopes *out);
+
+/* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[4]     N m; drive torques, mount on flywheel
+ *   locked[4]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   out        out: derivatives of V* and phi''
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 13657 operations on reals, 38 of them divisions. */
+sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+                                  const int locked[SAT4_N], sat4_coupled_slopes *out);
+
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi'', (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; the default is in the source
+ *   options   weights, limits, damping; default_options has those of the stand
  *   out       out: phi_ddot and how good it is
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
@@ -298,6 +342,22 @@ sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const
  * At most 24280 operations on reals, 319 of them divisions. */
 sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
+
+/* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
+ * equations, (12).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
+ *   options      weights and damping; near and limits are not read
+ *   phi_ddot[4]  out: rad/s2; flywheel accelerations
+ * Squares the condition: as good as inverse where singular values are within some thousands of one
+ * another;
+ * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 2346 operations on reals, 39 of them divisions. */
+sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                              const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
 /* measure: what an accelerometer and a gyro read at each instrument and point.
  *   stand     the prepared table
@@ -315,6 +375,18 @@ sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat
  * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
+
+/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+ *   position[3]  m; of O1, in E0
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   q_dot[6]     m/s, rad/s; rates of position and of the angles
+ *   q_ddot[6]    m/s2, rad/s2; their rates
+ *   x            in and out: its position, attitude and V are written; phases stay
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * At most 465 operations on reals, 1 of them a division. */
+sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], const sat4_real q_dot[6],
+                        const sat4_real q_ddot[6], sat4_state *x, sat4_real V_dot[6]);
 
 /* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).

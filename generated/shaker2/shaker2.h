@@ -1,5 +1,5 @@
 /* shaker2.h: motion of the stand "shaker2": carrier, 0 instruments, 2 flywheels.
- * mahovik 0.1.0; structure f884db42, physics 96a03d11. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure f884db42, physics 56814717. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 #define SHAKER2_STRUCTURE 0xf884db42u  /* of the stand: names, counts, kinds of wrench */
-#define SHAKER2_PHYSICS   0x96a03d11u  /* of the stand: structure and all numbers */
+#define SHAKER2_PHYSICS   0x56814717u  /* of the stand: structure and all numbers */
 
 typedef double shaker2_real;
 
@@ -183,8 +183,29 @@ typedef struct shaker2_inverse_result {
     shaker2_real hardest[6];           /* wrench of unit size in the norm of K^-1 that is hardest to give */
 } shaker2_inverse_result;
 
+/* Derivatives of coupled. */
+typedef struct shaker2_coupled_slopes {
+    shaker2_real V_dot_V[6][6];                           /* of V* by V: row i, column j */
+    shaker2_real V_dot_phi[6][SHAKER2_N];                 /* of V* by the phases */
+    shaker2_real V_dot_phi_dot[6][SHAKER2_N];             /* by the speeds */
+    shaker2_real V_dot_tau[6][SHAKER2_N];                 /* by the drive torques */
+    shaker2_real phi_ddot_V[SHAKER2_N][6];                /* of phi'' by V: row s, column j */
+    shaker2_real phi_ddot_phi[SHAKER2_N][SHAKER2_N];      /* of phi'' by the phases */
+    shaker2_real phi_ddot_phi_dot[SHAKER2_N][SHAKER2_N];  /* by the speeds */
+    shaker2_real phi_ddot_tau[SHAKER2_N][SHAKER2_N];      /* by the drive torques */
+} shaker2_coupled_slopes;
+
+/* Derivatives of forward. */
+typedef struct shaker2_forward_slopes {
+    shaker2_real V_dot_V[6][6];                 /* of V* by V: row i, column j */
+    shaker2_real V_dot_phi[6][SHAKER2_N];       /* of V* by the phases */
+    shaker2_real V_dot_phi_dot[6][SHAKER2_N];   /* by the speeds */
+    shaker2_real V_dot_phi_ddot[6][SHAKER2_N];  /* by the accelerations */
+} shaker2_forward_slopes;
+
 extern const shaker2_parameters shaker2_default_parameters;       /* of the stand file */
 extern const shaker2_table shaker2_default;                       /* what prepare makes of them */
+extern const shaker2_inverse_options shaker2_default_options;     /* of inverse, by the stand file */
 
 /* ---- functions ---- */
 
@@ -279,12 +300,36 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
 
+/* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[2]  rad/s2; flywheel accelerations
+ *   out          out: derivatives of V*
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 4009 operations on reals, 17 of them divisions. */
+shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker2_state *x,
+                                        const shaker2_real phi_ddot[SHAKER2_N], shaker2_forward_slopes *out);
+
+/* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
+ *   stand      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[2]     N m; drive torques, mount on flywheel
+ *   locked[2]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   out        out: derivatives of V* and phi''
+ * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * At most 8038 operations on reals, 31 of them divisions. */
+shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker2_state *x,
+                                        const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
+                                        shaker2_coupled_slopes *out);
+
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi'', (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; the default is in the source
+ *   options   weights, limits, damping; default_options has those of the stand
  *   out       out: phi_ddot and how good it is
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
@@ -294,12 +339,42 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
 
+/* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
+ * equations, (12).
+ *   stand        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
+ *   options      weights and damping; near and limits are not read
+ *   phi_ddot[2]  out: rad/s2; flywheel accelerations
+ * Squares the condition: as good as inverse where singular values are within some thousands of one
+ * another;
+ * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 1836 operations on reals, 32 of them divisions. */
+shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_state *x,
+                                    const shaker2_real V_dot[6], const shaker2_inverse_options *options,
+                                    shaker2_real phi_ddot[SHAKER2_N]);
+
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
+
+/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+ *   position[3]  m; of O1, in E0
+ *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
+ *   q_dot[6]     m/s, rad/s; rates of position and of the angles
+ *   q_ddot[6]    m/s2, rad/s2; their rates
+ *   x            in and out: its position, attitude and V are written; phases stay
+ *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * At most 465 operations on reals, 1 of them a division. */
+shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real angles[3],
+                              const shaker2_real q_dot[6], const shaker2_real q_ddot[6], shaker2_state *x,
+                              shaker2_real V_dot[6]);
 
 /* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
