@@ -6,6 +6,8 @@ components: V and V* as model.md has them, without conversion.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pinocchio as pin
 
@@ -35,7 +37,7 @@ class PinocchioJudge:
         self.stand = stand
         self.model = pin.Model()
         self.model.gravity.linear = np.array(stand.gravity)
-        self._places = {}  # on the carrier: of the carrier and the instruments
+        self._places: dict[str, Any] = {}  # on the carrier: of the carrier and the instruments
         self._fixed = []
         for body in tree(stand):
             place = pin.SE3(body.axes, body.position)

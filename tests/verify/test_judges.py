@@ -1,0 +1,108 @@
+"""Outside judges: they agree with the C on stands without fluid, refuse the others, and catch what is wrong."""
+
+from __future__ import annotations
+
+import builtins
+import json
+import sys
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cli.run import AUV6, DEMO3, refused, run
+from mahovik.stand import Stand, load
+from mahovik.stand.random import BARE, random_stand
+from mahovik.stands import path
+from mahovik.verify.draw import draw
+from mahovik.verify.judges import compare
+from mahovik.verify.judges.compare import JUDGES, MOTION, QUANTITIES, load_judges, near, verify_judges
+from mahovik.verify.judges.rigid import missing, stripped, tree
+from mahovik.verify.report import conclusion
+
+DEMO = load(path("demo3"))
+FEATURES = replace(BARE, gravity=True, instruments=2, points=2, wrench_inputs=True)
+STANDS = {name: stripped(load(path(name))) for name in ("bench8", "sat4", "remus6", "auv6")} | {
+    f"random, {N}": random_stand(np.random.default_rng(N), N, FEATURES) for N in (0, 1, 7)
+}
+
+
+@pytest.mark.parametrize("name", STANDS)
+def test_they_agree_on_everything(name: str) -> None:
+    found = verify_judges(STANDS[name], count=14)
+    assert found.passed, conclusion(found)
+    assert {row.want for row in found.rows} == set(JUDGES)
+    assert {row.quantity for row in found.rows} == {*QUANTITIES.values(), MOTION}
+    assert all(row.states for row in found.rows)
+
+
+def test_what_they_have_not_is_refused_by_name() -> None:
+    words = refused("verify", AUV6, "--judges")
+    for feature in ("carrier: added_mass", "carrier: buoyancy", "carrier: damping", "stream"):
+        assert feature in words
+    assert missing(STANDS["auv6"]) == []
+    assert missing(load(path("shaker2"))) == ["suspension"]
+    assert "mass" in refused_stand(replace(DEMO, carrier=massless(DEMO.carrier), flywheels=()))
+
+
+def massless(body: Any) -> Any:
+    return replace(body, mass=0.0, inertia=((0.0,) * 3,) * 3)
+
+
+def refused_stand(stand: Stand) -> str:
+    with pytest.raises(compare.UsageError) as caught:
+        load_judges(stand)
+    return str(caught.value)
+
+
+def test_a_judge_that_is_not_installed_is_one_line_with_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    real = builtins.__import__
+
+    def without(name: str, *given: Any, **more: Any) -> Any:
+        if name == "pinocchio":
+            raise ModuleNotFoundError("No module named 'pinocchio'", name="pinocchio")
+        return real(name, *given, **more)
+
+    monkeypatch.delitem(sys.modules, "mahovik.verify.judges.pinocchio_judge", raising=False)
+    monkeypatch.setattr(builtins, "__import__", without)
+    (line,) = refused("verify", DEMO3, "--judges").splitlines()
+    assert "pip install pin mujoco" in line
+
+
+def test_the_command_prints_their_table() -> None:
+    result = run("verify", DEMO3, "--judges", "--states", "4", "--json")
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    assert found["passed"]
+    assert all(name in found["judged"] for name in JUDGES)
+    assert {row["tolerance"] for row in found["rows"]} == {1e-12, 1e-10}
+    assert "joint forces" in run("verify", DEMO3, "--judges", "--states", "2").stdout
+    assert "not with" in refused("verify", DEMO3, "--judges", "--with", "cat")
+
+
+@pytest.mark.parametrize("change", ["inertia", "center_of_mass", "position", "axes"])
+def test_a_wrong_model_is_caught_by_both(change: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One number of the last flywheel, in what the judges are given, wrong in the ninth digit."""
+
+    def wrong(stand: Stand) -> Any:
+        *others, last = tree(stand)
+        turn = np.array([[1.0, -1e-9, 0.0], [1e-9, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        name = {"center_of_mass": "center"}.get(change, change)
+        old = getattr(last, name)
+        new = old @ turn if change == "axes" else old * (1 + 1e-9)
+        return (*others, replace(last, **{name: new}))
+
+    from mahovik.verify.judges import mujoco_judge, pinocchio_judge
+
+    for module in (mujoco_judge, pinocchio_judge):
+        monkeypatch.setattr(module, "tree", wrong)
+    failures = verify_judges(STANDS["random, 1"], count=8).failures
+    assert {row.want for row in failures} == set(JUDGES)
+
+
+def test_only_the_position_of_a_state_is_moved_near() -> None:
+    for _, state in draw(DEMO, 1, 27):
+        moved = near(state)
+        assert np.linalg.norm(moved.position) <= 10.0 + 1e-9
+        assert replace(moved, position=state.position) == state

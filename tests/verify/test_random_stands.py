@@ -1,0 +1,38 @@
+"""Three ways on stands that nobody chose, and on the example stands: compiled C, reference, second derivation."""
+
+from __future__ import annotations
+
+import pytest
+
+from mahovik.stand import Stand, load
+from mahovik.stands import names, path
+from mahovik.verify.campaign import COUNTS, random_stands, verify_random
+from mahovik.verify.report import conclusion
+
+STANDS = (*random_stands(len(COUNTS)), *(load(path(name)) for name in names()))
+STATES = 13  # at rest, four of the extreme kinds, ordinary ones with and without run-time wrenches
+
+BOTH = {("momentum", "energy"), ("forward", "V_dot"), ("torque", "tau"), ("coupled", "V_dot"), ("points", "points")}
+
+
+def test_the_counts_that_matter_are_there() -> None:
+    assert {0, 1, 5, 6, 7, 12, 64} <= {len(stand.flywheels) for stand in STANDS}
+    assert {stand.angles for stand in STANDS} == {"ship", "aircraft", "euler"}
+    assert any(stand.stream for stand in STANDS)
+    assert any(s.mount != "carrier" for stand in STANDS for s in stand.flywheels)
+
+
+@pytest.mark.parametrize("stand", STANDS, ids=lambda stand: f"{stand.name}, {len(stand.flywheels)}")
+def test_three_ways_agree(stand: Stand) -> None:
+    found = verify_random(stand, STATES)
+    assert found.passed, conclusion(found)
+    three = {(row.want, row.quantity): row for row in found.rows if row.second is not None}
+    assert set(three) >= BOTH
+    assert all(row.states and row.between is not None for row in three.values())
+    if stand.flywheels:
+        assert {"phi_ddot", "residual"} <= {row.quantity for row in found.rows if row.want == "inverse"}
+
+
+def test_the_campaign_is_the_same_every_time_and_each_stand_another() -> None:
+    assert [*random_stands(4)] == [*random_stands(12)][:4]
+    assert len(set(random_stands(12))) == 12

@@ -1,0 +1,130 @@
+"""Of three that evaluate a state, the one that stands alone is named: whichever it is, and when there is none."""
+
+from __future__ import annotations
+
+import json
+import math
+import xml.etree.ElementTree as ET
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik import reference
+from mahovik.errors import StateError
+from mahovik.second import Second
+from mahovik.stand import State, load
+from mahovik.stands import path
+from mahovik.verify import compare
+from mahovik.verify.backends import NumpyBackend
+from mahovik.verify.compare import Row, Three
+from mahovik.verify.draw import draw
+from mahovik.verify.harness import judge, report
+from mahovik.verify.report import as_json, as_junit, conclusion, worst_lines
+from mahovik.verify.states import read_line
+
+DEMO = load(path("demo3"))
+
+
+def off(values: dict[str, Any], by: float) -> dict[str, Any]:
+    """V_dot wrong by a part."""
+    return values | ({"V_dot": np.asarray(values["V_dot"]) * (1 + by)} if "V_dot" in values else {})
+
+
+class Judged(NumpyBackend):
+    """The reference as what is judged, wrong by a part of V_dot, or refusing."""
+
+    def __init__(self, by: float = 0.0) -> None:
+        super().__init__(DEMO)
+        self._real, self._by = reference.evaluate, by
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        if math.isnan(self._by):
+            raise StateError("too fast")
+        return off(self._real(DEMO, state, want), self._by)
+
+
+class Other(Second):
+    """The second derivation, likewise."""
+
+    def __init__(self, by: float = 0.0) -> None:
+        super().__init__(DEMO)
+        self._by = by
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        if math.isnan(self._by):
+            raise StateError("no such sum")
+        return off(super().evaluate(state, want), self._by)
+
+
+def rows(judged: float = 0.0, second: float = 0.0) -> dict[str, Row]:
+    found = judge(DEMO, Judged(judged), draw(DEMO, 1, 9), ("forward", "momentum", "mounts"), second=Other(second))
+    return {row.quantity: row for row in found}
+
+
+def test_where_all_agree_nobody_stands_alone() -> None:
+    found = rows()
+    assert {row.verdict for row in found.values()} == {"ok"}
+    assert {row.disagreement for row in found.values()} == {""}
+    assert found["V_dot"].second is not None
+    assert found["mount_wrench"].second is None  # the second derivation has no such want
+
+
+def test_judged_alone() -> None:
+    row = rows(judged=1e-6)["V_dot"]
+    assert row.failed
+    assert row.disagreement == "reference and second agree, C differs"
+    assert row.worst > 1e-9 > (row.second or 0.0)
+
+
+def test_second_alone() -> None:
+    found = rows(second=1e-6)
+    row = found["V_dot"]
+    assert row.failed
+    assert row.disagreement == "C and reference agree, second differs"
+    assert row.worst == 0.0
+    assert not found["energy"].failed
+
+
+def test_reference_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    backend, right = Judged(), reference.evaluate
+    monkeypatch.setattr(compare.reference, "evaluate", lambda *given: off(right(*given), 1e-6))
+    (row,) = judge(DEMO, backend, draw(DEMO, 1, 9), ("forward",), second=Second(DEMO))
+    assert row.failed
+    assert row.disagreement == "C and second agree, reference differs"
+
+
+def test_no_two_agree() -> None:
+    row = rows(judged=1e-6, second=-1e-6)["V_dot"]
+    assert row.disagreement == "no two agree"
+
+
+def test_refusals_of_one_or_two() -> None:
+    row = rows(judged=math.nan)["V_dot"]
+    assert (row.disagreement, row.reason) == ("reference and second agree, C differs", "refused: too fast")
+    row = rows(second=math.nan)["V_dot"]
+    assert row.disagreement == "C and reference agree, second differs"
+    assert row.reason == "second derivation refused: no such sum"
+    row = rows(judged=math.nan, second=math.nan)["V_dot"]
+    assert row.disagreement == "C and second agree, reference differs"
+    assert "too fast" in row.reason
+    assert "no such sum" in row.reason
+
+
+def test_the_nearest_pair_is_taken_to_agree() -> None:
+    assert Three(3e-12, 2e-12, 1e-13).alone(1e-12, "C") == "C and second agree, reference differs"
+    assert Three(3e-12, 2e-12, 2e-12).alone(1e-12, "C") == "no two agree"
+
+
+def test_the_verdict_is_in_every_report() -> None:
+    found = report(DEMO, "generated C", 1, 9, 1e-12, [*rows(second=1e-6).values()])
+    assert conclusion(found) == "FAILED: V_dot"
+    table = {row["quantity"]: row for row in json.loads(as_json(found), parse_constant=pytest.fail)["rows"]}
+    assert table["V_dot"]["second"] > 1e-9
+    assert table["V_dot"]["between"] > 1e-9
+    assert table["V_dot"]["disagreement"] == "C and reference agree, second differs"
+    assert table["mount_wrench"]["second"] is None
+    failure = next(ET.fromstring(as_junit(found)).iter("failure"))
+    assert "second differs" in (failure.get("message") or "")
+    assert read_line(DEMO, worst_lines(found).splitlines()[0]).want == ("forward",)
