@@ -1,0 +1,252 @@
+"""The invariants of model.md that one state can show, over random stands that shrink to a small stand file."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, find, given, settings
+from hypothesis import strategies as st
+
+from mahovik.reference import evaluate, pieces
+from mahovik.reference.torque import flywheel_acceleration
+from mahovik.stand import loads
+from mahovik.stand.model import Instrument, MountingAngles
+from mahovik.verify.scales import scales
+from physics.general import isolated, without_added_mass, without_wrench
+from physics.motions import vec
+from physics.test_invariance import redescribed, redescribed_state
+from strategies import stands, states
+
+PROPERTY = settings(
+    max_examples=12,
+    deadline=None,
+    derandomize=True,
+    database=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
+)
+ROUNDING = 1e-11
+"""Of the natural scale: some hundred operations on either side of an identity."""
+
+
+@st.composite
+def cases(draw, low=0, high=5, **has):
+    """A stand and an ordinary state of it."""
+    stand = draw(stands(low, high, **has))
+    return stand, draw(states(stand))
+
+
+def near(found, expected, scale, times=1.0):
+    """Within rounding of the scale, element by element."""
+    off = np.abs(np.asarray(found, dtype=float) - np.asarray(expected, dtype=float))
+    allowed = times * ROUNDING * np.maximum(np.asarray(scale, dtype=float), 1e-280)
+    assert np.all(off <= allowed), (off / allowed).max()
+
+
+def scale(stand, state, want):
+    return scales(stand, state, pieces(stand, state), want)
+
+
+def value(stand, state, want, name):
+    return evaluate(stand, state, [want])[name]
+
+
+def of_a_motion(stand, state):
+    """The state with V* by (8) and tau of it."""
+    state = replace(state, V_dot=vec(value(stand, state, "forward", "V_dot")))
+    return replace(state, tau=vec(value(stand, state, "torque", "tau")))
+
+
+@PROPERTY
+@given(case=cases(stream=False))
+def test_power_is_the_rate_of_energy(case, shown):
+    """tau^T phi' + sum P_k . V_k = dT/dt, body by body."""
+    stand, state = case
+    shown(stand, state)
+    state = of_a_motion(stand, state)
+    at, V_dot = pieces(stand, state), np.array(state.V_dot)
+    work = [t * w for t, w in zip(state.tau, state.phi_dot, strict=True)]
+    work += [at.P[k.body.name] @ k.twist(at.V) for k in (*at.fixed, *at.flywheels)]
+    laws = at.F - sum((k.L @ at.P[k.body.name] for k in (*at.fixed, *at.flywheels)), np.zeros(6))
+    work.append(laws @ at.V)  # suspension and legs
+    rates = [at.V @ sum(p.Lambda for p in at.fixed) @ V_dot]
+    rates += [p.twist(at.V) @ p.Theta @ p.twist(V_dot) for p in at.fixed]
+    for s, phi_ddot in zip(at.flywheels, state.phi_ddot, strict=True):
+        rates.append(s.twist(at.V) @ s.Theta @ flywheel_acceleration(s, at.V, V_dot, phi_ddot))
+    size = max(map(abs, [*work, *rates])) + float(np.abs(at.F) @ np.abs(at.V))
+    size += float(np.abs(scale(stand, state, "forward")["V_dot"]) @ np.abs(at.K) @ np.abs(at.V))
+    near(sum(rates), sum(work), size)
+
+
+@PROPERTY
+@given(case=cases(stream=False))
+def test_free_stand_keeps_momentum(case, shown):
+    """Z* + Phi Z = 0 without external wrench, whatever drives the flywheels: Z in E0 is constant."""
+    stand, state = case
+    shown(stand, state)
+    stand, state = isolated(stand), without_wrench(state)
+    at = pieces(stand, state)
+    V_dot = value(stand, state, "forward", "V_dot")
+    acceleration = np.array(state.phi_ddot)
+    total = at.K @ V_dot + at.M @ at.V + at.I @ acceleration + at.J @ at.phi_dot
+    near(at.F, np.zeros(6), 1.0)
+    near(total, np.zeros(6), np.abs(at.K) @ scale(stand, state, "forward")["V_dot"])
+
+
+@PROPERTY
+@given(case=cases(low=1), factor=st.sampled_from([0.5, 2.0, 8.0]))
+def test_equations_are_linear_in_mass_and_inertia(case, factor, shown):
+    """All masses and inertias times a factor: so are K, M, I, J; without wrenches nothing moves otherwise."""
+    stand, state = case
+    shown(stand, state)
+    stand, state = without_added_mass(isolated(stand)), without_wrench(state)
+
+    def heavier(body):
+        return replace(body, mass=body.mass * factor, inertia=tuple(vec(np.array(r) * factor) for r in body.inertia))
+
+    other = replace(
+        stand,
+        carrier=heavier(stand.carrier),
+        instruments=tuple(map(heavier, stand.instruments)),
+        flywheels=tuple(map(heavier, stand.flywheels)),
+    )
+    here, there = evaluate(stand, state, ["matrices"]), evaluate(other, state, ["matrices"])
+    for name, size in scale(stand, state, "matrices").items():
+        near(there[name] / factor, here[name], size)
+    size = scale(stand, state, "forward")["V_dot"]
+    near(value(other, state, "forward", "V_dot"), value(stand, state, "forward", "V_dot"), size)
+
+
+@PROPERTY
+@given(case=cases(low=1), factor=st.sampled_from([-1.0, 0.5, 4.0]))
+def test_free_motion_is_quadratic_in_velocities(case, factor, shown):
+    stand, state = case
+    shown(stand, state)
+    stand, state = isolated(replace(stand, stream=None)), without_wrench(state)
+    state = replace(state, phi_ddot=(0.0,) * len(stand.flywheels))
+    faster = replace(state, V=vec(np.array(state.V) * factor), phi_dot=vec(np.array(state.phi_dot) * factor))
+    here, there = (value(stand, s, "forward", "V_dot") for s in (state, faster))
+    near(there / factor**2, here, scale(stand, state, "forward")["V_dot"])
+
+
+@PROPERTY
+@given(case=cases(suspension=False, fluid=False), seed=st.integers(0, 2**16))
+def test_origin_and_axes_are_a_matter_of_choice(case, seed, shown):
+    stand, state = case
+    shown(stand, state)
+    rng = np.random.default_rng(seed)
+    from scipy.spatial.transform import Rotation
+
+    d, R = rng.uniform(-0.3, 0.3, 3), Rotation.from_rotvec(rng.uniform(-1, 1, 3)).as_matrix()
+    state = replace(state, wrench={"carrier": (0.0,) * 6, **state.wrench})
+    plain = replace(stand, carrier=with_plain_fluid(stand.carrier))
+    other, other_state = redescribed(plain, d, R), redescribed_state(plain, state, d, R)
+    for name in ("tau", "phi_ddot"):
+        want = {"tau": "torque", "phi_ddot": "coupled"}[name]
+        size = np.abs(scale(plain, state, want)[name]) + np.abs(scale(other, other_state, want)[name])
+        near(value(other, other_state, want, name), value(plain, state, want, name), size)
+    energies = [value(*one, "momentum", "energy") for one in ((plain, state), (other, other_state))]
+    near(*energies, scale(plain, state, "momentum")["energy"] + scale(other, other_state, "momentum")["energy"])
+
+
+def with_plain_fluid(carrier):
+    """With buoyancy and damping that do nothing, so that they can be redescribed."""
+    from mahovik.stand.model import Buoyancy, Damping
+
+    return replace(carrier, buoyancy=Buoyancy(0.0, (0.0, 0.0, 0.0)), damping=Damping(None, None, ()))
+
+
+@PROPERTY
+@given(case=cases(low=2))
+def test_the_order_of_flywheels_is_a_matter_of_choice(case, shown):
+    stand, state = case
+    shown(stand, state)
+    turned = replace(stand, flywheels=stand.flywheels[::-1])
+    lists = {name: getattr(state, name)[::-1] for name in ("phi", "phi_dot", "phi_ddot", "tau")}
+    other = replace(state, **lists)
+    size = scale(stand, state, "coupled")
+    here, there = evaluate(stand, state, ["coupled"]), evaluate(turned, other, ["coupled"])
+    near(there["V_dot"], here["V_dot"], size["V_dot"])
+    near(there["phi_ddot"][::-1], here["phi_ddot"], size["phi_ddot"])
+
+
+@PROPERTY
+@given(case=cases(low=1))
+def test_a_locked_flywheel_is_a_rigid_body(case, shown):
+    stand, state = case
+    shown(stand, state)
+    *others, last = stand.flywheels
+    last = replace(last, mount="carrier", mounting=MountingAngles(0.7, -0.3, 0.4))
+    stand = replace(stand, flywheels=(*others, last))
+    N = len(others)
+    state = replace(state, phi_dot=(*state.phi_dot[:N], 0.0), phi_ddot=(*state.phi_ddot[:N], 0.0))
+    fields = ("name", "mass", "center_of_mass", "inertia", "inertia_about", "buoyancy", "damping", "wrench_input")
+    given_ = {name: getattr(last, name) for name in fields}
+    angles = (0.7, -0.3, 0.4 + state.phi[-1])
+    body = Instrument(**given_, position=last.position, angles=angles, added_mass=None)
+    rigid = replace(stand, instruments=(*stand.instruments, body), flywheels=tuple(others))
+    kept = {name: getattr(state, name)[:N] for name in ("phi", "phi_dot", "phi_ddot", "tau")}
+    found = value(rigid, replace(state, **kept), "forward", "V_dot")
+    near(found, value(stand, state, "forward", "V_dot"), scale(stand, state, "forward")["V_dot"])
+
+
+@PROPERTY
+@given(case=cases())
+def test_both_forms_give_one_acceleration(case, shown):
+    """(8) and (11)."""
+    stand, state = case
+    shown(stand, state)
+    state = replace(state, quaternion=None, angles=(0.3, 0.8, -1.1))
+    found, size = evaluate(stand, state, ["generalized"]), scale(stand, state, "generalized")
+    V_dot = found["A"] @ found["q_ddot"] + found["D"] @ found["q_dot"]
+    near(V_dot, value(stand, state, "forward", "V_dot"), np.abs(found["A"]) @ size["q_ddot"] + np.abs(V_dot))
+
+
+@PROPERTY
+@given(case=cases(low=1, high=9))
+def test_inverse_returns_what_forward_was_given(case, shown):
+    """(12) inverts (8) in V*; where I has full column rank, in phi'' as well."""
+    stand, state = case
+    shown(stand, state)
+    asked = replace(state, V_dot=vec(value(stand, state, "forward", "V_dot")))
+    found = evaluate(stand, asked, ["inverse"])
+    if found["rank"] < min(6, len(state.phi)) or found["sigma"][-1] < 1e-4 * found["sigma"][0]:
+        return  # near singular: no property of digits
+    size = scale(stand, asked, "inverse")
+    near(found["residual"], np.zeros(6), size["residual"])
+    if len(state.phi) <= 6:
+        back = np.abs(np.linalg.pinv(pieces(stand, asked).I)) @ np.abs(size["residual"])
+        near(found["phi_ddot"], state.phi_ddot, size["phi_ddot"] + back, times=10)
+
+
+@PROPERTY
+@given(case=cases(low=1))
+def test_coupled_form_returns_the_motion_of_its_torque(case, shown):
+    stand, state = case
+    shown(stand, state)
+    state = of_a_motion(stand, state)
+    found, size = evaluate(stand, state, ["coupled"]), scale(stand, state, "coupled")
+    near(found["V_dot"], state.V_dot, size["V_dot"])
+    near(found["phi_ddot"], state.phi_ddot, size["phi_ddot"])
+
+
+def test_a_failure_shows_the_smallest_stand(shown, tmp_path_factory):
+    """Shrunk: what a property does not need is gone, and what is written reads back as that stand."""
+    stand, state = find(cases(low=0), lambda case: len(case[0].flywheels) >= 2, settings=PROPERTY)
+    assert len(stand.flywheels) == 2
+    assert (stand.instruments, stand.legs, stand.suspension, stand.stream) == ((), (), None, None)
+
+    @PROPERTY
+    @given(case=cases(low=0))
+    def fails(case):
+        shown(*case)
+        assert len(case[0].flywheels) < 2
+
+    with pytest.raises(AssertionError) as caught:
+        fails()
+    text = "\n".join(caught.value.__notes__)
+    assert "stand.toml" in text
+    printed = text.partition("beside it:\n")[2].partition("\n{")[0]
+    assert len(loads(printed).flywheels) == 2
+    assert state.phi_dot
