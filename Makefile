@@ -5,13 +5,14 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
-.PHONY: help demo test setup generated lint clean
+.PHONY: help demo test setup generated verify-campaign lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
 	@echo "make test       the same, then all tests"
 	@echo "make setup      virtual environment with everything in .venv (run .venv/bin/mahovik)"
 	@echo "make generated  write generated/ anew from the example stands"
+	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -36,6 +37,9 @@ $(READY): pyproject.toml constraints.txt
 generated: setup
 	@for stand in $(EXAMPLES); do \
 	  $(BIN)/mahovik generate generator/mahovik/stands/$$stand.toml -o generated/$$stand || exit 1; done
+
+verify-campaign: setup
+	$(BIN)/python tools/verify_campaign.py --stands 50
 
 lint: setup
 	$(BIN)/ruff check generator tests tools

@@ -85,13 +85,16 @@ def verify_judges(stand: Stand, *, seed: int = 1, count: int = 200, names: Seque
         for judge in judges:
             given = judge.evaluate(state)
             for key in QUANTITIES:
+                if _empty(given[key]):
+                    continue  # no flywheels, no points: nothing to agree on
                 off, reason = difference(own[key], given[key], natural[key])
                 rows[judge.name, key].note(off, request, reason)
     moved = [_motion_row(stand, backend, judge, seed) for judge in judges]
-    for row in (*rows.values(), *moved):
+    noted = [row for row in (*rows.values(), *moved) if row.states]
+    for row in noted:
         row.tolerance = row.tolerance or TOLERANCE["double"]
-        row.verdict = "ok" if row.states and row.worst <= row.tolerance else "FAILED"
-    ordered = [row for judge in judges for row in (*rows.values(), *moved) if row.want == judge.name]
+        row.verdict = "ok" if row.worst <= row.tolerance else "FAILED"
+    ordered = [row for judge in judges for row in noted if row.want == judge.name]
     who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
     return report(stand, f"generated C against {who}", seed, count, TOLERANCE["double"], ordered)
 
@@ -136,6 +139,10 @@ def natural_scales(stand: Stand, state: State) -> dict[str, Any]:
             **scales(stand, state, at, "mounts"),
             **scales(stand, state, at, "points"),
         }
+
+
+def _empty(value: Any) -> bool:
+    return not value if isinstance(value, dict) else np.size(value) == 0
 
 
 def _motion_row(stand: Stand, backend: CBackend, judge: OutsideJudge, seed: int) -> Row:
