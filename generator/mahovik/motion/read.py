@@ -55,8 +55,10 @@ def loads(
     problems = Problems(source)
     if not isinstance(document, dict):
         raise RegimeError([f"{source}: expected an object, found {show(document)}"])
-    if document.get("schema") != 1:
-        raise RegimeError([f"{source}: schema: expected 1, found {show(document.get('schema', 'nothing'))}"])
+    if "schema" not in document:
+        raise RegimeError([f"{source}: schema: required, but missing"])
+    if document["schema"] != 1:
+        raise RegimeError([f"{source}: schema: expected 1, found {show(document['schema'])}"])
     for key in document:
         if key not in _KEYS:
             problems.add(f'unknown key {show(key)}, did you mean "{nearest(key, list(_KEYS))}"?')

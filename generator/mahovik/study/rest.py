@@ -24,7 +24,8 @@ AT_REST = 1e-12
 FREE = 1e-8
 """Part of the largest stiffness (both per unit of mass) below which a direction counts as free."""
 
-MOST = 300  # iterations; some tens are usual
+MOST = 200  # iterations; some tens are usual
+_PUSHES = (0.05, -0.05, 0.5)  # m or rad
 _TURN, _SHIFT = 0.3, 0.1  # rad, m: longest step
 _DIFFERENCE = 1e-5  # m, rad: of the differences that give the stiffness
 
@@ -58,9 +59,10 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
 
 
 class _Search:
-    """Newton's method on the wrench, in coordinates in which the mass matrix is the unit matrix.
+    """Pseudo-transient continuation in coordinates in which the mass matrix is the unit matrix.
 
-    Negative stiffness is taken by magnitude, so that the search leaves unstable equilibria.
+    Steps of the implicit Euler method on dx/dT = wrench, (1/h + S) dx = wrench, with S the stiffness; h grows as the
+    wrench falls, until they are steps of Newton's method. So it follows the stand to a pose that is stable.
     """
 
     def __init__(self, stand: Stand, state: State) -> None:
@@ -70,43 +72,73 @@ class _Search:
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]
 
     def run(self) -> Rest:
-        """The equilibrium. Raises CheckError."""
-        stuck, last = 0, math.inf
+        """The equilibrium; an unstable one only where pushes lead to no other. Raises CheckError."""
         if self.stand.suspension is None and not self.stand.legs:
             at = self.at(self.state)  # no wrench here depends on the place: the force in E0 is the same everywhere
             if np.any(np.abs(self.acceleration(at))[:3] > self.tolerance(at)[:3]) and not self.balanced(at):
                 raise CheckError(self.reason(at))
+        found = self.first()
+        for size in _PUSHES if found.unstable else ():
+            self.state = self.pushed(size)
+            try:
+                other = self.settle(leave=True)
+            except CheckError:
+                break
+            if not other.unstable:
+                return other
+            self.state = found.state
+        return found
+
+    def first(self) -> Rest:
+        """The equilibrium that is reached from the start: a stable one, else any. Raises CheckError."""
+        start = self.state
+        try:
+            return self.settle(leave=True)
+        except CheckError:
+            self.state = start
+            return self.settle(leave=False)
+
+    def settle(self, leave: bool) -> Rest:
+        """The equilibrium reached from the present state; `leave`: not one it would leave. Raises CheckError."""
+        h, last, stuck, loose_before, carried = 0.0, math.inf, 0, math.inf, True
         for _ in range(MOST):
             at = self.at(self.state)
-            V_dot = self.acceleration(at)
-            S = self.stiffness()
-            values, U = np.linalg.eigh((S + S.T) / 2)
-            largest = float(np.abs(values).max())
-            soft = np.abs(values) <= FREE * largest
+            V_dot, S, pull = self.acceleration(at), self.stiffness(), self.scale @ (at.F - bias(at))
+            _, sizes, rows = np.linalg.svd(S)
+            soft = sizes <= FREE * sizes[0]
             if np.all(np.abs(V_dot) <= self.tolerance(at)):
-                return self.found(V_dot, values, U, soft)
-            pull = U.T @ (self.scale @ (at.F - bias(at)))
-            loose = float(np.abs(pull[soft]).max(initial=0.0))
-            scale = float(np.abs(pull).max())
-            carried = loose <= 1e-9 * (1.0 + scale)
-            stuck = stuck + 1 if not carried and math.isclose(loose, last, rel_tol=1e-3) else 0
-            last = loose
-            if largest == 0.0 or stuck > 12:
+                return self.found(V_dot, S, rows[soft])
+            norm = float(np.linalg.norm(pull))
+            loose = float(np.abs(np.linalg.svd(S)[0][:, soft].T @ pull).max(initial=0.0))  # what no stiffness takes up
+            carried = loose <= 1e-9 * (1.0 + norm)
+            stuck = stuck + 1 if not carried and math.isclose(loose, loose_before, rel_tol=1e-3) else 0
+            loose_before = loose
+            if sizes[0] == 0.0 or stuck > 12:
                 break
-            stiff = np.where(soft, np.inf if carried else FREE * largest, np.abs(values))
-            step = self.scale.T @ (U @ (pull / stiff))
+            h = 2.0 / sizes[0] if h == 0.0 else min(h * max(0.3, min(last / norm, 4.0)), 1e12 / sizes[0])
+            last = norm
+            least = float(np.linalg.eigvals(S).real.min())
+            if leave and least < -FREE * sizes[0]:
+                h = 0.5 / -least  # doubles the distance; more would lead back to what it must leave
+            step = self.scale.T @ np.linalg.solve(np.eye(6) / h + S, pull)
             if carried and np.abs(step).max() < 1e-3:
-                step = self.scale.T @ np.linalg.lstsq(S, self.scale @ (at.F - bias(at)), rcond=FREE)[0]
+                step = self.scale.T @ np.linalg.lstsq(S, pull, rcond=FREE)[0]
             if carried:
-                step = self.at_home(step, self.scale.T @ U[:, soft])
+                step = self.at_home(step, self.scale.T @ rows[soft].T)
             self.state = moved(self.state, at.C, limited(step))
-        raise CheckError(self.reason(self.at(self.state)))
+        at = self.at(self.state)
+        if carried:
+            most = np.abs(self.acceleration(at)).max()
+            raise CheckError(
+                f"{self.stand.name}: no static equilibrium found: V_dot is still {most:.3g} after {MOST} steps"
+            )
+        raise CheckError(self.reason(at))
 
-    def balanced(self, at: Pieces) -> bool:
-        """Is the force on the whole stand zero, to rounding?"""
-        bodies: tuple[Any, ...] = (*at.fixed, *at.flywheels)
-        sizes = sum(np.linalg.norm(w[:3]) for k in bodies for w in at.terms[k.body.name].values())
-        return bool(np.linalg.norm((at.F - bias(at))[:3]) <= 1e-14 * sizes)
+    def pushed(self, size: float) -> State:
+        """The state pushed along its most negative stiffness, by `size` (m or rad)."""
+        values, vectors = np.linalg.eig(self.stiffness())
+        direction = self.scale.T @ np.real(vectors[:, int(np.argmin(values.real))])
+        return moved(self.state, self.at(self.state).C, size / np.abs(direction).max() * direction)
 
     @staticmethod
     def at_home(step: Array, free: Array) -> Array:
@@ -114,6 +146,12 @@ class _Search:
         weight = np.array([1e3] * 3 + [1.0] * 3)
         spared = np.linalg.lstsq(weight[:, None] * free, weight * step, rcond=None)[0]
         return np.asarray(step - free @ spared)
+
+    def balanced(self, at: Pieces) -> bool:
+        """Is the force on the whole stand zero, to rounding?"""
+        bodies: tuple[Any, ...] = (*at.fixed, *at.flywheels)
+        sizes = sum(np.linalg.norm(w[:3]) for k in bodies for w in at.terms[k.body.name].values())
+        return bool(np.linalg.norm((at.F - bias(at))[:3]) <= 1e-14 * sizes)
 
     def at(self, state: State) -> Pieces:
         """The pieces of the equations at a state."""
@@ -149,11 +187,12 @@ class _Search:
         total = at.F - bias(at)
         return np.concatenate([C.T @ at.C @ total[:3], total[3:]])
 
-    def found(self, V_dot: Array, values: Array, U: Array, soft: Array) -> Rest:
-        """The result at the present state."""
-        free = tuple(cast(Vec6, _tuple(row)) for row in reduced((self.scale.T @ U[:, soft]).T))
+    def found(self, V_dot: Array, S: Array, soft: Array) -> Rest:
+        """The result at the present state; `soft`: its free directions (rows), scaled."""
+        free = tuple(cast(Vec6, _tuple(row)) for row in reduced(soft @ self.scale))
+        values = np.linalg.eigvals(S)
         least = -max(FREE * float(np.abs(values).max()), 1e-9)
-        return Rest(self.state, cast(Vec6, _tuple(V_dot)), free, bool(values.min() < least))
+        return Rest(self.state, cast(Vec6, _tuple(V_dot)), free, bool(values.real.min() < least))
 
     def reason(self, at: Pieces) -> str:
         """Why there is no equilibrium, in words."""

@@ -1,0 +1,171 @@
+"""mahovik simulate: files, starts, refusals, early ends."""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8, DEMO3, process, refused, run
+from mahovik.simulate import output
+from mahovik.stands import path
+
+SPIN = 'schema = 1\ndefault = { speed = "600 rpm" }\n'
+
+
+def regime(text: str = SPIN) -> str:
+    Path("r.toml").write_text(text)
+    return "r.toml"
+
+
+def columns(name: str) -> dict[str, list[float]]:
+    with Path(name).open(encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    return {head: [float(row[i]) for row in rows[1:]] for i, head in enumerate(rows[0])}
+
+
+def test_columns_with_units() -> None:
+    result = run("simulate", BENCH8, "--until", "0.01", "--regime", regime(), "-o", "run.csv", "--mounts")
+    assert result.exit_code == 0, result.output
+    assert result.stdout == "run.csv   11 rows, 100 columns\n"
+    found = columns("run.csv")
+    assert list(found)[:8] == ["t [s]", "x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz"]
+    assert {"v_x [m/s]", "omega_z [rad/s]", "phi w1 [rad]", "phi_dot w8 [rad/s]", "tau w1 [N m]"} <= set(found)
+    assert {"mount_X w1 [N]", "mount_N w8 [N m]"} <= set(found)
+    assert found["t [s]"][-1] == 0.01
+    assert found["mount_K w3 [N m]"] == pytest.approx(found["tau w3 [N m]"], rel=1e-9, abs=1e-12)
+
+
+def test_without_a_regime_a_stand_stays_at_rest() -> None:
+    run("simulate", BENCH8, "--until", "0.05", "--every", "0.01", "--dt", "0.001", "-o", "run.csv")
+    found = columns("run.csv")
+    for name in ("v_x [m/s]", "v_z [m/s]", "omega_x [rad/s]", "phi_dot w1 [rad/s]"):
+        assert max(map(abs, found[name])) < 1e-12
+
+
+def test_points_are_read_and_scipy_agrees() -> None:
+    stand = str(path("auv6"))
+    for backend in ("c", "scipy"):
+        result = run(
+            "simulate", stand, "--until", "0.02", "--every", "0.01", "--regime", regime(), "--backend", backend,
+            "-o", f"{backend}.csv",
+        )  # fmt: skip
+        assert result.exit_code == 0, result.output
+    c, scipy = columns("c.csv"), columns("scipy.csv")
+    assert {"force_z sonar [m/s2]", "gyro_x sonar [rad/s]"} <= set(c)
+    for name, values in c.items():
+        assert values == pytest.approx(scipy[name], rel=1e-6, abs=1e-8)
+
+
+def test_starts_from_a_state_and_from_what_rest_prints() -> None:
+    Path("s.json").write_text(json.dumps({"V": [1, 0, 0, 0, 0, 0.5], "phi_dot": [10, 20, 30]}))
+    run("simulate", DEMO3, "--until", "0.01", "--start", "s.json", "-o", "run.csv")
+    found = columns("run.csv")
+    assert found["v_x [m/s]"][0] == 1.0
+    assert found["phi_dot w2 [rad/s]"] == [20.0] * 11
+    Path("rest.json").write_text(run("rest", BENCH8, "--json").stdout)
+    result = run("simulate", BENCH8, "--until", "0.01", "--start", "rest.json", "-o", "run.csv")
+    assert result.exit_code == 0, result.output
+    assert max(map(abs, columns("run.csv")["v_z [m/s]"])) < 1e-12
+
+
+def test_motors_that_fall_short_are_told() -> None:
+    text = Path(BENCH8).read_text() + "\n[flywheel.motor]\ntorque = 0.001\n"
+    Path("weak.toml").write_text(text)
+    ramp = "schema = 1\ndefault = { ramp = { to = 100, duration = 0.01 } }\n"
+    result = run("simulate", "weak.toml", "--until", "0.01", "--regime", regime(ramp), "-o", "run.csv")
+    assert result.exit_code == 0
+    assert "motor of w8: cannot give what its law asks for" in result.stdout
+    assert min(columns("run.csv")["margin w8 [N m]"]) < 0.0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--until", "0", "-o", "a.csv"), "--until 0: expected a time above 0"),
+        (("--until", "nan", "-o", "a.csv"), "--until nan"),
+        (("--until", "1", "--dt", "0", "-o", "a.csv"), "--dt 0: expected a time above 0"),
+        (("--until", "1", "--every", "-1", "-o", "a.csv"), "--every -1"),
+        (("--until", "1", "-o", "a.xls"), "expected a name that ends in .csv or .parquet"),
+        (("--until", "1"), "Missing option '-o'"),
+        (("-o", "a.csv"), "Missing option '--until'"),
+        (("--until", "1", "-o", "a.csv", "--regime", "none.toml"), "none.toml: cannot be read"),
+        (("--until", "1", "-o", "a.csv", "--start", "none.json"), "none.json: cannot be read"),
+        (("--until", "1", "-o", "a.csv", "--order", "3"), "'3' is not one of"),
+        (("--until", "1", "-o", "a.csv", "--backend", "matlab"), "'matlab' is not one of"),
+    ],
+)
+def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
+    assert words in refused("simulate", DEMO3, *arguments)
+    assert not Path("a.csv").exists()
+
+
+def test_regime_and_start_errors_are_lines() -> None:
+    bad = regime("schema = 1\n[flywheel.w9]\nspeed = 1\n")
+    lines = refused("simulate", DEMO3, "--until", "1", "--regime", bad, "-o", "a.csv").splitlines()
+    assert len(lines) == 4
+    assert all(line.startswith("error: r.toml: ") for line in lines)
+    Path("s.json").write_text('{"V": [1]}')
+    assert "s.json: V: expected 6 numbers" in refused(
+        "simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv"
+    )
+
+
+def test_no_equilibrium_asks_for_a_start() -> None:
+    said = refused("simulate", str(path("remus6")), "--until", "1", "-o", "a.csv", status=1)
+    assert "nothing carries a force" in said
+    assert "--start" in said
+
+
+def test_a_long_step_is_warned_of() -> None:
+    fast = regime("schema = 1\ndefault = { speed = 5000 }\n")
+    result = run("simulate", DEMO3, "--until", "0.001", "--regime", fast, "-o", "a.csv")
+    assert "warning: a flywheel turns 0.5 rad a step" in result.stderr
+
+
+def test_a_motion_that_leaves_its_ranges_keeps_its_rows() -> None:
+    wild = regime("schema = 1\ndefault = { torque = 1e6 }\n")
+    result = run("simulate", DEMO3, "--until", "1", "--regime", wild, "-o", "a.csv")
+    assert result.exit_code == 1
+    assert "RANGE" in result.stderr
+    assert "what was computed is kept" in result.stderr
+    assert len(columns("a.csv")["t [s]"]) >= 1
+
+
+def test_parquet_without_pyarrow_names_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(name: str) -> object:
+        if name.startswith("pyarrow"):
+            raise ImportError(name)
+        return importlib.import_module(name)
+
+    monkeypatch.setattr(output, "import_module", missing)
+    said = refused("simulate", DEMO3, "--until", "1", "-o", "a.parquet")
+    assert 'pip install "mahovik[campaign]"' in said
+    assert not Path("a.parquet").exists()
+
+
+def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
+    command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
+    command += ["--until", "2000", "--every", "0.01", "-o", "run.csv"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=own_folder) as program:
+        time.sleep(4.0)  # imports, generation and compilation are over: it steps
+        program.send_signal(signal.SIGINT)
+        assert program.stderr is not None
+        said = program.stderr.read()
+        assert program.wait(30) == 130, said
+    assert "stopped at t = " in said
+    assert "what was computed is kept" in said
+    assert len(columns("run.csv")["t [s]"]) > 1
+
+
+def test_no_compiler_is_one_line() -> None:
+    done = process("simulate", DEMO3, "--until", "1", "-o", "a.csv", PATH="", CC="")
+    assert done.returncode == 2
+    assert done.stderr.startswith("error: no C compiler found")

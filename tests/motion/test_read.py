@@ -1,0 +1,172 @@
+"""Regime files: what is read, in which units; every bad input one line, all of a file together."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mahovik import stands
+from mahovik.errors import RegimeError
+from mahovik.motion import load, loads, steady
+from mahovik.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
+from mahovik.stand import load as load_stand
+
+SHAKER = load_stand(stands.path("shaker2"))
+HEAD = "schema = 1\n"
+REST = "default = { hold = true }\n"
+
+
+def left(law: str) -> str:
+    """A regime of shaker2 whose flywheel `left` has the lines given; the other is held."""
+    return f"{HEAD}{REST}[flywheel.left]\n{law}\n"
+
+
+def problems(text: str, folder: Path = Path(), until: float = 1.0) -> list[str]:
+    with pytest.raises(RegimeError) as caught:
+        loads(text, SHAKER, until, "r.toml", folder)
+    assert all(line.startswith("r.toml: ") and "\n" not in line for line in caught.value.problems)
+    return list(caught.value.problems)
+
+
+@pytest.mark.parametrize(
+    ("text", "law"),
+    [
+        ('speed = "600 rpm"', Constant(20 * math.pi)),
+        ("speed = -3", Constant(-3.0)),
+        ("hold = true", Constant(0.0)),
+        ('ramp = { to = 8, duration = "500 ms" }', Ramp(0.0, 8.0, 0.0, 0.5)),
+        ("ramp = { from = 1, to = 8, duration = 2, start = 0.5 }", Ramp(1.0, 8.0, 0.5, 2.0)),
+        ('sweep = { from = "1 Hz", to = 8, duration = 2 }', Ramp(2 * math.pi, 8.0, 0.0, 2.0)),
+        ('sweep = { from = 1, to = 8, duration = 2, scale = "log" }', LogSweep(1.0, 8.0, 0.0, 2.0)),
+        ('harmonic = { mean = 1, amplitude = 2, frequency = "3 Hz", phase = 0.5 }', Harmonic(1.0, 2.0, 3.0, 0.5)),
+        ('torque = "20 mN m"', Torque(0.02)),
+        ("run_up = { torque = 0.2, to = 50 }", RunUp(0.2, 50.0, 0.5)),
+        ("run_up = { torque = 0.2, to = 50, band = 2 }", RunUp(0.2, 50.0, 2.0)),
+    ],
+)
+def test_laws_in_si(text: str, law) -> None:
+    first, second = loads(left(text), SHAKER, 1.0).flywheels
+    assert (first.name, first.law) == ("left", law)
+    assert (second.name, second.law) == ("right", Constant(0.0))
+
+
+def test_phases_initial_speeds_and_defaults() -> None:
+    text = HEAD + 'default = { torque = 0.1, initial_speed = 4 }\n[flywheel.right]\nphase = "90 deg"\n'
+    first, second = loads(text, SHAKER, 1.0).flywheels
+    assert (first.law, first.phase, first.speed) == (Torque(0.1), None, 4.0)
+    assert (second.law, second.phase, second.speed) == (Torque(0.1), math.pi / 2, 4.0)
+    kept = steady(SHAKER, [1.0, 2.0])
+    assert [each.law for each in kept.flywheels] == [Constant(1.0), Constant(2.0)]
+    assert not kept.by_torque
+
+
+def test_json_is_the_same_as_toml(tmp_path: Path) -> None:
+    path = tmp_path / "r.json"
+    path.write_text(
+        json.dumps({"schema": 1, "default": {"speed": "600 rpm"}, "wrench": {"carrier": [1, 0, 0, 0, 0, 2]}})
+    )
+    found = load(path, SHAKER, 1.0)
+    assert {each.law for each in found.flywheels} == {Constant(20 * math.pi)}
+    assert found.wrench(0.3) == {"carrier": (1, 0, 0, 0, 0, 2)}
+
+
+def test_tables(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text("t [ms],phi_dot [rpm]\n0,0\n500,300\n1000,600\n")
+    (tmp_path / "b.csv").write_text("torque,t\n1,0\n2,1\n")
+    (tmp_path / "w.csv").write_text("t,Z [kN],M\n0,0,0\n2,1,4\n")
+    text = HEAD + '[flywheel.left]\ntable = "a.csv"\n[flywheel.right]\nhold = true\n[wrench]\nleft = "w.csv"\n'
+    found = loads(text, SHAKER, 1.0, "r.toml", tmp_path)
+    law = found.flywheels[0].law
+    assert isinstance(law, SpeedTable)
+    np.testing.assert_allclose(law.motion(np.array([0.25]))[1], 5 * math.pi, rtol=1e-12)
+    assert found.wrench(1.0) == {"left": (0.0, 0.0, 500.0, 0.0, 2.0, 0.0)}
+    torque = loads(left('table = "b.csv"'), SHAKER, 1.0, "r.toml", tmp_path).flywheels[0].law
+    assert isinstance(torque, TorqueTable)
+    assert torque.command(0.5, 0.0) == 1.5
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("schema = 2", "schema: expected 1, found 2"),
+        (REST, "schema: required, but missing"),
+        ("schema =", "not TOML"),
+        (HEAD + "defualt = {hold = true}\n" + REST, 'unknown key "defualt", did you mean "default"?'),
+        (HEAD + REST + "[flywheel.lefd]\nspeed = 1", 'unknown flywheel "lefd", did you mean "left"?'),
+        (HEAD + "[flywheel.left]\nspeed = 1", 'flywheel "right": has no law'),
+        (HEAD + "[flywheel.left]\nphase = 1\n[flywheel.right]\nhold=true", "no law: expected"),
+        (left("speed = 1\ntorque = 2"), "exactly one law, not 2"),
+        (left("sped = 1"), 'unknown key "sped", did you mean "speed"?'),
+        (left('speed = "50 Hz"'), "a frequency is not one: write rpm or rad/s"),
+        (left('torque = "3 N"'), 'unit "N" does not fit, expected a torque (N m)'),
+        (left("speed = nan"), "not finite"),
+        (left("hold = false"), "expected true"),
+        (left("ramp = 5"), "ramp: expected a table with from, to"),
+        (left("ramp = { to = 5 }"), "ramp, duration: required, but missing"),
+        (left("ramp = { to = 5, duration = 0 }"), "duration: 0 is not above 0"),
+        (left("ramp = { to = 5, duration = 1, start = -1 }"), "start: -1 is negative"),
+        (left("ramp = { too = 5, to = 5, duration = 1 }"), 'unknown key "too", did you mean "to"?'),
+        (left('sweep = { from = 1, to = 5, duration = 1, scale = "dec" }'), 'expected "linear" or "log"'),
+        (left('sweep = { from = 0, to = 5, duration = 1, scale = "log" }'), "two speeds of one sign"),
+        (left('sweep = { from = "1 m", to = 5, duration = 1 }'), 'sweep, from: unit "m" does not fit'),
+        (left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 is not above 0"),
+        (left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 is negative"),
+        (left("speed = 1\ninitial_speed = 2"), "initial_speed: goes with a law of torque"),
+        (left("table = 3"), "expected the name of a CSV file"),
+        (HEAD + "flywheel = 3\n" + REST, "flywheel: expected a table of flywheels"),
+        (HEAD + REST + "[wrench]\ncarier = [0, 0, 0, 0, 0, 0]", 'unknown body "carier", did you mean "carrier"?'),
+        (HEAD + REST + "[wrench]\ncarrier = [0, 0, 0]", "expected six numbers or the name of a CSV file"),
+        (HEAD + REST + '[wrench]\ncarrier = [0, "1 N m", 0, 0, 0, 0]', 'wrench "carrier", Y: unit "N m" does not fit'),
+        (
+            HEAD + "[flywheel.left]\ntorque = 1\n[flywheel.right]\nramp = { to = 5, duration = 1 }",
+            'its speed is given and varies, but "left" is driven by torque',
+        ),
+    ],
+)
+def test_bad_regimes(text: str, words: str) -> None:
+    (line,) = problems(text)
+    assert words in line
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("t,phi_dot\n0,1\n2,3\n1,4\n9,1\n", "row 4: t = 1 s is not after 2 s"),
+        ("t,phi_dot\n0,1\n0.5,3\n", "covers t = 0 s to 0.5 s, but the simulation runs from 0 to 1 s"),
+        ("t,phi_dot\n0.1,1\n5,3\n", "covers t = 0.1 s"),
+        ("t,phi_dot\n0,1\n", "at least two rows"),
+        ("t,phi_dit\n0,1\n1,1\n", 'unknown column "phi_dit", did you mean "phi_dot"?'),
+        ("phi_dot,torque\n0,1\n1,1\n", 'no column "t"'),
+        ("t\n0\n1\n", "no column besides t"),
+        ("t,t\n0,1\n1,1\n", 'column "t" is there twice'),
+        ("t,phi_dot [Hz]\n0,1\n1,1\n", 'unit "Hz" does not fit'),
+        ("t,phi_dot\n0,1\n1\n", "row 3: 1 cells, but the header has 2"),
+        ("t,phi_dot\n0,1\n1,x\n", 'row 3: "x" is not a number'),
+        ("t,phi_dot\n0,1\n1,nan\n", 'row 3: "nan" is not finite'),
+        ("t,phi_dot,torque\n0,1,1\n1,1,1\n", "has phi_dot and torque"),
+    ],
+)
+def test_bad_tables(content: str, words: str, tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text(content)
+    (line,) = problems(left('table = "a.csv"'), tmp_path)
+    assert words in line
+
+
+def test_missing_files(tmp_path: Path) -> None:
+    (line,) = problems(left('table = "none.csv"'), tmp_path)
+    assert "cannot be read: No such file" in line
+    with pytest.raises(RegimeError, match="cannot be read"):
+        load(tmp_path / "none.toml", SHAKER, 1.0)
+
+
+def test_all_problems_are_reported_together() -> None:
+    text = HEAD + '[flywheel.lefd]\nspeed = 1\n[flywheel.left]\nspeed = "3 m"\nphase = "2 kg"\n[wrench]\nx = 1\n'
+    found = problems(text)
+    assert len(found) == 5
+    assert [
+        w for w in ("lefd", 'unit "m"', 'unit "kg"', '"right": has no law', 'body "x"') if w not in "\n".join(found)
+    ] == []

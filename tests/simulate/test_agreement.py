@@ -1,0 +1,210 @@
+"""The C against SciPy on the literal reference; energy against work; laws kept; motors; early ends."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from types import MappingProxyType
+
+import numpy as np
+import pytest
+
+from mahovik import reference, stands
+from mahovik.errors import UsageError
+from mahovik.motion import loads, steady
+from mahovik.simulate import Case, Run, simulate
+from mahovik.simulate import run as run_module
+from mahovik.stand import load, rest_state
+from mahovik.stand.model import Motor
+from mahovik.stand.random import BARE, EVERYTHING, random_stand
+
+LAWS = """
+schema = 1
+[flywheel.w1]
+phase = 0.3
+ramp = { from = 10, to = 60, duration = 0.03, start = 0.01 }
+[flywheel.w2]
+sweep = { from = "4 Hz", to = "12 Hz", duration = 0.05, scale = "log" }
+[flywheel.w3]
+harmonic = { mean = 10, amplitude = 5, frequency = 8 }
+[wrench]
+carrier = [1, 2, 3, 0.1, 0, 0]
+w1 = [0, 0.1, 0, 0.01, 0, 0]
+"""
+TORQUES = """
+schema = 1
+[flywheel.w1]
+torque = 0.3
+initial_speed = -5
+[flywheel.w2]
+speed = 40
+[flywheel.w3]
+run_up = { torque = 0.2, to = 30, band = 5 }
+"""
+
+
+@cache
+def busy():
+    """Three flywheels with motors, every kind of wrench."""
+    return random_stand(np.random.default_rng(5), 3, EVERYTHING, name="busy")
+
+
+@cache
+def free():
+    """Three flywheels, no external wrench."""
+    return random_stand(np.random.default_rng(6), 3, BARE, name="freely")
+
+
+def start(stand):
+    """A moving carrier, attitude by angles."""
+    return replace(rest_state(stand), angles=(0.2, 0.4, -0.3), V=(0.1, -0.2, 0.1, 0.3, 0.2, -0.4), phi=(0.1, 0.2, 0.3))
+
+
+def case(stand, text: str, until: float = 0.05, **more) -> Case:
+    return Case(stand, loads(text, stand, until), start(stand), until, **{"every": 0.01, **more})
+
+
+def worst(a: Run, b: Run) -> float:
+    """Largest difference, each column relative to its size (at least 1)."""
+    assert a.names == b.names
+    assert (a.stopped, b.stopped) == (None, None)
+    return float((np.abs(a.data - b.data).max(0) / np.maximum(1.0, np.abs(b.data).max(0))).max())
+
+
+@pytest.mark.parametrize("text", [LAWS, TORQUES], ids=["laws", "torques"])
+def test_c_agrees_with_scipy(text: str) -> None:
+    """Inputs that vary within a step count as constant there: an error of dt squared."""
+    judge = simulate(case(busy(), text), "scipy", mounts=True)
+    coarse, fine = (simulate(case(busy(), text, dt=dt), mounts=True) for dt in (4e-4, 1e-4))
+    assert worst(fine, judge) < 2e-6
+    assert worst(fine, judge) < worst(coarse, judge) / 8 + 1e-8
+    assert judge.data.shape == (6, len(judge.names))
+
+
+def test_constant_speeds_are_of_fourth_order() -> None:
+    text = "schema = 1\ndefault = { speed = 50 }\n"
+    judge = simulate(case(free(), text), "scipy")
+    assert worst(simulate(case(free(), text, dt=2e-4)), judge) < 1e-8
+
+
+def test_speed_laws_are_kept_exactly() -> None:
+    found = simulate(case(busy(), LAWS, every=0.0037))
+    motion = case(busy(), LAWS).motion(found["t [s]"])
+    for s, name in enumerate(("w1", "w2", "w3")):
+        for k, column in enumerate((f"phi {name} [rad]", f"phi_dot {name} [rad/s]", f"phi_ddot {name} [rad/s2]")):
+            np.testing.assert_array_equal(found[column], motion[k][:, s])
+
+
+def energy(stand, found: Run, row: int) -> float:
+    """Kinetic energy by the reference at a row of a run."""
+    x = found.data[row]
+    names = [s.name for s in stand.flywheels]
+    state = replace(
+        rest_state(stand),
+        position=tuple(x[1:4]),
+        quaternion=tuple(x[4:8]),
+        V=tuple(x[8:14]),
+        phi=tuple(found[f"phi {n} [rad]"][row] for n in names),
+        phi_dot=tuple(found[f"phi_dot {n} [rad/s]"][row] for n in names),
+    )
+    return float(reference.evaluate(stand, state, ["momentum"])["energy"])
+
+
+def test_energy_is_the_work_of_constant_torques() -> None:
+    """On a free stand; phases counted through, over many turns."""
+    found = simulate(case(free(), "schema = 1\ndefault = { torque = 0.5, initial_speed = 90 }\n", until=0.5))
+    assert found.stopped is None
+    work = sum(0.5 * (found[c][-1] - found[c][0]) for c in found.names if c.startswith("phi w"))
+    gained = energy(free(), found, -1) - energy(free(), found, 0)
+    assert work > 20.0  # J: several turns
+    assert gained == pytest.approx(work, rel=1e-7)
+
+
+def test_energy_is_the_work_of_the_torques_that_speed_laws_need() -> None:
+    found = simulate(case(free(), LAWS.partition("[wrench]")[0], every=1e-4))
+    power = sum(found[f"tau w{s} [N m]"] * found[f"phi_dot w{s} [rad/s]"] for s in (1, 2, 3))
+    power = power[found["t [s]"] <= 0.0095]  # before the first corner
+    work = np.trapezoid(power, dx=1e-4)
+    assert energy(free(), found, len(power) - 1) - energy(free(), found, 0) == pytest.approx(work, rel=1e-5)
+
+
+def with_motors(motor: Motor):
+    """shaker2 with the motor on both flywheels."""
+    stand = load(stands.path("shaker2"))
+    return replace(stand, flywheels=tuple(replace(s, motor=motor) for s in stand.flywheels))
+
+
+def test_a_motor_ends_at_the_speed_where_the_line_meets_friction() -> None:
+    """0.05 (1 - w/100) = 1e-4 w + 2e-3: in balance."""
+    stand = with_motors(Motor(0.05, 100.0, None, None, None, 1e-4, 2e-3, 0.1))
+    stand = replace(stand, gravity=(0.0, 0.0, 0.0))
+    regime = loads("schema = 1\ndefault = { torque = 5 }\n", stand, 12.0)
+    found = simulate(Case(stand, regime, rest_state(stand), 12.0, every=0.1, dt=1e-3, order=2))
+    expected = (0.05 - 2e-3) / (0.05 / 100 + 1e-4)
+    assert found["phi_dot left [rad/s]"][-20:].mean() == pytest.approx(expected, rel=1e-2)  # it shakes about it
+    assert found["motor left [N m]"][0] == pytest.approx(0.05, rel=1e-12)
+    assert found["margin left [N m]"].min() > -1e-12
+    assert found.short == {}
+
+
+def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
+    stand = with_motors(Motor(0.01, None, None, None, None, 0.0, 0.0, 0.1))
+    text = "schema = 1\n[flywheel.left]\nramp = { to = 100, duration = 0.1 }\n[flywheel.right]\nhold = true\n"
+    found = simulate(Case(stand, loads(text, stand, 0.05), rest_state(stand), 0.05))
+    t, missing = found.short["left"]
+    assert 0.0 <= t <= 0.05
+    assert missing == pytest.approx(np.abs(found["motor left [N m]"]).max() - 0.01, rel=1e-12)
+
+
+def test_what_leaves_its_ranges_ends_early_and_keeps_its_rows() -> None:
+    text = "schema = 1\ndefault = { torque = 1e6 }\n"
+    found = simulate(case(free(), text, until=1.0))
+    assert found.stopped is not None
+    assert "RANGE" in found.stopped
+    assert 0 < len(found.data) < 100
+
+
+def test_interruption_keeps_what_was_computed() -> None:
+    def stop(t: float) -> None:
+        if t > 0.025:
+            raise KeyboardInterrupt
+
+    found = simulate(case(free(), TORQUES), progress=stop)
+    assert found.interrupted
+    assert found.stopped == "stopped at t = 0.03 s of 0.05 s"
+    assert len(found.data) == 4
+
+
+def test_a_rigid_body_can_be_simulated() -> None:
+    stand = random_stand(np.random.default_rng(1), 0, BARE, name="brick")
+    moving = replace(rest_state(stand), V=(1.0, 0, 0, 0.5, 2.0, -1.0))
+    cases = Case(stand, steady(stand, []), moving, 0.1, every=0.05)
+    assert worst(simulate(cases), simulate(cases, "scipy")) < 1e-9
+
+
+def test_times_end_at_until() -> None:
+    stand = free()
+    assert case(stand, TORQUES, until=0.025).times == pytest.approx([0.0, 0.01, 0.02, 0.025], abs=0)
+    assert len(case(stand, TORQUES, until=0.3, every=0.1).times) == 4
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"dt": 0.0}, {"dt": -1.0}, {"dt": float("nan")}, {"every": 0.0}, {"until": float("inf")}, {"order": 3}]
+)
+def test_bad_numbers_are_refused(wrong: dict) -> None:
+    given = {"until": 0.1, "every": 0.01, **wrong}
+    with pytest.raises(UsageError, match="expected"):
+        Case(free(), steady(free(), [0.0] * 3), rest_state(free()), **given)
+
+
+def test_an_unknown_backend_is_refused() -> None:
+    with pytest.raises(UsageError, match="expected one of c, scipy"):
+        simulate(case(free(), TORQUES), "matlab")
+    assert run_module.BACKENDS == ("c", "scipy")
+
+
+def test_frozen_states_hold_the_wrench_of_their_time() -> None:
+    found = case(busy(), LAWS)
+    state = found.state(0.0, np.zeros(3), np.array([2.0, 0, 0, 0]), np.zeros(6), np.zeros(3), np.zeros(3))
+    assert state.wrench == MappingProxyType({"carrier": (1, 2, 3, 0.1, 0, 0), "w1": (0, 0.1, 0, 0.01, 0, 0)})
+    assert state.quaternion == (1.0, 0.0, 0.0, 0.0)
