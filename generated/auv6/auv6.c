@@ -2,6 +2,7 @@
  * mahovik 0.1.0; structure d04ed473, physics a120c4b3. Generated: change the stand file instead. */
 #include "auv6.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 #if AUV6_STRUCTURE != 0xd04ed473u || AUV6_PHYSICS != 0xa120c4b3u
@@ -464,6 +465,7 @@ AUV6_CODE
 auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                          auv6_real V_dot[6])
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -482,6 +484,7 @@ auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv
 AUV6_CODE
 auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real F[6])
 {
+    if (stand == NULL || x == NULL || F == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -530,6 +533,7 @@ static void auv6_velocity_matrix(const auv6_real V[6], auv6_equations *out)
 AUV6_CODE
 auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equations *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -635,6 +639,7 @@ auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equ
 AUV6_CODE
 auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_momenta *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -736,6 +741,8 @@ AUV6_CODE
 auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[AUV6_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -919,6 +926,8 @@ AUV6_CODE
 auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                          const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N])
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+        || phi_ddot == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -1005,13 +1014,19 @@ AUV6_CODE
 auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                       const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || next == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(tau, AUV6_N, AUV6_MAX_WRENCH);
     if (status != AUV6_OK) { return status; }
-    if (!(dt > 0.0 && dt <= AUV6_MAX_STEP)) { return AUV6_BAD_ARGUMENT; }
+    auv6_real given[1];
+    given[0] = dt;
+    status = auv6_within(given, 1, AUV6_MAX_STEP);
+    if (status != AUV6_OK) { return status; }
+    if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return AUV6_BAD_ARGUMENT; }
     auv6_state k;  /* rates of a stage */
     auv6_state y;  /* state of a stage; then the new state */
@@ -1122,13 +1137,18 @@ AUV6_CODE
 auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(phi_ddot, AUV6_N, AUV6_MAX_ACCELERATION);
     if (status != AUV6_OK) { return status; }
-    if (!(dt > 0.0 && dt <= AUV6_MAX_STEP)) { return AUV6_BAD_ARGUMENT; }
+    auv6_real given[1];
+    given[0] = dt;
+    status = auv6_within(given, 1, AUV6_MAX_STEP);
+    if (status != AUV6_OK) { return status; }
+    if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return AUV6_BAD_ARGUMENT; }
     auv6_state k;  /* rates of a stage */
     auv6_state y;  /* state of a stage; then the new state */
@@ -1366,6 +1386,7 @@ AUV6_CODE
 auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
                                   const auv6_real phi_ddot[AUV6_N], auv6_forward_slopes *out)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -1507,6 +1528,8 @@ AUV6_CODE
 auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_slopes *out)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || out == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -1994,6 +2017,8 @@ AUV6_CODE
 auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out)
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || out == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -2004,8 +2029,12 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
     if (status != AUV6_OK) { return status; }
     status = auv6_within(options->limit, AUV6_N, AUV6_LARGEST);
     if (status != AUV6_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return AUV6_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return AUV6_BAD_ARGUMENT; }
+    auv6_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = auv6_within(shares, 2, AUV6_LARGEST);
+    if (status != AUV6_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
     for (int s = 0; s < AUV6_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return AUV6_BAD_ARGUMENT; }
     }
@@ -2052,9 +2081,9 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
             const auv6_real ratio = work.sigma[i] / work.sigma[0];
             auv6_real lambda = 0.0;
             if (ratio < options->near) {
-                flags = flags | 1;
+                flags = flags | AUV6_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
-                    flags = flags | 2;
+                    flags = flags | AUV6_DAMPED;
                     lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
                     damping = (lambda > damping) ? lambda : damping;
                 }
@@ -2073,11 +2102,11 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
         if (over > 0.0) {
             out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
             out->limited[s] = 1;
-            flags = flags | 4;
+            flags = flags | AUV6_LIMITED;
         }
     }
     if (rank < 6) {
-        flags = flags | 16;
+        flags = flags | AUV6_RANK_DEFICIENT;
     }
     auv6_real left;
     auv6_real z[6];  /* G^-1 residual */
@@ -2102,7 +2131,7 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
         }
     }
     if (left > 1.0e-18 * wanted) {
-        flags = flags | 8;
+        flags = flags | AUV6_UNREACHABLE;
     }
     out->rank = rank;
     out->damping = damping;
@@ -2117,6 +2146,8 @@ AUV6_CODE
 auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || phi_ddot == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -2127,8 +2158,12 @@ auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, cons
     if (status != AUV6_OK) { return status; }
     status = auv6_within(options->limit, AUV6_N, AUV6_LARGEST);
     if (status != AUV6_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return AUV6_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return AUV6_BAD_ARGUMENT; }
+    auv6_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = auv6_within(shares, 2, AUV6_LARGEST);
+    if (status != AUV6_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
     for (int s = 0; s < AUV6_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return AUV6_BAD_ARGUMENT; }
     }
@@ -2246,6 +2281,7 @@ AUV6_CODE
 auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                          auv6_reading out[AUV6_SENSORS])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || out == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -2266,6 +2302,7 @@ auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv
 AUV6_CODE
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4])
 {
+    if (angles == NULL || attitude == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_within(angles, 3, AUV6_MAX_PHASE);
     if (status != AUV6_OK) { return status; }
     auv6_real s_psi, c_psi;
@@ -2286,6 +2323,8 @@ AUV6_CODE
 auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], const auv6_real q_dot[6],
                         const auv6_real q_ddot[6], auv6_state *x, auv6_real V_dot[6])
 {
+    if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
+        || V_dot == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_within(position, 3, AUV6_MAX_POSITION);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(q_dot, 6, AUV6_MAX_SPEED);
@@ -2356,6 +2395,8 @@ AUV6_CODE
 auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const auv6_real angles[3],
                           const auv6_real phi_ddot[AUV6_N], auv6_generalized *out)
 {
+    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+        || out == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status;
     auv6_state y;  /* the state with the attitude of the angles */
     auv6_real V_dot[6];
@@ -2659,6 +2700,7 @@ static auv6_status auv6_check_parameters(const auv6_parameters *parameters)
 AUV6_CODE
 auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *stand)
 {
+    if (parameters == NULL || stand == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_parameters(parameters);
     if (status != AUV6_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2922,6 +2964,8 @@ AUV6_CODE
 auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mounting, const auv6_state *x,
                         const auv6_real V_dot[6], const auv6_real phi_ddot[AUV6_N], auv6_real loads[36])
 {
+    if (stand == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || loads == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(stand->stream, 3, AUV6_MAX_VELOCITY);
@@ -2964,6 +3008,7 @@ auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mountin
 AUV6_CODE
 auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_table *mounting)
 {
+    if (parameters == NULL || mounting == NULL) { return AUV6_BAD_ARGUMENT; }
     auv6_status status = auv6_check_parameters(parameters);
     if (status != AUV6_OK) { return status; }
     for (int s = 0; s < AUV6_N; ++s) {

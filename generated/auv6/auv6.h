@@ -4,6 +4,7 @@
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
  * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -30,23 +31,23 @@ typedef double auv6_real;
 #define AUV6_MAX_ACCELERATION    1.0e9     /* rad/s2; each phi_ddot */
 #define AUV6_MAX_WRENCH          1.0e9     /* N, N m; each component of a run-time wrench */
 #define AUV6_MAX_STEP            10.0      /* s; a time step */
-#define AUV6_MAX_PARAMETER       1.0e9     /* SI; each mass, length and moment of inertia */
+#define AUV6_MAX_PARAMETER       1.0e15    /* SI; each mass, length and moment of inertia */
 #define AUV6_LARGEST             1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
 typedef enum auv6_status {
     AUV6_OK = 0,                          /* good */
-    AUV6_NEAR_SINGULAR = 1,               /* smallest kept singular value below the given threshold */
+    AUV6_NEAR_SINGULAR = 1,               /* inverse: least singular value below `near` of the largest */
     AUV6_DAMPED = 2,                      /* damping was applied */
     AUV6_LIMITED = 4,                     /* a limit was reached; the mask says whose */
-    AUV6_UNREACHABLE = 8,                 /* least-squares answer: the demand is out of reach */
-    AUV6_RANK_DEFICIENT = 16,             /* rank below min(6, N) */
+    AUV6_UNREACHABLE = 8,                 /* inverse: least squares, residual above 1e-9 of the demand */
+    AUV6_RANK_DEFICIENT = 16,             /* inverse: fewer than min(6, N) above 1e-9 of the largest */
     AUV6_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     AUV6_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
-    AUV6_NOT_POSITIVE_DEFINITE = -3,      /* a mass or inertia that no body has */
-    AUV6_SINGULAR_ATTITUDE = -4,          /* the attitude angles are at their singularity */
-    AUV6_BAD_ARGUMENT = -5                /* a count or an index */
+    AUV6_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    AUV6_SINGULAR_ATTITUDE = -4,          /* attitude angles within 1e-6 of their singularity */
+    AUV6_BAD_ARGUMENT = -5                /* a null pointer, a count, an index, a step or an option */
 } auv6_status;
 
 /* ---- numbers of bodies ---- */
@@ -208,7 +209,7 @@ typedef struct auv6_reading {
 
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct auv6_inverse_options {
-    auv6_real weight[AUV6_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    auv6_real weight[AUV6_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
     auv6_real limit[AUV6_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
     auv6_real near;            /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     auv6_real damping;         /* part of the largest singular value that damps those near zero, 0..1; 0:
@@ -258,7 +259,8 @@ extern const auv6_inverse_options auv6_default_options;           /* of inverse,
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 2208 operations on reals, 2 of them divisions. */
 auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                          auv6_real V_dot[6]);
@@ -267,7 +269,7 @@ auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1821 operations on reals, 1 of them a division. */
 auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real F[6]);
 
@@ -275,7 +277,7 @@ auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real 
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2817 operations on reals, 1 of them a division. */
 auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equations *out);
 
@@ -283,7 +285,7 @@ auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equ
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2286 operations on reals, 1 of them a division. */
 auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_momenta *out);
 
@@ -293,7 +295,7 @@ auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_mom
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1305 operations on reals, 1 of them a division. */
 auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[AUV6_N]);
@@ -306,7 +308,8 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
  *   locked[6]    not 0: a lock holds phi'' = 0; its tau is not read
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 3357 operations on reals, 3 of them divisions. */
 auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                          const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N]);
@@ -322,7 +325,7 @@ auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 14037 operations on reals, 18 of them divisions. */
+ * At most 14040 operations on reals, 18 of them divisions. */
 auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                       const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next);
 
@@ -336,7 +339,7 @@ auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_r
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9441 operations on reals, 14 of them divisions. */
+ * At most 9444 operations on reals, 14 of them divisions. */
 auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next);
 
@@ -346,7 +349,8 @@ auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 12672 operations on reals, 26 of them divisions. */
 auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
                                   const auv6_real phi_ddot[AUV6_N], auv6_forward_slopes *out);
@@ -358,7 +362,8 @@ auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
  *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 22565 operations on reals, 52 of them divisions. */
 auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_slopes *out);
@@ -373,7 +378,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 28652 operations on reals, 322 of them divisions. */
+ * At most 28660 operations on reals, 322 of them divisions. */
 auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -389,7 +394,7 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3689 operations on reals, 55 of them divisions. */
+ * At most 3697 operations on reals, 55 of them divisions. */
 auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 
@@ -398,7 +403,7 @@ auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, cons
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: a reading each
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 381 operations on reals, 1 of them a division. */
 auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                          auv6_reading out[AUV6_SENSORS]);
@@ -406,7 +411,7 @@ auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
  *   attitude[4]  out: unit quaternion, w first
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
 
@@ -417,7 +422,8 @@ auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
  *   q_ddot[6]    m/s2, rad/s2; their rates
  *   x            in and out: its position, attitude and V are written; phases stay
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
- * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
+ * negative.
  * At most 465 operations on reals, 1 of them a division. */
 auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], const auv6_real q_dot[6],
                         const auv6_real q_ddot[6], auv6_state *x, auv6_real V_dot[6]);
@@ -429,8 +435,8 @@ auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], 
  *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
- * status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
+ * written when the status is negative.
  * At most 7034 operations on reals, 5 of them divisions. */
 auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const auv6_real angles[3],
                           const auv6_real phi_ddot[AUV6_N], auv6_generalized *out);
@@ -452,7 +458,7 @@ auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *stand);
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   loads[36]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
  *                at phi = 0; the fourth is tau
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2325 operations on reals, 1 of them a division. */
 auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mounting, const auv6_state *x,
                         const auv6_real V_dot[6], const auv6_real phi_ddot[AUV6_N], auv6_real loads[36]);

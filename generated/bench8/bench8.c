@@ -2,6 +2,7 @@
  * mahovik 0.1.0; structure 8614c583, physics 32540fb9. Generated: change the stand file instead. */
 #include "bench8.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 #if BENCH8_STRUCTURE != 0x8614c583u || BENCH8_PHYSICS != 0x32540fb9u
@@ -497,6 +498,7 @@ BENCH8_CODE
 bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -513,6 +515,7 @@ bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
 BENCH8_CODE
 bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, bench8_real F[6])
 {
+    if (stand == NULL || x == NULL || F == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
@@ -554,6 +557,7 @@ static void bench8_velocity_matrix(const bench8_real V[6], bench8_equations *out
 BENCH8_CODE
 bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, bench8_equations *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
@@ -640,6 +644,7 @@ bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, 
 BENCH8_CODE
 bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, bench8_momenta *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
@@ -723,6 +728,8 @@ BENCH8_CODE
 bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -883,6 +890,8 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N])
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+        || phi_ddot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
@@ -968,11 +977,17 @@ BENCH8_CODE
 bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || next == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
     if (status != BENCH8_OK) { return status; }
-    if (!(dt > 0.0 && dt <= BENCH8_MAX_STEP)) { return BENCH8_BAD_ARGUMENT; }
+    bench8_real given[1];
+    given[0] = dt;
+    status = bench8_within(given, 1, BENCH8_MAX_STEP);
+    if (status != BENCH8_OK) { return status; }
+    if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
     bench8_state k;  /* rates of a stage */
     bench8_state y;  /* state of a stage; then the new state */
@@ -1084,11 +1099,16 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
     if (status != BENCH8_OK) { return status; }
-    if (!(dt > 0.0 && dt <= BENCH8_MAX_STEP)) { return BENCH8_BAD_ARGUMENT; }
+    bench8_real given[1];
+    given[0] = dt;
+    status = bench8_within(given, 1, BENCH8_MAX_STEP);
+    if (status != BENCH8_OK) { return status; }
+    if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
     bench8_state k;  /* rates of a stage */
     bench8_state y;  /* state of a stage; then the new state */
@@ -1275,6 +1295,7 @@ BENCH8_CODE
 bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -1394,6 +1415,8 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_slopes *out)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
@@ -1828,6 +1851,8 @@ BENCH8_CODE
 bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out)
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(V_dot, 6, BENCH8_MAX_ACCELERATION);
@@ -1836,8 +1861,12 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(options->limit, BENCH8_N, BENCH8_LARGEST);
     if (status != BENCH8_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
+    bench8_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = bench8_within(shares, 2, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return BENCH8_BAD_ARGUMENT; }
     }
@@ -1884,9 +1913,9 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
             const bench8_real ratio = work.sigma[i] / work.sigma[0];
             bench8_real lambda = 0.0;
             if (ratio < options->near) {
-                flags = flags | 1;
+                flags = flags | BENCH8_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
-                    flags = flags | 2;
+                    flags = flags | BENCH8_DAMPED;
                     lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
                     damping = (lambda > damping) ? lambda : damping;
                 }
@@ -1905,11 +1934,11 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
         if (over > 0.0) {
             out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
             out->limited[s] = 1;
-            flags = flags | 4;
+            flags = flags | BENCH8_LIMITED;
         }
     }
     if (rank < 6) {
-        flags = flags | 16;
+        flags = flags | BENCH8_RANK_DEFICIENT;
     }
     bench8_real left;
     bench8_real z[6];  /* G^-1 residual */
@@ -1934,7 +1963,7 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
         }
     }
     if (left > 1.0e-18 * wanted) {
-        flags = flags | 8;
+        flags = flags | BENCH8_UNREACHABLE;
     }
     out->rank = rank;
     out->damping = damping;
@@ -1950,6 +1979,8 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || phi_ddot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(V_dot, 6, BENCH8_MAX_ACCELERATION);
@@ -1958,8 +1989,12 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(options->limit, BENCH8_N, BENCH8_LARGEST);
     if (status != BENCH8_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
+    bench8_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = bench8_within(shares, 2, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return BENCH8_BAD_ARGUMENT; }
     }
@@ -2024,6 +2059,7 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
 BENCH8_CODE
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4])
 {
+    if (angles == NULL || attitude == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_within(angles, 3, BENCH8_MAX_PHASE);
     if (status != BENCH8_OK) { return status; }
     bench8_real s_psi, c_psi;
@@ -2045,6 +2081,8 @@ bench8_status bench8_target(const bench8_real position[3], const bench8_real ang
                             const bench8_real q_dot[6], const bench8_real q_ddot[6], bench8_state *x,
                             bench8_real V_dot[6])
 {
+    if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
+        || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_within(position, 3, BENCH8_MAX_POSITION);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(q_dot, 6, BENCH8_MAX_SPEED);
@@ -2116,6 +2154,8 @@ BENCH8_CODE
 bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, const bench8_real angles[3],
                               const bench8_real phi_ddot[BENCH8_N], bench8_generalized *out)
 {
+    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+        || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status;
     bench8_state y;  /* the state with the attitude of the angles */
     bench8_real V_dot[6];
@@ -2330,6 +2370,7 @@ static bench8_status bench8_check_parameters(const bench8_parameters *parameters
 BENCH8_CODE
 bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *stand)
 {
+    if (parameters == NULL || stand == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_parameters(parameters);
     if (status != BENCH8_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2518,6 +2559,8 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
                             const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real loads[48])
 {
+    if (stand == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || loads == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -2547,6 +2590,7 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
 BENCH8_CODE
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting)
 {
+    if (parameters == NULL || mounting == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_parameters(parameters);
     if (status != BENCH8_OK) { return status; }
     for (int s = 0; s < BENCH8_N; ++s) {

@@ -4,6 +4,7 @@
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
  * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -30,23 +31,23 @@ typedef double bench8_real;
 #define BENCH8_MAX_ACCELERATION  1.0e9     /* rad/s2; each phi_ddot */
 #define BENCH8_MAX_WRENCH        1.0e9     /* N, N m; each component of a run-time wrench */
 #define BENCH8_MAX_STEP          10.0      /* s; a time step */
-#define BENCH8_MAX_PARAMETER     1.0e9     /* SI; each mass, length and moment of inertia */
+#define BENCH8_MAX_PARAMETER     1.0e15    /* SI; each mass, length and moment of inertia */
 #define BENCH8_LARGEST           1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
 typedef enum bench8_status {
     BENCH8_OK = 0,                        /* good */
-    BENCH8_NEAR_SINGULAR = 1,             /* smallest kept singular value below the given threshold */
+    BENCH8_NEAR_SINGULAR = 1,             /* inverse: least singular value below `near` of the largest */
     BENCH8_DAMPED = 2,                    /* damping was applied */
     BENCH8_LIMITED = 4,                   /* a limit was reached; the mask says whose */
-    BENCH8_UNREACHABLE = 8,               /* least-squares answer: the demand is out of reach */
-    BENCH8_RANK_DEFICIENT = 16,           /* rank below min(6, N) */
+    BENCH8_UNREACHABLE = 8,               /* inverse: least squares, residual above 1e-9 of the demand */
+    BENCH8_RANK_DEFICIENT = 16,           /* inverse: fewer than min(6, N) above 1e-9 of the largest */
     BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
     BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
-    BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* a mass or inertia that no body has */
-    BENCH8_SINGULAR_ATTITUDE = -4,        /* the attitude angles are at their singularity */
-    BENCH8_BAD_ARGUMENT = -5              /* a count or an index */
+    BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    BENCH8_SINGULAR_ATTITUDE = -4,        /* attitude angles within 1e-6 of their singularity */
+    BENCH8_BAD_ARGUMENT = -5              /* a null pointer, a count, an index, a step or an option */
 } bench8_status;
 
 /* ---- numbers of bodies ---- */
@@ -114,7 +115,7 @@ typedef struct bench8_table {
     bench8_real mass;               /* kg; of all bodies */
     bench8_real mass_inverse;       /* 1/kg */
     bench8_real first_moment[3];    /* kg m; mu about O1, constant part */
-    bench8_real inertia[6];         /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added mass */
+    bench8_real inertia[6];         /* kg m2; J about O1, 11 22 33 12 13 23, constant part */
     bench8_row flywheel[BENCH8_N];
     bench8_real gravity[3];         /* m/s2; in E0 */
     bench8_suspension suspension;
@@ -164,7 +165,7 @@ typedef struct bench8_mount_table {
 
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct bench8_inverse_options {
-    bench8_real weight[BENCH8_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    bench8_real weight[BENCH8_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
     bench8_real limit[BENCH8_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
     bench8_real near;              /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     bench8_real damping;           /* part of the largest singular value that damps those near zero, 0..1;
@@ -214,7 +215,8 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 2623 operations on reals, 5 of them divisions. */
 bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
@@ -223,7 +225,7 @@ bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2366 operations on reals, 4 of them divisions. */
 bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, bench8_real F[6]);
 
@@ -231,7 +233,7 @@ bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, be
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 3606 operations on reals, 4 of them divisions. */
 bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, bench8_equations *out);
 
@@ -239,7 +241,7 @@ bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, 
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2816 operations on reals, 1 of them a division. */
 bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, bench8_momenta *out);
 
@@ -249,7 +251,7 @@ bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, 
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1627 operations on reals, 1 of them a division. */
 bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
@@ -262,7 +264,8 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
  *   locked[8]    not 0: a lock holds phi'' = 0; its tau is not read
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 4224 operations on reals, 6 of them divisions. */
 bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
@@ -279,7 +282,7 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 17609 operations on reals, 30 of them divisions. */
+ * At most 17612 operations on reals, 30 of them divisions. */
 bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
@@ -293,7 +296,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11205 operations on reals, 26 of them divisions. */
+ * At most 11208 operations on reals, 26 of them divisions. */
 bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
@@ -304,7 +307,8 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 11485 operations on reals, 35 of them divisions. */
 bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out);
@@ -316,7 +320,8 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
  *   locked[8]  not 0: a lock holds phi'' = 0; its tau is not read
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 28486 operations on reals, 67 of them divisions. */
 bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
@@ -332,7 +337,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 32661 operations on reals, 327 of them divisions. */
+ * At most 32669 operations on reals, 327 of them divisions. */
 bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -348,7 +353,7 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4482 operations on reals, 60 of them divisions. */
+ * At most 4490 operations on reals, 60 of them divisions. */
 bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);
@@ -356,7 +361,7 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
 
@@ -367,7 +372,8 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
  *   q_ddot[6]    m/s2, rad/s2; their rates
  *   x            in and out: its position, attitude and V are written; phases stay
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
- * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
+ * negative.
  * At most 465 operations on reals, 1 of them a division. */
 bench8_status bench8_target(const bench8_real position[3], const bench8_real angles[3],
                             const bench8_real q_dot[6], const bench8_real q_ddot[6], bench8_state *x,
@@ -380,8 +386,8 @@ bench8_status bench8_target(const bench8_real position[3], const bench8_real ang
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
- * status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
+ * written when the status is negative.
  * At most 8022 operations on reals, 11 of them divisions. */
 bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, const bench8_real angles[3],
                               const bench8_real phi_ddot[BENCH8_N], bench8_generalized *out);
@@ -390,7 +396,8 @@ bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, 
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 9587 operations on reals, 41 of them divisions. */
 bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *stand);
 
@@ -402,7 +409,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   loads[48]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
  *                at phi = 0; the fourth is tau
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2991 operations on reals, 1 of them a division. */
 bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table *mounting,
                             const bench8_state *x, const bench8_real V_dot[6],
@@ -411,7 +418,8 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 2394 operations on reals, 32 of them divisions. */
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting);
 

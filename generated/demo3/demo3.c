@@ -2,6 +2,7 @@
  * mahovik 0.1.0; structure d7df2554, physics b6eae828. Generated: change the stand file instead. */
 #include "demo3.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 #if DEMO3_STRUCTURE != 0xd7df2554u || DEMO3_PHYSICS != 0xb6eae828u
@@ -383,6 +384,7 @@ DEMO3_CODE
 demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
                            demo3_real V_dot[6])
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
@@ -416,6 +418,7 @@ static void demo3_velocity_matrix(const demo3_real V[6], demo3_equations *out)
 DEMO3_CODE
 demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo3_equations *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     demo3_sums sum;
@@ -499,6 +502,7 @@ demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo
 DEMO3_CODE
 demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo3_momenta *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     demo3_real C[9];  /* attitude */
@@ -582,6 +586,8 @@ DEMO3_CODE
 demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
@@ -733,6 +739,8 @@ DEMO3_CODE
 demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N])
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+        || phi_ddot == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
@@ -817,11 +825,17 @@ DEMO3_CODE
 demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || next == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
     if (status != DEMO3_OK) { return status; }
-    if (!(dt > 0.0 && dt <= DEMO3_MAX_STEP)) { return DEMO3_BAD_ARGUMENT; }
+    demo3_real given[1];
+    given[0] = dt;
+    status = demo3_within(given, 1, DEMO3_MAX_STEP);
+    if (status != DEMO3_OK) { return status; }
+    if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
     demo3_state k;  /* rates of a stage */
     demo3_state y;  /* state of a stage; then the new state */
@@ -933,11 +947,16 @@ demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
-    if (!(dt > 0.0 && dt <= DEMO3_MAX_STEP)) { return DEMO3_BAD_ARGUMENT; }
+    demo3_real given[1];
+    given[0] = dt;
+    status = demo3_within(given, 1, DEMO3_MAX_STEP);
+    if (status != DEMO3_OK) { return status; }
+    if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
     demo3_state k;  /* rates of a stage */
     demo3_state y;  /* state of a stage; then the new state */
@@ -1118,6 +1137,7 @@ DEMO3_CODE
 demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_slopes *out)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
@@ -1234,6 +1254,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_slopes *out)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || out == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
@@ -1660,6 +1682,8 @@ DEMO3_CODE
 demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out)
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || out == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
@@ -1668,8 +1692,12 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(options->limit, DEMO3_N, DEMO3_LARGEST);
     if (status != DEMO3_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
+    demo3_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = demo3_within(shares, 2, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
     for (int s = 0; s < DEMO3_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     }
@@ -1716,9 +1744,9 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
             const demo3_real ratio = work.sigma[i] / work.sigma[0];
             demo3_real lambda = 0.0;
             if (ratio < options->near) {
-                flags = flags | 1;
+                flags = flags | DEMO3_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
-                    flags = flags | 2;
+                    flags = flags | DEMO3_DAMPED;
                     lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
                     damping = (lambda > damping) ? lambda : damping;
                 }
@@ -1737,11 +1765,11 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
         if (over > 0.0) {
             out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
             out->limited[s] = 1;
-            flags = flags | 4;
+            flags = flags | DEMO3_LIMITED;
         }
     }
     if (rank < 3) {
-        flags = flags | 16;
+        flags = flags | DEMO3_RANK_DEFICIENT;
     }
     demo3_real left;
     demo3_real z[6];  /* G^-1 residual */
@@ -1766,7 +1794,7 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
         }
     }
     if (left > 1.0e-18 * wanted) {
-        flags = flags | 8;
+        flags = flags | DEMO3_UNREACHABLE;
     }
     out->rank = rank;
     out->damping = damping;
@@ -1781,6 +1809,8 @@ DEMO3_CODE
 demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || phi_ddot == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
@@ -1789,8 +1819,12 @@ demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, 
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(options->limit, DEMO3_N, DEMO3_LARGEST);
     if (status != DEMO3_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
+    demo3_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = demo3_within(shares, 2, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
     for (int s = 0; s < DEMO3_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     }
@@ -1855,6 +1889,7 @@ demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, 
 DEMO3_CODE
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4])
 {
+    if (angles == NULL || attitude == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_within(angles, 3, DEMO3_MAX_PHASE);
     if (status != DEMO3_OK) { return status; }
     demo3_real s_psi, c_psi;
@@ -1875,6 +1910,8 @@ DEMO3_CODE
 demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3], const demo3_real q_dot[6],
                           const demo3_real q_ddot[6], demo3_state *x, demo3_real V_dot[6])
 {
+    if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
+        || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_within(position, 3, DEMO3_MAX_POSITION);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(q_dot, 6, DEMO3_MAX_SPEED);
@@ -1946,6 +1983,8 @@ DEMO3_CODE
 demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, const demo3_real angles[3],
                             const demo3_real phi_ddot[DEMO3_N], demo3_generalized *out)
 {
+    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+        || out == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status;
     demo3_state y;  /* the state with the attitude of the angles */
     demo3_real V_dot[6];
@@ -2158,6 +2197,7 @@ static demo3_status demo3_check_parameters(const demo3_parameters *parameters)
 DEMO3_CODE
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stand)
 {
+    if (parameters == NULL || stand == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_parameters(parameters);
     if (status != DEMO3_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2333,6 +2373,8 @@ DEMO3_CODE
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real loads[18])
 {
+    if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || loads == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
@@ -2357,6 +2399,7 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
 DEMO3_CODE
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting)
 {
+    if (parameters == NULL || mounting == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_parameters(parameters);
     if (status != DEMO3_OK) { return status; }
     for (int s = 0; s < DEMO3_N; ++s) {

@@ -4,6 +4,7 @@
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
  * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -30,23 +31,23 @@ typedef double demo3_real;
 #define DEMO3_MAX_ACCELERATION   1.0e9     /* rad/s2; each phi_ddot */
 #define DEMO3_MAX_WRENCH         1.0e9     /* N, N m; each component of a run-time wrench */
 #define DEMO3_MAX_STEP           10.0      /* s; a time step */
-#define DEMO3_MAX_PARAMETER      1.0e9     /* SI; each mass, length and moment of inertia */
+#define DEMO3_MAX_PARAMETER      1.0e15    /* SI; each mass, length and moment of inertia */
 #define DEMO3_LARGEST            1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
 typedef enum demo3_status {
     DEMO3_OK = 0,                         /* good */
-    DEMO3_NEAR_SINGULAR = 1,              /* smallest kept singular value below the given threshold */
+    DEMO3_NEAR_SINGULAR = 1,              /* inverse: least singular value below `near` of the largest */
     DEMO3_DAMPED = 2,                     /* damping was applied */
     DEMO3_LIMITED = 4,                    /* a limit was reached; the mask says whose */
-    DEMO3_UNREACHABLE = 8,                /* least-squares answer: the demand is out of reach */
-    DEMO3_RANK_DEFICIENT = 16,            /* rank below min(6, N) */
+    DEMO3_UNREACHABLE = 8,                /* inverse: least squares, residual above 1e-9 of the demand */
+    DEMO3_RANK_DEFICIENT = 16,            /* inverse: fewer than min(6, N) above 1e-9 of the largest */
     DEMO3_NOT_FINITE = -1,                /* an input is NaN or infinite */
     DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length, leg of no length */
-    DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* a mass or inertia that no body has */
-    DEMO3_SINGULAR_ATTITUDE = -4,         /* the attitude angles are at their singularity */
-    DEMO3_BAD_ARGUMENT = -5               /* a count or an index */
+    DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    DEMO3_SINGULAR_ATTITUDE = -4,         /* attitude angles within 1e-6 of their singularity */
+    DEMO3_BAD_ARGUMENT = -5               /* a null pointer, a count, an index, a step or an option */
 } demo3_status;
 
 /* ---- numbers of bodies ---- */
@@ -106,7 +107,7 @@ typedef struct demo3_table {
     demo3_real mass;              /* kg; of all bodies */
     demo3_real mass_inverse;      /* 1/kg */
     demo3_real first_moment[3];   /* kg m; mu about O1, constant part */
-    demo3_real inertia[6];        /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added mass */
+    demo3_real inertia[6];        /* kg m2; J about O1, 11 22 33 12 13 23, constant part */
     demo3_row flywheel[DEMO3_N];
 } demo3_table;
 
@@ -154,7 +155,7 @@ typedef struct demo3_mount_table {
 
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct demo3_inverse_options {
-    demo3_real weight[DEMO3_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    demo3_real weight[DEMO3_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
     demo3_real limit[DEMO3_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
     demo3_real near;             /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     demo3_real damping;          /* part of the largest singular value that damps those near zero, 0..1; 0:
@@ -204,7 +205,8 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 1030 operations on reals, 1 of them a division. */
 demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
                            demo3_real V_dot[6]);
@@ -213,7 +215,7 @@ demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1393 operations on reals, no division. */
 demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo3_equations *out);
 
@@ -221,7 +223,7 @@ demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1201 operations on reals, 1 of them a division. */
 demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo3_momenta *out);
 
@@ -231,7 +233,7 @@ demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   tau[3]       out: N m; drive torques, mount on flywheel, about the spin axis
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 652 operations on reals, no division. */
 demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N]);
@@ -244,7 +246,8 @@ demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const 
  *   locked[3]    not 0: a lock holds phi'' = 0; its tau is not read
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 1708 operations on reals, 2 of them divisions. */
 demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
@@ -260,7 +263,7 @@ demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7375 operations on reals, 14 of them divisions. */
+ * At most 7378 operations on reals, 14 of them divisions. */
 demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
 
@@ -274,7 +277,7 @@ demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const de
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4663 operations on reals, 10 of them divisions. */
+ * At most 4666 operations on reals, 10 of them divisions. */
 demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
@@ -285,7 +288,8 @@ demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 4774 operations on reals, 16 of them divisions. */
 demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_slopes *out);
@@ -297,7 +301,8 @@ demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state 
  *   locked[3]  not 0: a lock holds phi'' = 0; its tau is not read
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 10507 operations on reals, 32 of them divisions. */
 demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
@@ -313,7 +318,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 22278 operations on reals, 318 of them divisions. */
+ * At most 22286 operations on reals, 318 of them divisions. */
 demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -329,14 +334,14 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1894 operations on reals, 33 of them divisions. */
+ * At most 1902 operations on reals, 33 of them divisions. */
 demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
 
@@ -347,7 +352,8 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
  *   q_ddot[6]    m/s2, rad/s2; their rates
  *   x            in and out: its position, attitude and V are written; phases stay
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
- * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
+ * negative.
  * At most 465 operations on reals, 1 of them a division. */
 demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3], const demo3_real q_dot[6],
                           const demo3_real q_ddot[6], demo3_state *x, demo3_real V_dot[6]);
@@ -359,8 +365,8 @@ demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
- * status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
+ * written when the status is negative.
  * At most 4216 operations on reals, 3 of them divisions. */
 demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, const demo3_real angles[3],
                             const demo3_real phi_ddot[DEMO3_N], demo3_generalized *out);
@@ -369,7 +375,8 @@ demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, cons
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 3737 operations on reals, 16 of them divisions. */
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stand);
 
@@ -380,7 +387,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stan
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   loads[18]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
  *                at phi = 0; the fourth is tau
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1042 operations on reals, no division. */
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real loads[18]);
@@ -388,7 +395,8 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 924 operations on reals, 12 of them divisions. */
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting);
 

@@ -2,6 +2,7 @@
  * mahovik 0.1.0; structure 7b01c6fe, physics a90ecc69. Generated: change the stand file instead. */
 #include "remus6.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 #if REMUS6_STRUCTURE != 0x7b01c6feu || REMUS6_PHYSICS != 0xa90ecc69u
@@ -459,6 +460,7 @@ REMUS6_CODE
 remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
                              const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6])
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -477,6 +479,7 @@ remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
 REMUS6_CODE
 remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, remus6_real F[6])
 {
+    if (stand == NULL || x == NULL || F == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -525,6 +528,7 @@ static void remus6_velocity_matrix(const remus6_real V[6], remus6_equations *out
 REMUS6_CODE
 remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, remus6_equations *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -630,6 +634,7 @@ remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, 
 REMUS6_CODE
 remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, remus6_momenta *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -731,6 +736,8 @@ REMUS6_CODE
 remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -916,6 +923,8 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                              remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N])
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+        || phi_ddot == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -1003,13 +1012,19 @@ REMUS6_CODE
 remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || next == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
     if (status != REMUS6_OK) { return status; }
-    if (!(dt > 0.0 && dt <= REMUS6_MAX_STEP)) { return REMUS6_BAD_ARGUMENT; }
+    remus6_real given[1];
+    given[0] = dt;
+    status = remus6_within(given, 1, REMUS6_MAX_STEP);
+    if (status != REMUS6_OK) { return status; }
+    if (!(dt > 0.0)) { return REMUS6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
     remus6_state k;  /* rates of a stage */
     remus6_state y;  /* state of a stage; then the new state */
@@ -1121,13 +1136,18 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
-    if (!(dt > 0.0 && dt <= REMUS6_MAX_STEP)) { return REMUS6_BAD_ARGUMENT; }
+    remus6_real given[1];
+    given[0] = dt;
+    status = remus6_within(given, 1, REMUS6_MAX_STEP);
+    if (status != REMUS6_OK) { return status; }
+    if (!(dt > 0.0)) { return REMUS6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
     remus6_state k;  /* rates of a stage */
     remus6_state y;  /* state of a stage; then the new state */
@@ -1360,6 +1380,7 @@ REMUS6_CODE
 remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -1502,6 +1523,8 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_slopes *out)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -1990,6 +2013,8 @@ REMUS6_CODE
 remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out)
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -2000,8 +2025,12 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(options->limit, REMUS6_N, REMUS6_LARGEST);
     if (status != REMUS6_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    remus6_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = remus6_within(shares, 2, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return REMUS6_BAD_ARGUMENT; }
     }
@@ -2048,9 +2077,9 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
             const remus6_real ratio = work.sigma[i] / work.sigma[0];
             remus6_real lambda = 0.0;
             if (ratio < options->near) {
-                flags = flags | 1;
+                flags = flags | REMUS6_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
-                    flags = flags | 2;
+                    flags = flags | REMUS6_DAMPED;
                     lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
                     damping = (lambda > damping) ? lambda : damping;
                 }
@@ -2069,11 +2098,11 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
         if (over > 0.0) {
             out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
             out->limited[s] = 1;
-            flags = flags | 4;
+            flags = flags | REMUS6_LIMITED;
         }
     }
     if (rank < 6) {
-        flags = flags | 16;
+        flags = flags | REMUS6_RANK_DEFICIENT;
     }
     remus6_real left;
     remus6_real z[6];  /* G^-1 residual */
@@ -2098,7 +2127,7 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
         }
     }
     if (left > 1.0e-18 * wanted) {
-        flags = flags | 8;
+        flags = flags | REMUS6_UNREACHABLE;
     }
     out->rank = rank;
     out->damping = damping;
@@ -2114,6 +2143,8 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || phi_ddot == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -2124,8 +2155,12 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(options->limit, REMUS6_N, REMUS6_LARGEST);
     if (status != REMUS6_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    remus6_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = remus6_within(shares, 2, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return REMUS6_BAD_ARGUMENT; }
     }
@@ -2243,6 +2278,7 @@ REMUS6_CODE
 remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              remus6_reading out[REMUS6_SENSORS])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -2263,6 +2299,7 @@ remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, c
 REMUS6_CODE
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4])
 {
+    if (angles == NULL || attitude == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_within(angles, 3, REMUS6_MAX_PHASE);
     if (status != REMUS6_OK) { return status; }
     remus6_real s_psi, c_psi;
@@ -2284,6 +2321,8 @@ remus6_status remus6_target(const remus6_real position[3], const remus6_real ang
                             const remus6_real q_dot[6], const remus6_real q_ddot[6], remus6_state *x,
                             remus6_real V_dot[6])
 {
+    if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
+        || V_dot == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_within(position, 3, REMUS6_MAX_POSITION);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(q_dot, 6, REMUS6_MAX_SPEED);
@@ -2355,6 +2394,8 @@ REMUS6_CODE
 remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
                               const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out)
 {
+    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+        || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status;
     remus6_state y;  /* the state with the attitude of the angles */
     remus6_real V_dot[6];
@@ -2706,6 +2747,7 @@ static remus6_status remus6_check_parameters(const remus6_parameters *parameters
 REMUS6_CODE
 remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *stand)
 {
+    if (parameters == NULL || stand == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_parameters(parameters);
     if (status != REMUS6_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2985,6 +3027,8 @@ remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table 
                             const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real loads[36])
 {
+    if (stand == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || loads == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
@@ -3028,6 +3072,7 @@ remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table 
 REMUS6_CODE
 remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting)
 {
+    if (parameters == NULL || mounting == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_parameters(parameters);
     if (status != REMUS6_OK) { return status; }
     for (int s = 0; s < REMUS6_N; ++s) {

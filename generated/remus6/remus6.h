@@ -4,6 +4,7 @@
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
  * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -30,23 +31,23 @@ typedef double remus6_real;
 #define REMUS6_MAX_ACCELERATION  1.0e9     /* rad/s2; each phi_ddot */
 #define REMUS6_MAX_WRENCH        1.0e9     /* N, N m; each component of a run-time wrench */
 #define REMUS6_MAX_STEP          10.0      /* s; a time step */
-#define REMUS6_MAX_PARAMETER     1.0e9     /* SI; each mass, length and moment of inertia */
+#define REMUS6_MAX_PARAMETER     1.0e15    /* SI; each mass, length and moment of inertia */
 #define REMUS6_LARGEST           1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
 typedef enum remus6_status {
     REMUS6_OK = 0,                        /* good */
-    REMUS6_NEAR_SINGULAR = 1,             /* smallest kept singular value below the given threshold */
+    REMUS6_NEAR_SINGULAR = 1,             /* inverse: least singular value below `near` of the largest */
     REMUS6_DAMPED = 2,                    /* damping was applied */
     REMUS6_LIMITED = 4,                   /* a limit was reached; the mask says whose */
-    REMUS6_UNREACHABLE = 8,               /* least-squares answer: the demand is out of reach */
-    REMUS6_RANK_DEFICIENT = 16,           /* rank below min(6, N) */
+    REMUS6_UNREACHABLE = 8,               /* inverse: least squares, residual above 1e-9 of the demand */
+    REMUS6_RANK_DEFICIENT = 16,           /* inverse: fewer than min(6, N) above 1e-9 of the largest */
     REMUS6_NOT_FINITE = -1,               /* an input is NaN or infinite */
     REMUS6_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
-    REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* a mass or inertia that no body has */
-    REMUS6_SINGULAR_ATTITUDE = -4,        /* the attitude angles are at their singularity */
-    REMUS6_BAD_ARGUMENT = -5              /* a count or an index */
+    REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    REMUS6_SINGULAR_ATTITUDE = -4,        /* attitude angles within 1e-6 of their singularity */
+    REMUS6_BAD_ARGUMENT = -5              /* a null pointer, a count, an index, a step or an option */
 } remus6_status;
 
 /* ---- numbers of bodies ---- */
@@ -226,7 +227,7 @@ typedef struct remus6_reading {
 
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct remus6_inverse_options {
-    remus6_real weight[REMUS6_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    remus6_real weight[REMUS6_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
     remus6_real limit[REMUS6_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
     remus6_real near;              /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     remus6_real damping;           /* part of the largest singular value that damps those near zero, 0..1;
@@ -276,7 +277,8 @@ extern const remus6_inverse_options remus6_default_options;       /* of inverse,
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 2058 operations on reals, 2 of them divisions. */
 remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
                              const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6]);
@@ -285,7 +287,7 @@ remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1671 operations on reals, 1 of them a division. */
 remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, remus6_real F[6]);
 
@@ -293,7 +295,7 @@ remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, re
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2667 operations on reals, 1 of them a division. */
 remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, remus6_equations *out);
 
@@ -301,7 +303,7 @@ remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, 
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2286 operations on reals, 1 of them a division. */
 remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, remus6_momenta *out);
 
@@ -311,7 +313,7 @@ remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, 
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1305 operations on reals, 1 of them a division. */
 remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N]);
@@ -324,7 +326,8 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
  *   locked[6]    not 0: a lock holds phi'' = 0; its tau is not read
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 3207 operations on reals, 3 of them divisions. */
 remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
@@ -341,7 +344,7 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 13437 operations on reals, 18 of them divisions. */
+ * At most 13440 operations on reals, 18 of them divisions. */
 remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next);
 
@@ -355,7 +358,7 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8841 operations on reals, 14 of them divisions. */
+ * At most 8844 operations on reals, 14 of them divisions. */
 remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next);
@@ -366,7 +369,8 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 11526 operations on reals, 26 of them divisions. */
 remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out);
@@ -378,7 +382,8 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
  *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 21419 operations on reals, 52 of them divisions. */
 remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
@@ -394,7 +399,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 28502 operations on reals, 322 of them divisions. */
+ * At most 28510 operations on reals, 322 of them divisions. */
 remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -410,7 +415,7 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3539 operations on reals, 55 of them divisions. */
+ * At most 3547 operations on reals, 55 of them divisions. */
 remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);
@@ -420,7 +425,7 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[2]    out: a reading each
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 543 operations on reals, 1 of them a division. */
 remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              remus6_reading out[REMUS6_SENSORS]);
@@ -428,7 +433,7 @@ remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, c
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4]);
 
@@ -439,7 +444,8 @@ remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitud
  *   q_ddot[6]    m/s2, rad/s2; their rates
  *   x            in and out: its position, attitude and V are written; phases stay
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
- * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
+ * negative.
  * At most 465 operations on reals, 1 of them a division. */
 remus6_status remus6_target(const remus6_real position[3], const remus6_real angles[3],
                             const remus6_real q_dot[6], const remus6_real q_ddot[6], remus6_state *x,
@@ -452,8 +458,8 @@ remus6_status remus6_target(const remus6_real position[3], const remus6_real ang
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
- * status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
+ * written when the status is negative.
  * At most 6734 operations on reals, 5 of them divisions. */
 remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
                               const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out);
@@ -475,7 +481,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   loads[36]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
  *                at phi = 0; the fourth is tau
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2325 operations on reals, 1 of them a division. */
 remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table *mounting,
                             const remus6_state *x, const remus6_real V_dot[6],

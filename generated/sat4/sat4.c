@@ -2,6 +2,7 @@
  * mahovik 0.1.0; structure b82f7f7b, physics 3728bc60. Generated: change the stand file instead. */
 #include "sat4.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 #if SAT4_STRUCTURE != 0xb82f7f7bu || SAT4_PHYSICS != 0x3728bc60u
@@ -383,6 +384,7 @@ SAT4_CODE
 sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6])
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -416,6 +418,7 @@ static void sat4_velocity_matrix(const sat4_real V[6], sat4_equations *out)
 SAT4_CODE
 sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equations *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
@@ -499,6 +502,7 @@ sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equ
 SAT4_CODE
 sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_momenta *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     sat4_real C[9];  /* attitude */
@@ -582,6 +586,8 @@ SAT4_CODE
 sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -733,6 +739,8 @@ SAT4_CODE
 sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N])
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+        || phi_ddot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
@@ -817,11 +825,17 @@ SAT4_CODE
 sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || next == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
     if (status != SAT4_OK) { return status; }
-    if (!(dt > 0.0 && dt <= SAT4_MAX_STEP)) { return SAT4_BAD_ARGUMENT; }
+    sat4_real given[1];
+    given[0] = dt;
+    status = sat4_within(given, 1, SAT4_MAX_STEP);
+    if (status != SAT4_OK) { return status; }
+    if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     sat4_state k;  /* rates of a stage */
     sat4_state y;  /* state of a stage; then the new state */
@@ -932,11 +946,16 @@ SAT4_CODE
 sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
-    if (!(dt > 0.0 && dt <= SAT4_MAX_STEP)) { return SAT4_BAD_ARGUMENT; }
+    sat4_real given[1];
+    given[0] = dt;
+    status = sat4_within(given, 1, SAT4_MAX_STEP);
+    if (status != SAT4_OK) { return status; }
+    if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     sat4_state k;  /* rates of a stage */
     sat4_state y;  /* state of a stage; then the new state */
@@ -1117,6 +1136,7 @@ SAT4_CODE
 sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_slopes *out)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -1232,6 +1252,8 @@ SAT4_CODE
 sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_slopes *out)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
@@ -1658,6 +1680,8 @@ SAT4_CODE
 sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out)
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
@@ -1666,8 +1690,12 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
     if (status != SAT4_OK) { return status; }
     status = sat4_within(options->limit, SAT4_N, SAT4_LARGEST);
     if (status != SAT4_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return SAT4_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    sat4_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = sat4_within(shares, 2, SAT4_LARGEST);
+    if (status != SAT4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SAT4_BAD_ARGUMENT; }
     }
@@ -1714,9 +1742,9 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
             const sat4_real ratio = work.sigma[i] / work.sigma[0];
             sat4_real lambda = 0.0;
             if (ratio < options->near) {
-                flags = flags | 1;
+                flags = flags | SAT4_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
-                    flags = flags | 2;
+                    flags = flags | SAT4_DAMPED;
                     lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
                     damping = (lambda > damping) ? lambda : damping;
                 }
@@ -1735,11 +1763,11 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
         if (over > 0.0) {
             out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
             out->limited[s] = 1;
-            flags = flags | 4;
+            flags = flags | SAT4_LIMITED;
         }
     }
     if (rank < 4) {
-        flags = flags | 16;
+        flags = flags | SAT4_RANK_DEFICIENT;
     }
     sat4_real left;
     sat4_real z[6];  /* G^-1 residual */
@@ -1764,7 +1792,7 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
         }
     }
     if (left > 1.0e-18 * wanted) {
-        flags = flags | 8;
+        flags = flags | SAT4_UNREACHABLE;
     }
     out->rank = rank;
     out->damping = damping;
@@ -1779,6 +1807,8 @@ SAT4_CODE
 sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || phi_ddot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
@@ -1787,8 +1817,12 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
     if (status != SAT4_OK) { return status; }
     status = sat4_within(options->limit, SAT4_N, SAT4_LARGEST);
     if (status != SAT4_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return SAT4_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    sat4_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = sat4_within(shares, 2, SAT4_LARGEST);
+    if (status != SAT4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SAT4_BAD_ARGUMENT; }
     }
@@ -1905,6 +1939,7 @@ SAT4_CODE
 sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                          sat4_reading out[SAT4_SENSORS])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
@@ -1921,6 +1956,7 @@ sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat
 SAT4_CODE
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4])
 {
+    if (angles == NULL || attitude == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_within(angles, 3, SAT4_MAX_PHASE);
     if (status != SAT4_OK) { return status; }
     sat4_real s_psi, c_psi;
@@ -1941,6 +1977,8 @@ SAT4_CODE
 sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], const sat4_real q_dot[6],
                         const sat4_real q_ddot[6], sat4_state *x, sat4_real V_dot[6])
 {
+    if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
+        || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_within(position, 3, SAT4_MAX_POSITION);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(q_dot, 6, SAT4_MAX_SPEED);
@@ -2012,6 +2050,8 @@ SAT4_CODE
 sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sat4_real angles[3],
                           const sat4_real phi_ddot[SAT4_N], sat4_generalized *out)
 {
+    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+        || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status;
     sat4_state y;  /* the state with the attitude of the angles */
     sat4_real V_dot[6];
@@ -2239,6 +2279,7 @@ static sat4_status sat4_check_parameters(const sat4_parameters *parameters)
 SAT4_CODE
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
 {
+    if (parameters == NULL || stand == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_parameters(parameters);
     if (status != SAT4_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2423,6 +2464,8 @@ SAT4_CODE
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real loads[24])
 {
+    if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || loads == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -2447,6 +2490,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
 SAT4_CODE
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting)
 {
+    if (parameters == NULL || mounting == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_parameters(parameters);
     if (status != SAT4_OK) { return status; }
     for (int s = 0; s < SAT4_N; ++s) {

@@ -4,6 +4,7 @@
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
  * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -30,23 +31,23 @@ typedef double sat4_real;
 #define SAT4_MAX_ACCELERATION    1.0e9     /* rad/s2; each phi_ddot */
 #define SAT4_MAX_WRENCH          1.0e9     /* N, N m; each component of a run-time wrench */
 #define SAT4_MAX_STEP            10.0      /* s; a time step */
-#define SAT4_MAX_PARAMETER       1.0e9     /* SI; each mass, length and moment of inertia */
+#define SAT4_MAX_PARAMETER       1.0e15    /* SI; each mass, length and moment of inertia */
 #define SAT4_LARGEST             1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
 typedef enum sat4_status {
     SAT4_OK = 0,                          /* good */
-    SAT4_NEAR_SINGULAR = 1,               /* smallest kept singular value below the given threshold */
+    SAT4_NEAR_SINGULAR = 1,               /* inverse: least singular value below `near` of the largest */
     SAT4_DAMPED = 2,                      /* damping was applied */
     SAT4_LIMITED = 4,                     /* a limit was reached; the mask says whose */
-    SAT4_UNREACHABLE = 8,                 /* least-squares answer: the demand is out of reach */
-    SAT4_RANK_DEFICIENT = 16,             /* rank below min(6, N) */
+    SAT4_UNREACHABLE = 8,                 /* inverse: least squares, residual above 1e-9 of the demand */
+    SAT4_RANK_DEFICIENT = 16,             /* inverse: fewer than min(6, N) above 1e-9 of the largest */
     SAT4_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     SAT4_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
-    SAT4_NOT_POSITIVE_DEFINITE = -3,      /* a mass or inertia that no body has */
-    SAT4_SINGULAR_ATTITUDE = -4,          /* the attitude angles are at their singularity */
-    SAT4_BAD_ARGUMENT = -5                /* a count or an index */
+    SAT4_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    SAT4_SINGULAR_ATTITUDE = -4,          /* attitude angles within 1e-6 of their singularity */
+    SAT4_BAD_ARGUMENT = -5                /* a null pointer, a count, an index, a step or an option */
 } sat4_status;
 
 /* ---- numbers of bodies ---- */
@@ -122,8 +123,7 @@ typedef struct sat4_table {
     sat4_real mass;                    /* kg; of all bodies */
     sat4_real mass_inverse;            /* 1/kg */
     sat4_real first_moment[3];         /* kg m; mu about O1, constant part */
-    sat4_real inertia[6];              /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added
-                                        * mass */
+    sat4_real inertia[6];              /* kg m2; J about O1, 11 22 33 12 13 23, constant part */
     sat4_row flywheel[SAT4_N];
     sat4_sensor sensor[SAT4_SENSORS];
 } sat4_table;
@@ -182,7 +182,7 @@ typedef struct sat4_reading {
 
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct sat4_inverse_options {
-    sat4_real weight[SAT4_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    sat4_real weight[SAT4_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
     sat4_real limit[SAT4_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
     sat4_real near;            /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     sat4_real damping;         /* part of the largest singular value that damps those near zero, 0..1; 0:
@@ -232,7 +232,8 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 1274 operations on reals, 1 of them a division. */
 sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
@@ -241,7 +242,7 @@ sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1761 operations on reals, no division. */
 sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equations *out);
 
@@ -249,7 +250,7 @@ sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equ
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1524 operations on reals, 1 of them a division. */
 sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_momenta *out);
 
@@ -259,7 +260,7 @@ sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_mom
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 834 operations on reals, no division. */
 sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
@@ -272,7 +273,8 @@ sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4
  *   locked[4]    not 0: a lock holds phi'' = 0; its tau is not read
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 2136 operations on reals, 2 of them divisions. */
 sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
@@ -288,7 +290,7 @@ sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9121 operations on reals, 14 of them divisions. */
+ * At most 9124 operations on reals, 14 of them divisions. */
 sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
@@ -302,7 +304,7 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5673 operations on reals, 10 of them divisions. */
+ * At most 5676 operations on reals, 10 of them divisions. */
 sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
@@ -312,7 +314,8 @@ sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 5996 operations on reals, 19 of them divisions. */
 sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_slopes *out);
@@ -324,7 +327,8 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
  *   locked[4]  not 0: a lock holds phi'' = 0; its tau is not read
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 13657 operations on reals, 38 of them divisions. */
 sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_slopes *out);
@@ -339,7 +343,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 24280 operations on reals, 319 of them divisions. */
+ * At most 24288 operations on reals, 319 of them divisions. */
 sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -355,7 +359,7 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2346 operations on reals, 39 of them divisions. */
+ * At most 2354 operations on reals, 39 of them divisions. */
 sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
@@ -364,7 +368,7 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: a reading each
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 335 operations on reals, 1 of them a division. */
 sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                          sat4_reading out[SAT4_SENSORS]);
@@ -372,7 +376,7 @@ sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
 
@@ -383,7 +387,8 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
  *   q_ddot[6]    m/s2, rad/s2; their rates
  *   x            in and out: its position, attitude and V are written; phases stay
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
- * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
+ * negative.
  * At most 465 operations on reals, 1 of them a division. */
 sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], const sat4_real q_dot[6],
                         const sat4_real q_ddot[6], sat4_state *x, sat4_real V_dot[6]);
@@ -395,8 +400,8 @@ sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], 
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
- * status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
+ * written when the status is negative.
  * At most 4828 operations on reals, 3 of them divisions. */
 sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sat4_real angles[3],
                           const sat4_real phi_ddot[SAT4_N], sat4_generalized *out);
@@ -405,7 +410,8 @@ sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sa
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 5155 operations on reals, 25 of them divisions. */
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand);
 
@@ -416,7 +422,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand);
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   loads[24]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
  *                at phi = 0; the fourth is tau
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1357 operations on reals, no division. */
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real loads[24]);
@@ -424,7 +430,8 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 1342 operations on reals, 18 of them divisions. */
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
 

@@ -2,6 +2,7 @@
  * mahovik 0.1.0; structure f884db42, physics 56814717. Generated: change the stand file instead. */
 #include "shaker2.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 #if SHAKER2_STRUCTURE != 0xf884db42u || SHAKER2_PHYSICS != 0x56814717u
@@ -497,6 +498,7 @@ SHAKER2_CODE
 shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6])
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -513,6 +515,7 @@ shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *
 SHAKER2_CODE
 shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x, shaker2_real F[6])
 {
+    if (stand == NULL || x == NULL || F == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
@@ -554,6 +557,7 @@ static void shaker2_velocity_matrix(const shaker2_real V[6], shaker2_equations *
 SHAKER2_CODE
 shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state *x, shaker2_equations *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
@@ -640,6 +644,7 @@ shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state 
 SHAKER2_CODE
 shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state *x, shaker2_momenta *out)
 {
+    if (stand == NULL || x == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
@@ -723,6 +728,8 @@ SHAKER2_CODE
 shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x, const shaker2_real V_dot[6],
                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real tau[SHAKER2_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -883,6 +890,8 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N])
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+        || phi_ddot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
@@ -970,11 +979,17 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
     if (status != SHAKER2_OK) { return status; }
-    if (!(dt > 0.0 && dt <= SHAKER2_MAX_STEP)) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_real given[1];
+    given[0] = dt;
+    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
+    if (status != SHAKER2_OK) { return status; }
+    if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_state k;  /* rates of a stage */
     shaker2_state y;  /* state of a stage; then the new state */
@@ -1086,11 +1101,16 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
-    if (!(dt > 0.0 && dt <= SHAKER2_MAX_STEP)) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_real given[1];
+    given[0] = dt;
+    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
+    if (status != SHAKER2_OK) { return status; }
+    if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_state k;  /* rates of a stage */
     shaker2_state y;  /* state of a stage; then the new state */
@@ -1277,6 +1297,7 @@ SHAKER2_CODE
 shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N], shaker2_forward_slopes *out)
 {
+    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -1396,6 +1417,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_slopes *out)
 {
+    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
@@ -1831,6 +1854,8 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out)
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(V_dot, 6, SHAKER2_MAX_ACCELERATION);
@@ -1839,8 +1864,12 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(options->limit, SHAKER2_N, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = shaker2_within(shares, 2, SHAKER2_LARGEST);
+    if (status != SHAKER2_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     }
@@ -1887,9 +1916,9 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
             const shaker2_real ratio = work.sigma[i] / work.sigma[0];
             shaker2_real lambda = 0.0;
             if (ratio < options->near) {
-                flags = flags | 1;
+                flags = flags | SHAKER2_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
-                    flags = flags | 2;
+                    flags = flags | SHAKER2_DAMPED;
                     lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
                     damping = (lambda > damping) ? lambda : damping;
                 }
@@ -1908,11 +1937,11 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
         if (over > 0.0) {
             out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
             out->limited[s] = 1;
-            flags = flags | 4;
+            flags = flags | SHAKER2_LIMITED;
         }
     }
     if (rank < 2) {
-        flags = flags | 16;
+        flags = flags | SHAKER2_RANK_DEFICIENT;
     }
     shaker2_real left;
     shaker2_real z[6];  /* G^-1 residual */
@@ -1937,7 +1966,7 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
         }
     }
     if (left > 1.0e-18 * wanted) {
-        flags = flags | 8;
+        flags = flags | SHAKER2_UNREACHABLE;
     }
     out->rank = rank;
     out->damping = damping;
@@ -1953,6 +1982,8 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N])
 {
+    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+        || phi_ddot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(V_dot, 6, SHAKER2_MAX_ACCELERATION);
@@ -1961,8 +1992,12 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(options->limit, SHAKER2_N, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return status; }
-    if (!(options->near >= 0.0 && options->near <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
-    if (!(options->damping >= 0.0 && options->damping <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = shaker2_within(shares, 2, SHAKER2_LARGEST);
+    if (status != SHAKER2_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
         if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     }
@@ -2027,6 +2062,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
 SHAKER2_CODE
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4])
 {
+    if (angles == NULL || attitude == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_within(angles, 3, SHAKER2_MAX_PHASE);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real s_psi, c_psi;
@@ -2048,6 +2084,8 @@ shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real
                               const shaker2_real q_dot[6], const shaker2_real q_ddot[6], shaker2_state *x,
                               shaker2_real V_dot[6])
 {
+    if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
+        || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_within(position, 3, SHAKER2_MAX_POSITION);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(q_dot, 6, SHAKER2_MAX_SPEED);
@@ -2120,6 +2158,8 @@ shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state 
                                 const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                 shaker2_generalized *out)
 {
+    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+        || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status;
     shaker2_state y;  /* the state with the attitude of the angles */
     shaker2_real V_dot[6];
@@ -2334,6 +2374,7 @@ static shaker2_status shaker2_check_parameters(const shaker2_parameters *paramet
 SHAKER2_CODE
 shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *stand)
 {
+    if (parameters == NULL || stand == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_parameters(parameters);
     if (status != SHAKER2_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2522,6 +2563,8 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
                               const shaker2_state *x, const shaker2_real V_dot[6],
                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real loads[12])
 {
+    if (stand == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || loads == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -2551,6 +2594,7 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
 SHAKER2_CODE
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting)
 {
+    if (parameters == NULL || mounting == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_parameters(parameters);
     if (status != SHAKER2_OK) { return status; }
     for (int s = 0; s < SHAKER2_N; ++s) {

@@ -4,6 +4,7 @@
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
  * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well). gcc may call memcpy, memmove and memset.
+ * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -30,23 +31,23 @@ typedef double shaker2_real;
 #define SHAKER2_MAX_ACCELERATION 1.0e9     /* rad/s2; each phi_ddot */
 #define SHAKER2_MAX_WRENCH       1.0e9     /* N, N m; each component of a run-time wrench */
 #define SHAKER2_MAX_STEP         10.0      /* s; a time step */
-#define SHAKER2_MAX_PARAMETER    1.0e9     /* SI; each mass, length and moment of inertia */
+#define SHAKER2_MAX_PARAMETER    1.0e15    /* SI; each mass, length and moment of inertia */
 #define SHAKER2_LARGEST          1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
 typedef enum shaker2_status {
     SHAKER2_OK = 0,                       /* good */
-    SHAKER2_NEAR_SINGULAR = 1,            /* smallest kept singular value below the given threshold */
+    SHAKER2_NEAR_SINGULAR = 1,            /* inverse: least singular value below `near` of the largest */
     SHAKER2_DAMPED = 2,                   /* damping was applied */
     SHAKER2_LIMITED = 4,                  /* a limit was reached; the mask says whose */
-    SHAKER2_UNREACHABLE = 8,              /* least-squares answer: the demand is out of reach */
-    SHAKER2_RANK_DEFICIENT = 16,          /* rank below min(6, N) */
+    SHAKER2_UNREACHABLE = 8,              /* inverse: least squares, residual above 1e-9 of the demand */
+    SHAKER2_RANK_DEFICIENT = 16,          /* inverse: fewer than min(6, N) above 1e-9 of the largest */
     SHAKER2_NOT_FINITE = -1,              /* an input is NaN or infinite */
     SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length, leg of no length */
-    SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* a mass or inertia that no body has */
-    SHAKER2_SINGULAR_ATTITUDE = -4,       /* the attitude angles are at their singularity */
-    SHAKER2_BAD_ARGUMENT = -5             /* a count or an index */
+    SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    SHAKER2_SINGULAR_ATTITUDE = -4,       /* attitude angles within 1e-6 of their singularity */
+    SHAKER2_BAD_ARGUMENT = -5             /* a null pointer, a count, an index, a step or an option */
 } shaker2_status;
 
 /* ---- numbers of bodies ---- */
@@ -114,8 +115,7 @@ typedef struct shaker2_table {
     shaker2_real mass;                /* kg; of all bodies */
     shaker2_real mass_inverse;        /* 1/kg */
     shaker2_real first_moment[3];     /* kg m; mu about O1, constant part */
-    shaker2_real inertia[6];          /* kg m2; J about O1, 11 22 33 12 13 23, constant part, with added
-                                       * mass */
+    shaker2_real inertia[6];          /* kg m2; J about O1, 11 22 33 12 13 23, constant part */
     shaker2_row flywheel[SHAKER2_N];
     shaker2_real gravity[3];          /* m/s2; in E0 */
     shaker2_suspension suspension;
@@ -165,7 +165,7 @@ typedef struct shaker2_mount_table {
 
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct shaker2_inverse_options {
-    shaker2_real weight[SHAKER2_N];  /* of each flywheel in the norm of phi'', 1 by default; greater than 0 */
+    shaker2_real weight[SHAKER2_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
     shaker2_real limit[SHAKER2_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
     shaker2_real near;               /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     shaker2_real damping;            /* part of the largest singular value that damps those near zero,
@@ -215,7 +215,8 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 1159 operations on reals, 5 of them divisions. */
 shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
@@ -224,7 +225,7 @@ shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 926 operations on reals, 4 of them divisions. */
 shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x, shaker2_real F[6]);
 
@@ -232,7 +233,7 @@ shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1398 operations on reals, 4 of them divisions. */
 shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state *x, shaker2_equations *out);
 
@@ -240,7 +241,7 @@ shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state 
  *   stand  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 878 operations on reals, 1 of them a division. */
 shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state *x, shaker2_momenta *out);
 
@@ -250,7 +251,7 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 535 operations on reals, 1 of them a division. */
 shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x, const shaker2_real V_dot[6],
                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real tau[SHAKER2_N]);
@@ -263,7 +264,8 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
  *   locked[2]    not 0: a lock holds phi'' = 0; its tau is not read
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 1656 operations on reals, 6 of them divisions. */
 shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
@@ -280,7 +282,7 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7133 operations on reals, 30 of them divisions. */
+ * At most 7136 operations on reals, 30 of them divisions. */
 shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
@@ -295,7 +297,7 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5145 operations on reals, 26 of them divisions. */
+ * At most 5148 operations on reals, 26 of them divisions. */
 shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
@@ -306,7 +308,8 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 4009 operations on reals, 17 of them divisions. */
 shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N], shaker2_forward_slopes *out);
@@ -318,7 +321,8 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
  *   locked[2]  not 0: a lock holds phi'' = 0; its tau is not read
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 8038 operations on reals, 31 of them divisions. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
@@ -334,7 +338,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 20649 operations on reals, 321 of them divisions. */
+ * At most 20657 operations on reals, 321 of them divisions. */
 shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -351,7 +355,7 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1836 operations on reals, 32 of them divisions. */
+ * At most 1844 operations on reals, 32 of them divisions. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
@@ -359,7 +363,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 176 operations on reals, no division. */
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
 
@@ -370,7 +374,8 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
  *   q_ddot[6]    m/s2, rad/s2; their rates
  *   x            in and out: its position, attitude and V are written; phases stay
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
- * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
+ * negative.
  * At most 465 operations on reals, 1 of them a division. */
 shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real angles[3],
                               const shaker2_real q_dot[6], const shaker2_real q_ddot[6], shaker2_state *x,
@@ -383,8 +388,8 @@ shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE. Nothing is written when the
- * status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
+ * written when the status is negative.
  * At most 4350 operations on reals, 11 of them divisions. */
 shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state *x,
                                 const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
@@ -394,7 +399,8 @@ shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state 
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 2567 operations on reals, 11 of them divisions. */
 shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *stand);
 
@@ -406,7 +412,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   loads[12]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
  *                at phi = 0; the fourth is tau
- * Returns OK, NOT_FINITE, RANGE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 867 operations on reals, 1 of them a division. */
 shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_table *mounting,
                               const shaker2_state *x, const shaker2_real V_dot[6],
@@ -415,7 +421,8 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE. Nothing is written when the status is negative.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
  * At most 630 operations on reals, 8 of them divisions. */
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting);
 

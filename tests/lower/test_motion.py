@@ -145,18 +145,37 @@ def test_the_result_may_be_the_state_itself_and_phases_are_wrapped() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("dt", 0.0), ("dt", -1e-3), ("dt", 11.0), ("dt", float("nan")), ("order", 3)]
+    ("name", "value", "due"),
+    [
+        ("dt", 0.0, "BAD_ARGUMENT"),
+        ("dt", -1e-3, "BAD_ARGUMENT"),
+        ("dt", 11.0, "RANGE"),
+        ("dt", float("nan"), "NOT_FINITE"),
+        ("dt", float("inf"), "NOT_FINITE"),
+        ("order", 3, "BAD_ARGUMENT"),
+    ],
 )
-def test_a_bad_step_is_refused(name: str, value: float) -> None:
-    """dt outside (0, MAX_STEP] and an unknown order: BAD_ARGUMENT, nothing written."""
+def test_a_bad_step_is_refused(name: str, value: float, due: str) -> None:
+    """dt outside (0, MAX_STEP], an unknown order: refused, nothing written."""
     c = free()
     status, out = c.library.run(
         c.program.function("step"),
         {k: v for k, v in inputs(c, start(c), **{name: value}).items() if k not in ("phi_ddot", "wrench")},
         fill=5.5,
     )
-    assert status == STATUS_VALUES["BAD_ARGUMENT"]
+    assert status == STATUS_VALUES[due]
     assert set(out["next"]["V"]) == {5.5}
+
+
+def test_a_null_pointer_is_refused() -> None:
+    """No argument that is an address may be null."""
+    c = free()
+    function = c.program.function("forward")
+    good = {k: v for k, v in inputs(c, start(c)).items() if k in {a.name for a in function.arguments}}
+    assert c.library.run(function, good)[0] == 0
+    for argument in function.arguments:
+        status, _ = c.library.run(function, good | {argument.name: c.library._ffi.NULL}, plain=False)
+        assert status == STATUS_VALUES["BAD_ARGUMENT"], argument.name
 
 
 def test_a_locked_flywheel_is_one_more_rigid_body() -> None:

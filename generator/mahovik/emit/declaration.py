@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mahovik.emit.layout import WIDTH, paragraph
+from mahovik.emit.layout import WIDTH, paragraph, wrapped
 from mahovik.emit.names import Names
 from mahovik.emit.statement import dimensions
 from mahovik.program.cost import cost
@@ -65,13 +65,30 @@ def contract(function: Function, names: Names) -> list[str]:
     for note in function.notes:
         lines += paragraph(note, " * ", " * ")
     if function.statuses:
-        text = f"Returns {', '.join(function.statuses)}."
+        statuses = list(function.statuses)
+        if pointed(function) and "BAD_ARGUMENT" not in statuses:
+            statuses.append("BAD_ARGUMENT")
+        text = f"Returns {', '.join(statuses)}."
         if any(a.direction != "in" for a in function.arguments):
             text += " Nothing is written when the status is negative."
         lines += paragraph(text, " * ", " * ")
     lines += paragraph(counted(function), " * ", " * ")
     lines[-1] += " */"
     return lines
+
+
+def null_check(function: Function, names: Names) -> list[str]:
+    """The first lines of a public function: no pointer may be null."""
+    pointers = pointed(function)
+    if not pointers:
+        return []
+    condition = " || ".join(f"{a.name} == NULL" for a in pointers)
+    return wrapped(f"if ({condition}) {{ return {names.constant('BAD_ARGUMENT')}; }}", "    ")
+
+
+def pointed(function: Function) -> list[Argument]:
+    """Arguments of a public function that are addresses."""
+    return [a for a in function.arguments if a.variable.pointer or a.shape] if function.public else []
 
 
 def summary(function: Function) -> list[str]:

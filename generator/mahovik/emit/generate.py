@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.emit.constant import initialiser
-from mahovik.emit.declaration import contract, prototype, struct_lines, summary
+from mahovik.emit.declaration import contract, null_check, prototype, struct_lines, summary
 from mahovik.emit.expression import Expressions
 from mahovik.emit.layout import paragraph, wrapped
 from mahovik.emit.literal import real_literal
@@ -32,16 +32,16 @@ PRECISIONS = {"double": DOUBLE}
 
 _STATUS_MEANING = {
     "OK": "good",
-    "NEAR_SINGULAR": "smallest kept singular value below the given threshold",
+    "NEAR_SINGULAR": "inverse: least singular value below `near` of the largest",
     "DAMPED": "damping was applied",
     "LIMITED": "a limit was reached; the mask says whose",
-    "UNREACHABLE": "least-squares answer: the demand is out of reach",
-    "RANK_DEFICIENT": "rank below min(6, N)",
+    "UNREACHABLE": "inverse: least squares, residual above 1e-9 of the demand",
+    "RANK_DEFICIENT": "inverse: fewer than min(6, N) above 1e-9 of the largest",
     "NOT_FINITE": "an input is NaN or infinite",
     "RANGE": "out of range, quaternion off unit length, leg of no length",
-    "NOT_POSITIVE_DEFINITE": "a mass or inertia that no body has",
-    "SINGULAR_ATTITUDE": "the attitude angles are at their singularity",
-    "BAD_ARGUMENT": "a count or an index",
+    "NOT_POSITIVE_DEFINITE": "no mass, no spin inertia, or a pivot of the mass matrix failed",
+    "SINGULAR_ATTITUDE": "attitude angles within 1e-6 of their singularity",
+    "BAD_ARGUMENT": "a null pointer, a count, an index, a step or an option",
 }
 
 
@@ -178,7 +178,7 @@ class _Printer:
         return {
             "comment": comment,
             "prototype": prototype(f, self._names),
-            "body": self._statements.block(f.body, "    "),
+            "body": [*null_check(f, self._names), *self._statements.block(f.body, "    ")],
         }
 
     def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:

@@ -18,7 +18,7 @@ from mahovik.lower.matrices import fill
 from mahovik.lower.solve import carrier_binding
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body, call
-from mahovik.program.expression import Convert, Expr, Not, Place, Status, both, integer, magnitude, real, select
+from mahovik.program.expression import Const, Convert, Expr, Not, Place, Status, both, integer, magnitude, real, select
 from mahovik.program.function import STATUS_VALUES, Argument, Function
 from mahovik.program.types import Kind
 
@@ -152,9 +152,12 @@ def _check(
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_PARAMETER"].expression)
     lib.check(body, "within", options.limit, lib.layout.count, largest)
-    for name in ("near", "damping"):
-        value = options.member(name)
-        lib.guard(body, Not(both(value >= 0, value <= 1)), "BAD_ARGUMENT")
+    shares = body.local("shares", (2,))
+    for k, name in enumerate(("near", "damping")):
+        body.set(shares[k], options.member(name))
+    lib.check(body, "within", shares, 2, largest)
+    for share in shares:
+        lib.guard(body, Not(both(share >= 0, share <= 1)), "BAD_ARGUMENT")
     with body.loop("s", lib.layout.count) as s:
         lib.guard(body, Not(both(options.weight[s] > real(1e-9), options.limit[s] > 0)), "BAD_ARGUMENT")
 
@@ -240,7 +243,7 @@ def inverse(lib: Library) -> Function:
 
 def _flag(flags: Place, name: str) -> Expr:
     """flags with the bit of a status."""
-    return flags | STATUS_VALUES[name]
+    return flags | Const(STATUS_VALUES[name], Kind.INT, name)
 
 
 def _sort(body: Body, work: Place) -> None:

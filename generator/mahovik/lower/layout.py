@@ -67,9 +67,7 @@ class Layout(Tables):
     @cached_property
     def inverse_options(self) -> Struct:
         fields = (
-            Field(
-                "weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'', 1 by default; greater than 0"
-            ),
+            Field("weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'', 1 by default; above 1e-9"),
             Field("limit", REAL, (self.count,), "rad/s2", "magnitude of each phi''; greater than 0"),
             Field("near", REAL, (), "", "NEAR_SINGULAR below this part of the largest singular value, 0..1"),
             Field(

@@ -140,7 +140,10 @@ def _step(lib: Library, torques: bool) -> Function:
     else:
         check_inputs(lib, body, stand, x, drive[: 1 if layout.flywheels else 0], lib_wrench(drive))
     h = dt.place
-    lib.guard(body, Not(both(h > 0, h <= lib.limits["MAX_STEP"].expression)), "BAD_ARGUMENT")
+    given = body.local("given", (1,))
+    body.set(given[0], h)
+    lib.check(body, "within", given, 1, lib.limits["MAX_STEP"].expression)
+    lib.guard(body, Not(h > 0), "BAD_ARGUMENT")
     known = either(equal(order.place, integer(4)), equal(order.place, integer(2)))
     lib.guard(body, Not(known), "BAD_ARGUMENT")
     inputs = [a.place for a in drive]

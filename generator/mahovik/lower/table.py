@@ -205,7 +205,13 @@ class Tables(Kinds):
             Field("mass", REAL, (), "kg", "of all bodies"),
             Field("mass_inverse", REAL, (), "1/kg", ""),
             Field("first_moment", REAL, (3,), "kg m", "mu about O1, constant part"),
-            Field("inertia", REAL, (6,), "kg m2", "J about O1, 11 22 33 12 13 23, constant part, with added mass"),
+            Field(
+                "inertia",
+                REAL,
+                (6,),
+                "kg m2",
+                "J about O1, 11 22 33 12 13 23, constant part" + (", with added mass" if self.added_mass else ""),
+            ),
         ]
         if self.added_mass:
             fields += [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any, cast
 
 import numpy as np
@@ -26,7 +27,7 @@ class CMotion:
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        self.c = CBackend(with_inputs(case.stand, set(case.regime.wrenches)))
+        self.c = compiled(with_inputs(case.stand, set(case.regime.wrenches)))
         self._name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
         N = len(case.stand.flywheels)
         ffi = self.c.library.ffi
@@ -150,6 +151,12 @@ class CMotion:
         found = self.c.evaluate(state, want)
         loads = np.array(found["mount_wrench"]).reshape(-1, 6) if mounts else None
         return Moment(t, state, phi.copy(), tau, found["points"], loads)
+
+
+@lru_cache(maxsize=4)
+def compiled(stand: Stand) -> CBackend:
+    """The compiled C of a stand; of the last few it is kept, so that many runs of one stand compile once."""
+    return CBackend(stand)
 
 
 def with_inputs(stand: Stand, bodies: set[str]) -> Stand:

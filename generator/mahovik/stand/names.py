@@ -24,6 +24,13 @@ false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq
 reinterpret_cast requires static_assert static_cast template this thread_local throw true try typeid typename
 using virtual wchar_t xor xor_eq
 """
+_HEADERS = """
+assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdarg stdbool stddef stdint
+stdio stdlib string tgmath time wchar wctype
+"""
+C_HEADERS = frozenset(_HEADERS.split())
+"""Standard headers: a stand of such a name would have a header that hides one of them."""
+
 C_KEYWORDS = frozenset(_C.split())
 CPP_KEYWORDS = frozenset(_CPP.split())
 
@@ -37,6 +44,13 @@ def name_problem(name: str) -> str | None:
     if name in CPP_KEYWORDS:
         return f"{show(name)} is a C++ keyword"
     return None
+
+
+def stand_name_problem(name: str) -> str | None:
+    """Why `name` cannot be the name of a stand, hence of its files, or None."""
+    if name in C_HEADERS:
+        return f"{show(name)} is the name of a standard header of C: {name}.h would hide it"
+    return name_problem(name)
 
 
 def nearest(name: str, known: list[str]) -> str:

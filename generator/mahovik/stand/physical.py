@@ -32,8 +32,30 @@ def _steiner(body: Body) -> Array:
     return shift
 
 
+LARGEST = 1e15
+"""SI; mass properties and lengths up to here are taken by the emitted C (MAX_PARAMETER)."""
+
+
+def check_size(body: Body, where: str, problems: Problems) -> None:
+    """Note numbers of a body that are beyond what the emitted C takes."""
+    given: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
+    if body.buoyancy is not None:
+        given |= {"displaced_mass": body.buoyancy.displaced_mass, "center": body.buoyancy.center}
+    if isinstance(body, Instrument | Flywheel):
+        given["position"] = body.position
+    if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
+        given["added_mass"] = body.added_mass
+    for key, value in given.items():
+        largest = float(np.abs(np.array(value)).max())
+        if largest > LARGEST:
+            problems.add(
+                where, key, f"{largest:.6g} is beyond the range of the emitted C, expected at most {LARGEST:g}"
+            )
+
+
 def check_body(body: Body, where: str, problems: Problems) -> None:
     """Note what is unphysical in one body."""
+    check_size(body, where, problems)
     with np.errstate(all="ignore"):  # overflow is caught by isfinite
         central, at_origin = inertia_about_center(body), inertia_about_origin(body)
     if not (np.isfinite(central).all() and np.isfinite(at_origin).all()):
@@ -53,7 +75,7 @@ def check_body(body: Body, where: str, problems: Problems) -> None:
                 where,
                 "inertia",
                 "principal moments about the centre of mass break the triangle inequality, "
-                f"{a:.6g} + {b:.6g} < {c:.6g}",
+                f"{a:.12g} + {b:.12g} < {c:.12g}",
             )
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(

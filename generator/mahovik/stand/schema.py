@@ -15,7 +15,7 @@ from pydantic_core import PydanticCustomError
 from mahovik.stand import units
 from mahovik.stand.model import TWIST_LETTERS, WRENCH_LETTERS, About, Factor, Mat3, Mat6, Vec3
 from mahovik.stand.model import Sequence as AngleSequence
-from mahovik.stand.names import name_problem
+from mahovik.stand.names import name_problem, stand_name_problem
 from mahovik.stand.shapes import Blocks, direction, matrix6, symmetric3, vec3, vector
 from mahovik.stand.units import Dimension, QuantityError, number, show
 
@@ -86,6 +86,13 @@ def _flag(raw: Any) -> bool:
     return raw
 
 
+def _stand_name(raw: Any) -> str:
+    problem = stand_name_problem(_text(raw))
+    if problem is not None:
+        raise QuantityError(problem)
+    return str(raw)
+
+
 def _name(raw: Any) -> str:
     problem = name_problem(_text(raw))
     if problem is not None:
@@ -139,6 +146,7 @@ def _factors(raw: Any) -> tuple[Factor, Factor]:
 
 
 Name = Annotated[str, _validator(_name)]
+StandName = Annotated[str, _validator(_stand_name)]
 Text = Annotated[str, _validator(_text)]
 Flag = Annotated[bool, _validator(_flag)]
 Length3 = Annotated[Vec3, _validator(lambda raw: vec3(raw, units.LENGTH))]
@@ -163,7 +171,7 @@ class Header(Table):
     """The keys of a stand outside any table."""
 
     schema_: Annotated[int, _validator(_schema)] = Field(alias="schema")
-    name: Name
+    name: StandName
     angles: Annotated[AngleSequence, _validator(_sequence)] = "ship"
     gravity: Annotated[Vec3, _validator(lambda raw: vec3(raw, units.ACCELERATION))] = ZERO3
     stream: Annotated[Vec3, _validator(lambda raw: vec3(raw, units.VELOCITY))] | None = None

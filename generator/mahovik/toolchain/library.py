@@ -58,19 +58,19 @@ class Library:
         return self._plain(self.default("default")[0], argument.type, argument.shape)
 
     def run(
-        self, function: Function, inputs: Mapping[str, Any], fill: float | None = None
+        self, function: Function, inputs: Mapping[str, Any], fill: float | None = None, plain: bool = True
     ) -> tuple[int, dict[str, Any]]:
         """Calls a public function with inputs by argument name; returns its status and its outputs as plain data.
 
         Inputs are numbers, lists, dicts, or addresses from `default`. With `fill`, outputs hold that number
-        beforehand, so that a caller can see whether they were written.
+        beforehand, so that a caller can see whether they were written; without `plain` they are not read.
         """
         storage = {a.name: self._storage(a, inputs.get(a.name), fill) for a in function.arguments}
         call = getattr(self._library, f"{self._prefix}_{function.name}")
         status = call(*storage.values())
         outputs = {}
         for a in function.arguments:
-            if a.direction != "in":
+            if a.direction != "in" and plain:
                 stored = storage[a.name]
                 outputs[a.name] = self._plain(stored if a.shape else stored[0], a.type, a.shape)
         return int(status), outputs

@@ -25,6 +25,8 @@ def write_all(folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str]
     made = _make(folder)
     targets = {name: folder / name for name in files}
     drafts: dict[str, Path] = {}
+    replaced: dict[Path, bytes | None] = {}
+    name = ""
     try:
         for name, target in targets.items():
             if target.is_dir():
@@ -34,9 +36,12 @@ def write_all(folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str]
             if not (target.is_file() and target.read_bytes() == content):
                 drafts[name] = _draft(folder, name, content)
         for name, draft in drafts.items():
+            before = targets[name].read_bytes() if targets[name].is_file() else None
             os.replace(draft, targets[name])
+            replaced[targets[name]] = before
     except OSError as error:
-        raise UsageError(f"{error.filename or folder}: cannot be written: {error.strerror or error}") from None
+        _restore(replaced)
+        raise UsageError(f"{targets.get(name, folder)}: cannot be written: {error.strerror or error}") from None
     finally:
         for draft in drafts.values():
             draft.unlink(missing_ok=True)
@@ -44,6 +49,16 @@ def write_all(folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str]
             with contextlib.suppress(OSError):
                 each.rmdir()
     return tuple(targets.values())
+
+
+def _restore(replaced: Mapping[Path, bytes | None]) -> None:
+    """What was replaced before a later file failed gets its old content back, or goes where there was none."""
+    for target, before in replaced.items():
+        with contextlib.suppress(OSError):
+            if before is None:
+                target.unlink(missing_ok=True)
+            else:
+                os.replace(_draft(target.parent, target.name, before), target)
 
 
 def _draft(folder: Path, name: str, content: bytes) -> Path:

@@ -50,8 +50,10 @@ class ProgramBackend:
 
     @property
     def wants(self) -> tuple[str, ...]:
-        """What the program offers: without flywheels there is nothing to invert."""
-        return PROGRAM_WANTS if self.layout.flywheels else tuple(w for w in PROGRAM_WANTS if w != "inverse")
+        """What the program has an answer to: no points on a stand without, nothing to invert without flywheels."""
+        empty = set() if self.layout.flywheels else {"inverse", "torque", "mounts"}
+        empty |= set() if self.layout.sensors else {"points"}
+        return tuple(want for want in PROGRAM_WANTS if want not in empty)
 
     @property
     def inputs(self) -> tuple[str, ...]:

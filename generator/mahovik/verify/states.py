@@ -42,15 +42,11 @@ class Request:
 def read_object(line: str) -> dict[str, Any]:
     """The JSON object of a line. StateError where the line holds anything else: it has no id."""
     try:
-        found = json.loads(line, object_pairs_hook=_without_duplicates)
+        found = json.loads(line, object_pairs_hook=_without_duplicates, parse_int=_integer)
     except json.JSONDecodeError as error:
         raise StateError(f"not JSON: {error.msg} at column {error.colno}") from None
     except RecursionError:
         raise StateError("not readable: nested too deeply") from None
-    except ValueError as error:  # an integer of thousands of digits
-        raise StateError(f"not readable: {error}") from None
-    if isinstance(found, _Duplicated):
-        raise StateError(f'key "{found.key}" is there twice')
     if not isinstance(found, dict):
         raise StateError(f"expected an object, found {_show(found)}")
     return found
@@ -68,6 +64,8 @@ def identifier(found: dict[str, Any]) -> Any:
 
 def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> Request:
     """The request in a line's object. StateError names the key, what was found and what was expected."""
+    if isinstance(found, _Duplicated):
+        raise StateError(f'key "{found.key}" is there twice')
     for key, value in found.items():
         if key not in KEYS:
             raise StateError(f'unknown key "{key}", did you mean "{nearest(key, list(KEYS))}"?')
@@ -102,6 +100,11 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
 def read_line(stand: Stand, line: str, real: str = "double") -> Request:
     """The request in a line of text. Raises StateError."""
     return read_request(stand, read_object(line), real)
+
+
+def _integer(digits: str) -> int | float:
+    """An integer; one of hundreds of digits is beyond every range, and Python would not read thousands of them."""
+    return int(digits) if len(digits) < 300 else float("inf")
 
 
 class _Duplicated(dict[str, Any]):
