@@ -5,10 +5,12 @@ from __future__ import annotations
 import csv
 import importlib
 import json
+import os
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -151,11 +153,23 @@ def test_parquet_without_pyarrow_names_the_command(monkeypatch: pytest.MonkeyPat
     assert not Path("a.parquet").exists()
 
 
+def wait_until(there: Callable[[], bool]) -> None:
+    """Returns when it is so; a minute is enough on any machine."""
+    for _ in range(6000):
+        if there():
+            return
+        time.sleep(0.01)
+    pytest.fail("waited in vain")
+
+
 def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
     command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
     command += ["--until", "2000", "--every", "0.01", "-o", "run.csv"]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=own_folder) as program:
-        time.sleep(4.0)  # imports, generation and compilation are over: it steps
+    env = {**os.environ, "TMPDIR": str(own_folder)}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=own_folder, env=env) as program:
+        wait_until(lambda: any(own_folder.glob("mahovik-*")))  # it compiles there
+        wait_until(lambda: not any(own_folder.glob("mahovik-*")))
+        time.sleep(1.0)  # loaded: it steps
         program.send_signal(signal.SIGINT)
         assert program.stderr is not None
         said = program.stderr.read()
