@@ -91,4 +91,18 @@ def test_numbers_near_the_ends_of_double_precision_are_accepted_or_refused(expon
     try:
         loads(text)
     except StandError as error:
-        assert all("inertia" in problem for problem in error.problems)
+        assert all("inertia" in problem or "beyond the range" in problem for problem in error.problems)
+
+
+def test_what_the_c_cannot_take_is_refused_with_its_key_and_a_ship_is_not() -> None:
+    ship = 'schema = 1\nname = "ship"\n[carrier]\nmass = "5000 t"\ninertia = [1e8, 3e9, 3e9]\n'
+    assert loads(ship).carrier.mass == 5e6
+    with pytest.raises(StandError) as caught:
+        loads(ship.replace("5000 t", "5e16 kg"))
+    assert "carrier, mass: 5e+16 is beyond the range of the emitted C, expected at most 1e+15" in str(caught.value)
+
+
+def test_a_stand_does_not_hide_a_header_of_c() -> None:
+    with pytest.raises(StandError) as caught:
+        loads('schema = 1\nname = "stdint"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n')
+    assert "stdint.h would hide it" in str(caught.value)
