@@ -38,14 +38,14 @@ typedef double auv6_real;
 
 typedef enum auv6_status {
     AUV6_OK = 0,                          /* good */
-    AUV6_NEAR_SINGULAR = 1,               /* inverse: least singular value below `near` of the largest */
+    AUV6_NEAR_SINGULAR = 1,               /* least singular value below `near` of the largest */
     AUV6_DAMPED = 2,                      /* damping was applied */
     AUV6_LIMITED = 4,                     /* a limit was reached; the mask says whose */
-    AUV6_UNREACHABLE = 8,                 /* inverse: least squares, residual above 1e-9 of the demand */
-    AUV6_RANK_DEFICIENT = 16,             /* inverse: fewer than min(6, N) above 1e-9 of the largest */
+    AUV6_UNREACHABLE = 8,                 /* least squares: residual above 1e-9 of the demand */
+    AUV6_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
     AUV6_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     AUV6_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
-    AUV6_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    AUV6_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
     AUV6_SINGULAR_ATTITUDE = -4,          /* attitude angles within 1e-6 of their singularity */
     AUV6_BAD_ARGUMENT = -5                /* a null pointer, a count, an index, a step or an option */
 } auv6_status;

@@ -2274,8 +2274,8 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 BENCH8_CODE
 static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_real J[6],
-                         const bench8_real O[3], const bench8_real R[9], bench8_real mu[3], bench8_real J1[6],
-                         bench8_real t[3])
+                         const bench8_real O[3], const bench8_real R[9], bench8_real mu[3],
+                         bench8_real J1[6], bench8_real t[3])
 {
     bench8_real b1[3];  /* R b */
     bench8_real RJ[9];  /* R J */

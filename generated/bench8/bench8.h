@@ -38,14 +38,14 @@ typedef double bench8_real;
 
 typedef enum bench8_status {
     BENCH8_OK = 0,                        /* good */
-    BENCH8_NEAR_SINGULAR = 1,             /* inverse: least singular value below `near` of the largest */
+    BENCH8_NEAR_SINGULAR = 1,             /* least singular value below `near` of the largest */
     BENCH8_DAMPED = 2,                    /* damping was applied */
     BENCH8_LIMITED = 4,                   /* a limit was reached; the mask says whose */
-    BENCH8_UNREACHABLE = 8,               /* inverse: least squares, residual above 1e-9 of the demand */
-    BENCH8_RANK_DEFICIENT = 16,           /* inverse: fewer than min(6, N) above 1e-9 of the largest */
+    BENCH8_UNREACHABLE = 8,               /* least squares: residual above 1e-9 of the demand */
+    BENCH8_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
     BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
-    BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
     BENCH8_SINGULAR_ATTITUDE = -4,        /* attitude angles within 1e-6 of their singularity */
     BENCH8_BAD_ARGUMENT = -5              /* a null pointer, a count, an index, a step or an option */
 } bench8_status;

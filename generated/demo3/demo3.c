@@ -381,8 +381,8 @@ static demo3_status demo3_accelerate(const demo3_table *stand, const demo3_state
 
 /* (8) */
 DEMO3_CODE
-demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
-                           demo3_real V_dot[6])
+demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x,
+                           const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6])
 {
     if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_state(x);
@@ -1907,8 +1907,9 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
 
 /* (10) */
 DEMO3_CODE
-demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3], const demo3_real q_dot[6],
-                          const demo3_real q_ddot[6], demo3_state *x, demo3_real V_dot[6])
+demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3],
+                          const demo3_real q_dot[6], const demo3_real q_ddot[6], demo3_state *x,
+                          demo3_real V_dot[6])
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }

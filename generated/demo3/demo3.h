@@ -38,14 +38,14 @@ typedef double demo3_real;
 
 typedef enum demo3_status {
     DEMO3_OK = 0,                         /* good */
-    DEMO3_NEAR_SINGULAR = 1,              /* inverse: least singular value below `near` of the largest */
+    DEMO3_NEAR_SINGULAR = 1,              /* least singular value below `near` of the largest */
     DEMO3_DAMPED = 2,                     /* damping was applied */
     DEMO3_LIMITED = 4,                    /* a limit was reached; the mask says whose */
-    DEMO3_UNREACHABLE = 8,                /* inverse: least squares, residual above 1e-9 of the demand */
-    DEMO3_RANK_DEFICIENT = 16,            /* inverse: fewer than min(6, N) above 1e-9 of the largest */
+    DEMO3_UNREACHABLE = 8,                /* least squares: residual above 1e-9 of the demand */
+    DEMO3_RANK_DEFICIENT = 16,            /* fewer than min(6, N) singular values above 1e-9 of the largest */
     DEMO3_NOT_FINITE = -1,                /* an input is NaN or infinite */
     DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length, leg of no length */
-    DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* no mass, no spin inertia, or a pivot failed */
     DEMO3_SINGULAR_ATTITUDE = -4,         /* attitude angles within 1e-6 of their singularity */
     DEMO3_BAD_ARGUMENT = -5               /* a null pointer, a count, an index, a step or an option */
 } demo3_status;
@@ -208,8 +208,8 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1030 operations on reals, 1 of them a division. */
-demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
-                           demo3_real V_dot[6]);
+demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x,
+                           const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
  *   stand  the prepared table
@@ -355,8 +355,9 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
  * At most 465 operations on reals, 1 of them a division. */
-demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3], const demo3_real q_dot[6],
-                          const demo3_real q_ddot[6], demo3_state *x, demo3_real V_dot[6]);
+demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3],
+                          const demo3_real q_dot[6], const demo3_real q_ddot[6], demo3_state *x,
+                          demo3_real V_dot[6]);
 
 /* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).

@@ -2516,8 +2516,8 @@ static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 REMUS6_CODE
 static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_real J[6],
-                         const remus6_real O[3], const remus6_real R[9], remus6_real mu[3], remus6_real J1[6],
-                         remus6_real t[3])
+                         const remus6_real O[3], const remus6_real R[9], remus6_real mu[3],
+                         remus6_real J1[6], remus6_real t[3])
 {
     remus6_real b1[3];  /* R b */
     remus6_real RJ[9];  /* R J */

@@ -38,14 +38,14 @@ typedef double remus6_real;
 
 typedef enum remus6_status {
     REMUS6_OK = 0,                        /* good */
-    REMUS6_NEAR_SINGULAR = 1,             /* inverse: least singular value below `near` of the largest */
+    REMUS6_NEAR_SINGULAR = 1,             /* least singular value below `near` of the largest */
     REMUS6_DAMPED = 2,                    /* damping was applied */
     REMUS6_LIMITED = 4,                   /* a limit was reached; the mask says whose */
-    REMUS6_UNREACHABLE = 8,               /* inverse: least squares, residual above 1e-9 of the demand */
-    REMUS6_RANK_DEFICIENT = 16,           /* inverse: fewer than min(6, N) above 1e-9 of the largest */
+    REMUS6_UNREACHABLE = 8,               /* least squares: residual above 1e-9 of the demand */
+    REMUS6_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     REMUS6_NOT_FINITE = -1,               /* an input is NaN or infinite */
     REMUS6_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
-    REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
     REMUS6_SINGULAR_ATTITUDE = -4,        /* attitude angles within 1e-6 of their singularity */
     REMUS6_BAD_ARGUMENT = -5              /* a null pointer, a count, an index, a step or an option */
 } remus6_status;

@@ -38,14 +38,14 @@ typedef double sat4_real;
 
 typedef enum sat4_status {
     SAT4_OK = 0,                          /* good */
-    SAT4_NEAR_SINGULAR = 1,               /* inverse: least singular value below `near` of the largest */
+    SAT4_NEAR_SINGULAR = 1,               /* least singular value below `near` of the largest */
     SAT4_DAMPED = 2,                      /* damping was applied */
     SAT4_LIMITED = 4,                     /* a limit was reached; the mask says whose */
-    SAT4_UNREACHABLE = 8,                 /* inverse: least squares, residual above 1e-9 of the demand */
-    SAT4_RANK_DEFICIENT = 16,             /* inverse: fewer than min(6, N) above 1e-9 of the largest */
+    SAT4_UNREACHABLE = 8,                 /* least squares: residual above 1e-9 of the demand */
+    SAT4_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SAT4_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     SAT4_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
-    SAT4_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    SAT4_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
     SAT4_SINGULAR_ATTITUDE = -4,          /* attitude angles within 1e-6 of their singularity */
     SAT4_BAD_ARGUMENT = -5                /* a null pointer, a count, an index, a step or an option */
 } sat4_status;

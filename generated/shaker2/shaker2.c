@@ -256,8 +256,8 @@ static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3]
 
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 SHAKER2_CODE
-static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2_real c, shaker2_real phi_dot,
-                                 shaker2_real phi_ddot, shaker2_sums *sum)
+static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2_real c,
+                                 shaker2_real phi_dot, shaker2_real phi_ddot, shaker2_sums *sum)
 {
     const shaker2_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
     const shaker2_real s2 = 2.0 * c * s;
@@ -725,8 +725,9 @@ static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real 
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 SHAKER2_CODE
-shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x, const shaker2_real V_dot[6],
-                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real tau[SHAKER2_N])
+shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x,
+                              const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
+                              shaker2_real tau[SHAKER2_N])
 {
     if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return SHAKER2_BAD_ARGUMENT; }

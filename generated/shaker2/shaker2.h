@@ -38,14 +38,14 @@ typedef double shaker2_real;
 
 typedef enum shaker2_status {
     SHAKER2_OK = 0,                       /* good */
-    SHAKER2_NEAR_SINGULAR = 1,            /* inverse: least singular value below `near` of the largest */
+    SHAKER2_NEAR_SINGULAR = 1,            /* least singular value below `near` of the largest */
     SHAKER2_DAMPED = 2,                   /* damping was applied */
     SHAKER2_LIMITED = 4,                  /* a limit was reached; the mask says whose */
-    SHAKER2_UNREACHABLE = 8,              /* inverse: least squares, residual above 1e-9 of the demand */
-    SHAKER2_RANK_DEFICIENT = 16,          /* inverse: fewer than min(6, N) above 1e-9 of the largest */
+    SHAKER2_UNREACHABLE = 8,              /* least squares: residual above 1e-9 of the demand */
+    SHAKER2_RANK_DEFICIENT = 16,          /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SHAKER2_NOT_FINITE = -1,              /* an input is NaN or infinite */
     SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length, leg of no length */
-    SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* no mass, no spin inertia, or a pivot of the mass matrix failed */
+    SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* no mass, no spin inertia, or a pivot failed */
     SHAKER2_SINGULAR_ATTITUDE = -4,       /* attitude angles within 1e-6 of their singularity */
     SHAKER2_BAD_ARGUMENT = -5             /* a null pointer, a count, an index, a step or an option */
 } shaker2_status;
@@ -253,8 +253,9 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
  *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 535 operations on reals, 1 of them a division. */
-shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x, const shaker2_real V_dot[6],
-                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real tau[SHAKER2_N]);
+shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x,
+                              const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
+                              shaker2_real tau[SHAKER2_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.

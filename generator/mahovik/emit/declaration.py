@@ -39,7 +39,7 @@ def prototype(function: Function, names: Names) -> str:
     lines, line = [], head
     for number, argument in enumerate(arguments):
         text = argument + (")" if number == len(arguments) - 1 else ",")
-        if line != head and len(line) + 1 + len(text) > WIDTH:
+        if line != head and len(line) + 1 + len(text) >= WIDTH:  # room for a semicolon
             lines.append(line)
             line = " " * len(head) + text
         else:

@@ -32,14 +32,14 @@ PRECISIONS = {"double": DOUBLE}
 
 _STATUS_MEANING = {
     "OK": "good",
-    "NEAR_SINGULAR": "inverse: least singular value below `near` of the largest",
+    "NEAR_SINGULAR": "least singular value below `near` of the largest",
     "DAMPED": "damping was applied",
     "LIMITED": "a limit was reached; the mask says whose",
-    "UNREACHABLE": "inverse: least squares, residual above 1e-9 of the demand",
-    "RANK_DEFICIENT": "inverse: fewer than min(6, N) above 1e-9 of the largest",
+    "UNREACHABLE": "least squares: residual above 1e-9 of the demand",
+    "RANK_DEFICIENT": "fewer than min(6, N) singular values above 1e-9 of the largest",
     "NOT_FINITE": "an input is NaN or infinite",
     "RANGE": "out of range, quaternion off unit length, leg of no length",
-    "NOT_POSITIVE_DEFINITE": "no mass, no spin inertia, or a pivot of the mass matrix failed",
+    "NOT_POSITIVE_DEFINITE": "no mass, no spin inertia, or a pivot failed",
     "SINGULAR_ATTITUDE": "attitude angles within 1e-6 of their singularity",
     "BAD_ARGUMENT": "a null pointer, a count, an index, a step or an option",
 }

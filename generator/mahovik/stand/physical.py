@@ -36,8 +36,8 @@ LARGEST = 1e15
 """SI; mass properties and lengths up to here are taken by the emitted C (MAX_PARAMETER)."""
 
 
-def check_size(body: Body, where: str, problems: Problems) -> None:
-    """Note numbers of a body that are beyond what the emitted C takes."""
+def check_size(body: Body, where: str, problems: Problems) -> bool:
+    """Note a number of a body that is beyond what the emitted C takes. Whether all are within."""
     given: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
     if body.buoyancy is not None:
         given |= {"displaced_mass": body.buoyancy.displaced_mass, "center": body.buoyancy.center}
@@ -51,11 +51,14 @@ def check_size(body: Body, where: str, problems: Problems) -> None:
             problems.add(
                 where, key, f"{largest:.6g} is beyond the range of the emitted C, expected at most {LARGEST:g}"
             )
+            return False
+    return True
 
 
 def check_body(body: Body, where: str, problems: Problems) -> None:
     """Note what is unphysical in one body."""
-    check_size(body, where, problems)
+    if not check_size(body, where, problems):
+        return
     with np.errstate(all="ignore"):  # overflow is caught by isfinite
         central, at_origin = inertia_about_center(body), inertia_about_origin(body)
     if not (np.isfinite(central).all() and np.isfinite(at_origin).all()):

@@ -103,8 +103,8 @@ def read_line(stand: Stand, line: str, real: str = "double") -> Request:
 
 
 def _integer(digits: str) -> int | float:
-    """An integer; one of hundreds of digits is beyond every range, and Python would not read thousands of them."""
-    return int(digits) if len(digits) < 300 else float("inf")
+    """An integer; Python reads no thousands of digits, and they are beyond every range."""
+    return int(digits) if len(digits) < 4000 else float("inf")
 
 
 class _Duplicated(dict[str, Any]):
