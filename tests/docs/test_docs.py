@@ -122,7 +122,7 @@ def _uses_missing_gcc(block: Block) -> bool:
 @pytest.mark.parametrize("block", RUNNABLE, ids=lambda b: b.name)
 def test_commands_run(block: Block, tmp_path: Path) -> None:
     if _uses_missing_gcc(block):
-        pytest.skip("no gcc")
+        pytest.skip("no gcc: apt-get install gcc")
     printed = run_block(block, tmp_path)
     following = blocks(block.page)[block.number + 1 : block.number + 2]
     if following and following[0].language == "text" and block.text.rstrip().split("\n")[-1] == "./main":

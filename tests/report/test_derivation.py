@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 import xml.etree.ElementTree as ET
 from dataclasses import replace
@@ -21,6 +20,7 @@ from mahovik.report.derivation.page import significant
 from mahovik.stand import Stand, State, load
 from mahovik.stand.identity import identities
 from mahovik.stand.random import Features, random_stand, random_state
+from toolchain.tools import require
 
 STANDS = Path(__file__).resolve().parents[2] / "generator" / "mahovik" / "stands"
 NAMES = sorted(path.stem for path in STANDS.glob("*.toml"))
@@ -111,10 +111,10 @@ def test_article_is_whole(name: str) -> None:
     assert all(text in article for text in (found.structure, found.physics, f"mahovik {__version__}"))
 
 
-@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no pdflatex on this machine")
 @pytest.mark.parametrize("example", [stand("auv6"), general(3), general(0)], ids=["auv6", "general", "rigid"])
 def test_article_compiles_without_overfull_lines(example: Stand, tmp_path: Path) -> None:
     """Nothing runs out of the page."""
+    require("pdflatex", "texlive-latex-base")
     (tmp_path / "stand.tex").write_text(latex(example), encoding="ascii")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "stand.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120)

@@ -149,9 +149,9 @@ def _kinematics(
     fill(body, out.D, D, everything)
     rest = body.local("rest", (6,), comment="V* - D q'")
     with body.loop("i", 6) as i:
-        total = V_dot[i]
+        total: Expr = V_dot[i]
         for j in range(6):
-            total = total - out.D[i][j] * out.q_dot[j]  # type: ignore[assignment]
+            total = total - out.D[i][j] * out.q_dot[j]
         body.set(rest[i], total)
     body.note("q'' = A^-1 (V* - D q')")
     assign(body, acceleration[:3], rotate, {"C": C, "a": list(rest)[:3]})

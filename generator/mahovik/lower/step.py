@@ -11,7 +11,7 @@ from mahovik.lower.library import Library
 from mahovik.lower.solve import parts_of_twist
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body, call
-from mahovik.program.expression import Expr, Not, Place, Status, both, either, equal, integer, real
+from mahovik.program.expression import Expr, Not, Place, Status, as_expr, both, either, equal, integer, real
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind
 
@@ -76,13 +76,7 @@ def _rate(lib: Library, torques: bool) -> Function:
 
 def _members(lib: Library) -> Sequence[tuple[str, Expr]]:
     """Members of a state with their lengths."""
-    return [(f.name, _length(f.shape[0])) for f in lib.layout.state.fields]
-
-
-def _length(count: object) -> Expr:
-    from mahovik.program.expression import as_expr
-
-    return as_expr(count, Kind.INT)  # type: ignore[arg-type]  # lengths are ints or named counts
+    return [(f.name, as_expr(f.shape[0], Kind.INT)) for f in lib.layout.state.fields]
 
 
 def _advance(lib: Library) -> Function:
