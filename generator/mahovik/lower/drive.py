@@ -9,7 +9,15 @@ from mahovik.derive import carrier as derived_carrier
 from mahovik.derive import drive as derived
 from mahovik.derive.symbols import SYMMETRIC, vector
 from mahovik.lower.flywheels import columns_of, sine_and_cosine
-from mahovik.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, from_stream, scene
+from mahovik.lower.forward import (
+    STATE_STATUSES,
+    Scene,
+    check_inputs,
+    external_wrench,
+    from_stream,
+    relative_rate,
+    scene,
+)
 from mahovik.lower.library import Library
 from mahovik.lower.solve import parts_of_twist
 from mahovik.lower.symbolic import assign, translate
@@ -97,12 +105,7 @@ def torque(lib: Library) -> Function:
     check_inputs(lib, body, stand, x, phi_ddot, wrench)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     seen = scene(lib, body, stand.place, x.place)
-    moving = V_dot.place
-    if seen.stream is not None:
-        drift = drift_of(body, x.place, seen.stream)
-        moving = body.local("V_r_dot", (6,), comment="V_r* = V* + (omega x C^T u, 0)")
-        for i in range(6):
-            body.set(moving[i], V_dot.place[i] + drift[i] if i < 3 else V_dot.place[i])
+    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     if layout.own_turning:
         scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
         for element in scratch:

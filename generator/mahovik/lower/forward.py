@@ -112,6 +112,17 @@ def drift_of(body: Body, x: Place, stream: Place) -> Place:
     return drift
 
 
+def relative_rate(body: Body, x: Place, V_dot: Place, stream: Place | None) -> Place:
+    """V_r* = V* + (omega x C^T u, 0); V* itself where there is no stream."""
+    if stream is None:
+        return V_dot
+    drift = drift_of(body, x, stream)
+    moving = body.local("V_r_dot", (6,), comment="V_r* = V* + (omega x C^T u, 0)")
+    for i in range(6):
+        body.set(moving[i], V_dot[i] + drift[i] if i < 3 else V_dot[i])
+    return moving
+
+
 def accelerate(lib: Library) -> Function:
     """V* for given phi'' by (8), from checked inputs."""
     stand, x = lib.table_argument(), lib.state_argument()

@@ -12,7 +12,13 @@ from typing import Any
 from mahovik.derive import accumulate as derived_rows
 from mahovik.derive import carrier as derived_carrier
 from mahovik.lower.flywheels import columns_of, sine_and_cosine
-from mahovik.lower.forward import STATE_STATUSES, check_inputs, drift_of, external_wrench, scene
+from mahovik.lower.forward import (
+    STATE_STATUSES,
+    check_inputs,
+    external_wrench,
+    relative_rate,
+    scene,
+)
 from mahovik.lower.library import Library
 from mahovik.lower.matrices import fill
 from mahovik.lower.solve import carrier_binding
@@ -74,7 +80,7 @@ def demand(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     seen = scene(lib, body, stand.place, x.place)
-    moving = _relative(lib, body, x.place, V_dot.place, seen.stream)
+    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     body.call(lib["start_sums"], stand.place, seen.sums)
     column = body.local("column", (6,), comment="I_s")
     with body.loop("s", layout.count) as s:
@@ -124,17 +130,6 @@ def demand(lib: Library) -> Function:
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
-
-
-def _relative(lib: Library, body: Body, x: Place, V_dot: Place, stream: Place | None) -> Place:
-    """V_r* = V* + (omega x C^T u, 0)."""
-    if stream is None:
-        return V_dot
-    drift = drift_of(body, x, stream)
-    moving = body.local("V_r_dot", (6,), comment="V_r* = V* + (omega x C^T u, 0)")
-    for i in range(6):
-        body.set(moving[i], V_dot[i] + drift[i] if i < 3 else V_dot[i])
-    return moving
 
 
 def _check(
