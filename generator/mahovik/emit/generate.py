@@ -21,13 +21,13 @@ from mahovik.lower.program import lower_layout
 from mahovik.lower.values import Values
 from mahovik.program.expression import BitCast
 from mahovik.program.function import STATUS_VALUES, Function, Program
-from mahovik.program.types import DOUBLE, Struct
+from mahovik.program.types import DOUBLE, FLOAT, Struct
 from mahovik.program.walk import expressions
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.structure import structure
 
-PRECISIONS = {"double": DOUBLE}
+PRECISIONS = {"double": DOUBLE, "float": FLOAT}
 """Element types that `generate` offers."""
 
 _STATUS_MEANING = {
