@@ -9,7 +9,7 @@ extern "C" {
 /* Zero-terminated text to the semihosting console, or to stdout of a hosted board. */
 void board_print(const char *text);
 
-/* Instructions since start, modulo 2^32, where the emulator counts them (QEMU with -icount shift=0); else 0. */
+/* Instructions since the first call or before, modulo 2^32, where the emulator counts them (QEMU with -icount shift=0); else 0. */
 unsigned long board_ticks(void);
 
 /* Fills the free stack with a pattern. */

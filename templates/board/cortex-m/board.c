@@ -53,7 +53,7 @@ unsigned long board_ticks(void)
 {
     uint32_t turn, left;
 
-    if (SYST_CSR == 0u) { /* the first call starts the counter */
+    if ((SYST_CSR & 1u) == 0u) { /* the first call starts the counter */
         SYST_RVR = TICKS_A_TURN - 1u;
         SYST_CVR = 0u;
         SYST_CSR = 7u; /* processor clock, interrupt, on */
