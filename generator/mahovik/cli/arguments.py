@@ -17,8 +17,6 @@ real_option = click.option(
     "--real", type=click.Choice(["double", "float"]), default="double", show_default=True, help="Element type of the C."
 )
 
-NOT_YET_FLOAT = "--real float: float C is not there yet, only double"
-
 
 def load_stand(stand_file: str) -> Stand:
     """The stand of a file. Raises StandError."""

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import click
 
-from mahovik.cli.arguments import NOT_YET_FLOAT, load_stand, real_option, stand_argument
-from mahovik.errors import UsageError
+from mahovik.cli.arguments import load_stand, real_option, stand_argument
 
 
 @click.command()
@@ -21,8 +20,6 @@ def generate(stand_file: str, output: str | None, real: str) -> None:
 
     A header and a source, all or nothing. Needs no compiler.
     """
-    if real == "float":
-        raise UsageError(NOT_YET_FLOAT)
     stand = load_stand(stand_file)
     from mahovik.emit.generate import generate as texts
     from mahovik.verify.files import write_all

@@ -18,6 +18,7 @@ from mahovik.errors import UsageError
 from mahovik.lower.layout import Layout
 from mahovik.lower.limits import limits
 from mahovik.lower.program import lower_layout
+from mahovik.lower.thresholds import thresholds
 from mahovik.lower.values import Values
 from mahovik.program.expression import BitCast
 from mahovik.program.function import STATUS_VALUES, Function, Program
@@ -35,8 +36,8 @@ _STATUS_MEANING = {
     "NEAR_SINGULAR": "least singular value below `near` of the largest",
     "DAMPED": "damping was applied",
     "LIMITED": "a limit was reached; the mask says whose",
-    "UNREACHABLE": "least squares: residual above 1e-9 of the demand",
-    "RANK_DEFICIENT": "fewer than min(6, N) singular values above 1e-9 of the largest",
+    "UNREACHABLE": "least squares: residual above {unreachable} of the demand",
+    "RANK_DEFICIENT": "fewer than min(6, N) singular values above {rank} of the largest",
     "NOT_FINITE": "an input is NaN or infinite",
     "RANGE": "out of range, quaternion off unit length, leg of no length",
     "NOT_POSITIVE_DEFINITE": "no mass, no spin inertia, or a pivot failed",
@@ -141,7 +142,9 @@ class _Printer:
         ]
 
     def _statuses(self) -> list[tuple[str, int, str]]:
-        return [(self._names.constant(n), v, _STATUS_MEANING[n]) for n, v in STATUS_VALUES.items()]
+        decided = thresholds(self._program.precision)
+        numbers = {"unreachable": _power(decided.unreachable), "rank": _power(decided.rank)}
+        return [(self._names.constant(n), v, _STATUS_MEANING[n].format(**numbers)) for n, v in STATUS_VALUES.items()]
 
     def _enums(self) -> list[list[str]]:
         """Enumerators of flywheels and of run-time wrenches."""
@@ -218,6 +221,11 @@ class _Printer:
             "frame": [stand.bodies[o.index].name for o in self._layout.own],
         }
         return initialiser(struct, value, self._program.precision, labels)
+
+
+def _power(number: float) -> str:
+    """1e-9, not 1e-09."""
+    return f"{number:.0e}".replace("e-0", "e-")
 
 
 def _counted(number: int, noun: str) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from mahovik.derive import wrench as derived
 from mahovik.derive.symbols import vector
 from mahovik.lower.library import Library
-from mahovik.lower.limits import SMALL_SQUARE, ZERO_LENGTH
 from mahovik.lower.symbolic import assign, translate
 from mahovik.program.build import Body, call
 from mahovik.program.expression import Expr, Place, Status, magnitude, real, select
@@ -63,7 +62,7 @@ def rotation_vector(lib: Library) -> Function:
     square = body.let("square", u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
     ratio = body.local("ratio", comment="angle over the length of the vector part")
     body.set(ratio, 2 / (side * w))
-    with body.when(square > SMALL_SQUARE):
+    with body.when(square > lib.thresholds.small_square):
         length = body.let("length", call(lib["sqrt"], square))
         body.set(ratio, 2 * call(lib["atan2"], length, side * w) / length)
     for target, component in zip(r.place, u, strict=True):
@@ -133,7 +132,7 @@ def pull(lib: Library) -> Function:
         body.set(reach[i], span1[i] - point[i])
     square = reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]
     distance = body.let("distance", call(lib["sqrt"], square))
-    with body.when(distance < ZERO_LENGTH, comment="no direction"):
+    with body.when(distance < lib.thresholds.zero_length, comment="no direction"):
         body.ret(Status("RANGE"))
     inverse = body.let("inverse", 1 / distance)
     for i in range(3):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from mahovik.lower.layout import Layout
 from mahovik.lower.limits import Limit, limits
+from mahovik.lower.thresholds import Thresholds, thresholds
 from mahovik.program.build import Body, call
 from mahovik.program.expression import Expr, Operand, Place, Status, unequal
 from mahovik.program.function import Argument, Function
@@ -12,11 +13,12 @@ from mahovik.program.types import Kind
 
 
 class Library:
-    """Layout, limits, and the functions built so far by name."""
+    """Layout, limits, thresholds, and the functions built so far by name."""
 
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
         self.limits: dict[str, Limit] = limits(layout.precision)
+        self.thresholds: Thresholds = thresholds(layout.precision)
         self._functions: dict[str, Function] = {}
         self._status: Place
 

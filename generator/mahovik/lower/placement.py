@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from mahovik.derive import wrench as derived_wrench
 from mahovik.lower.library import Library
-from mahovik.lower.limits import SMALL_SQUARE
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body, call
-from mahovik.program.expression import Not, Place, Status, both, integer
+from mahovik.program.expression import Expr, Not, Place, Status, both, integer, real
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind, Struct
 
@@ -24,13 +23,16 @@ def frame_of_axes(lib: Library) -> Function:
     lib.check(body, "within", zero.place, 3, bound)
     e1 = body.local("e1", (3,))
     e2 = body.local("e2", (3,))
-    _unit(lib, body, axis.place, e1, "axis2")
+    least = real(lib.thresholds.small_square)
+    _unit(lib, body, axis.place, e1, "axis2", least)
     a, b = e1, zero.place
+    length = body.let("zero2", b[0] * b[0] + b[1] * b[1] + b[2] * b[2])
+    lib.guard(body, Not(length > least), "RANGE")
     along = body.let("along", a[0] * b[0] + a[1] * b[1] + a[2] * b[2], "of zero along the axis")
     across = body.local("across", (3,))
     for i in range(3):
         body.set(across[i], b[i] - along * a[i])
-    _unit(lib, body, across, e2, "across2")
+    _unit(lib, body, across, e2, "across2", real(lib.thresholds.parallel**2) * length)
     third = (e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0])
     for i in range(3):
         body.set(R.place[3 * i], e1[i])
@@ -47,10 +49,10 @@ def frame_of_axes(lib: Library) -> Function:
     )
 
 
-def _unit(lib: Library, body: Body, a: Place, out: Place, name: str) -> None:
-    """out = a / |a|; RANGE where a has no direction."""
+def _unit(lib: Library, body: Body, a: Place, out: Place, name: str, least: Expr) -> None:
+    """out = a / |a|; RANGE where a has no direction: its square is not above `least`."""
     square = body.let(name, a[0] * a[0] + a[1] * a[1] + a[2] * a[2])
-    lib.guard(body, Not(square > SMALL_SQUARE), "RANGE")
+    lib.guard(body, Not(square > least), "RANGE")
     inverse = body.let(f"{name}_root", 1 / call(lib["sqrt"], square))
     for i in range(3):
         body.set(out[i], a[i] * inverse)

@@ -17,18 +17,19 @@ from mahovik.derive.symbols import SYMMETRIC, symmetric, vector
 from mahovik.errors import StandError
 from mahovik.lower.layout import Layout
 from mahovik.lower.symbolic import assign
+from mahovik.lower.thresholds import thresholds
 from mahovik.program.build import Body
 from mahovik.program.function import STATUS_VALUES, Argument, Function, Program
 from mahovik.program.interpret import Interpreter
-from mahovik.program.types import Kind, Precision
+from mahovik.program.types import DOUBLE, Kind
 from mahovik.stand.model import Body as StandBody
 from mahovik.stand.model import Damping, Flywheel, Instrument, MountingAngles, Point, Stand
 
 
-def conversions(precision: Precision) -> Program:
-    """What only the generator needs: axes of a mounting by angles, inertia about the origin."""
-    sincos = routines.sincos(precision)
-    return Program("conversions", precision, (), (), (sincos, _axes_of_angles(sincos), _about_origin()))
+def conversions() -> Program:
+    """What only the generator needs: axes of a mounting by angles, inertia about the origin; double in any case."""
+    sincos = routines.sincos(DOUBLE)
+    return Program("conversions", DOUBLE, (), (), (sincos, _axes_of_angles(sincos), _about_origin()))
 
 
 def _axes_of_angles(sincos: Function) -> Function:
@@ -65,17 +66,13 @@ def _about_origin() -> Function:
     return Function("about_origin", "Parallel axes.", (mass, rc, central, J), body.statements)
 
 
-NEAR_SINGULAR_BELOW = 1e-6
-"""Default of `near`: as in `eval` (stand.md)."""
-
-
 class Values:
     """Parameters and table of one stand, from the interpreter of its program."""
 
     def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
         self._layout = layout
         self._stand = stand
-        self._conversions = Interpreter(conversions(layout.precision))
+        self._conversions = Interpreter(conversions())
         self._program = Interpreter(program)
         self.parameters = self._parameters()
         self.table = self._table()
@@ -149,7 +146,7 @@ class Values:
         return {
             "weight": [s.inverse_weight for s in flywheels],
             "limit": [largest] * len(flywheels),
-            "near": NEAR_SINGULAR_BELOW,
+            "near": thresholds(self._layout.precision).near_singular,
             "damping": 0.0,
         }
 

@@ -20,9 +20,6 @@ PROGRAM_WANTS = ("matrices", "momentum", "forward", "generalized", "torque", "mo
 NEAR_SINGULAR_BELOW = 1e-6
 """`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
 
-NO_LIMIT = 1e300
-"""rad/s2; eval asks for no limits of accelerations."""
-
 _MEANING = {
     "NOT_FINITE": "an input is NaN or infinite",
     "RANGE": "an input is outside its range, or a leg has no length",
@@ -98,13 +95,13 @@ class ProgramBackend:
             "tau": state.tau,
             "locked": [0] * len(state.phi),
             "wrench": wrench,
-            "options": self._options(len(state.phi)),
+            "options": self._options(len(state.phi), self.layout.precision.largest),
         }
 
     @staticmethod
-    def _options(count: int) -> dict[str, Any]:
+    def _options(count: int, largest: float) -> dict[str, Any]:
         """Of inverse, as stand.md has it: weights 1, no damping, no limits."""
-        return {"weight": [1.0] * count, "limit": [NO_LIMIT] * count, "near": NEAR_SINGULAR_BELOW, "damping": 0.0}
+        return {"weight": [1.0] * count, "limit": [largest] * count, "near": NEAR_SINGULAR_BELOW, "damping": 0.0}
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
