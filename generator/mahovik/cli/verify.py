@@ -145,6 +145,7 @@ def _write(found: Report, as_json: bool, junit: str | None, worst: str | None) -
 def _print(found: Report) -> None:
     from rich.text import Text
 
+    from mahovik.verify.backends import WANTS
     from mahovik.verify.report import conclusion
 
     out = console()
@@ -152,7 +153,7 @@ def _print(found: Report) -> None:
     head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
     out.print(Text(head))
     pairs = ("second>", "between>") if third else ()
-    by = "judge" if any(row.tolerance for row in found.rows) else "want"
+    by = "judge" if any(row.want and row.want not in WANTS for row in found.rows) else "want"
     rows = table("quantity", by, "states>", "worst>", *pairs, "at state", "verdict")
     for row in found.rows:
         judged = row.verdict in ("ok", "FAILED") and row.want

@@ -12,7 +12,7 @@ from mahovik.reference.array import Array
 from mahovik.reference.coupled import coupled
 from mahovik.reference.forward import forward
 from mahovik.reference.generalized import generalized
-from mahovik.reference.inverse import inverse
+from mahovik.reference.inverse import Cuts, inverse
 from mahovik.reference.momentum import center_of_mass, kinetic_energy, momentum, momentum_in_E0
 from mahovik.reference.mounts import mounts
 from mahovik.reference.pieces import Pieces, pieces
@@ -65,9 +65,9 @@ def want_coupled(at: Pieces, stand: Stand, state: State) -> Values:
     return {"V_dot": V_dot, "phi_ddot": phi_ddot}
 
 
-def want_inverse(at: Pieces, stand: Stand, state: State) -> Values:
+def want_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = Cuts()) -> Values:
     """phi_ddot (N), status, residual (6), sigma (min(6, N)), rank: (12)."""
-    return dict(vars(inverse(at, vector(state.V_dot))))
+    return dict(vars(inverse(at, vector(state.V_dot), cuts)))
 
 
 def want_generalized(at: Pieces, stand: Stand, state: State) -> Values:
@@ -114,10 +114,12 @@ def finite(value: Any) -> bool:
     return isinstance(value, str) or bool(np.all(np.isfinite(value)))
 
 
-def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None) -> Values:
+def evaluate(
+    stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None, cuts: Cuts = Cuts()
+) -> Values:
     """What `want` names, under the names of the contract: arrays, floats; status a string, rank an int.
 
-    `at`: the pieces of this stand and state, where the caller has them already.
+    `at`: the pieces of this stand and state, where the caller has them already. `cuts`: thresholds of `inverse`.
 
     StateError: `want` is empty, unknown or gives one name two values; a leg has no length; `generalized` with
     a quaternion or at a singular attitude; `momentum` of a stand without mass; a result that is not finite.
@@ -127,7 +129,7 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
         at = at or pieces(stand, state)
         for name in want:
-            values |= WANTS[name](at, stand, state)
+            values |= WANTS[name](at, stand, state) if name != "inverse" else want_inverse(at, stand, state, cuts)
     for name, value in values.items():
         if not finite(value):
             raise StateError(f"{name}: not finite at this state")

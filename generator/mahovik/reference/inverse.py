@@ -10,9 +10,19 @@ from mahovik.reference.array import Array
 from mahovik.reference.forward import bias
 from mahovik.reference.pieces import Pieces
 
-RANK = 1e-9  # of the first singular value: those below are taken as zero
-NEAR = 1e-6  # of the first singular value: a smallest kept one below this is NEAR_SINGULAR
-REACHED = 1e-9  # scaled residual over scaled demand above this is UNREACHABLE
+
+@dataclass(frozen=True)
+class Cuts:
+    """Thresholds of rank and status (stand.md, for double).
+
+    rank     of the first singular value: those below are taken as zero
+    near     of the first singular value: a smallest kept one below this is NEAR_SINGULAR
+    reached  scaled residual over scaled demand above this is UNREACHABLE
+    """
+
+    rank: float = 1e-9
+    near: float = 1e-6
+    reached: float = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +49,7 @@ def demand(at: Pieces, V_dot: Array) -> Array:
     return at.F - at.K @ at.V_r_dot(V_dot) - bias(at)
 
 
-def inverse(at: Pieces, V_dot: Array) -> Inverse:
+def inverse(at: Pieces, V_dot: Array, cuts: Cuts = Cuts()) -> Inverse:
     """Least residual of (12) in the K^-1 norm, then least phi'' in the Theta_ff norm; no limits, no damping.
 
     By the singular values of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes.
@@ -47,19 +57,19 @@ def inverse(at: Pieces, V_dot: Array) -> Inverse:
     K_root, Theta_root = inverse_root(at.K), inverse_root(at.Theta_ff)
     wanted = demand(at, V_dot)
     U, sigma, Vt = np.linalg.svd(K_root @ at.I @ Theta_root.T, full_matrices=False)
-    rank = int(np.sum(sigma > RANK * sigma[0])) if sigma.size else 0
+    rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
     scaled = Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank])
     phi_ddot = Theta_root.T @ scaled
     residual = wanted - at.I @ phi_ddot
-    return Inverse(phi_ddot, status(at, K_root @ wanted, K_root @ residual, sigma, rank), residual, sigma, rank)
+    return Inverse(phi_ddot, status(at, K_root @ wanted, K_root @ residual, sigma, rank, cuts), residual, sigma, rank)
 
 
-def status(at: Pieces, scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int) -> str:
+def status(at: Pieces, scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, cuts: Cuts) -> str:
     """Names of stand.md joined by |, in the order of their bits."""
     names = []
-    if rank and sigma[rank - 1] < NEAR * sigma[0]:
+    if rank and sigma[rank - 1] < cuts.near * sigma[0]:
         names.append("NEAR_SINGULAR")
-    if np.linalg.norm(scaled_residual) > REACHED * np.linalg.norm(scaled_demand):
+    if np.linalg.norm(scaled_residual) > cuts.reached * np.linalg.norm(scaled_demand):
         names.append("UNREACHABLE")
     if rank < min(6, len(at.flywheels)):
         names.append("RANK_DEFICIENT")

@@ -55,8 +55,13 @@ def random_state(stand: Stand, rng: np.random.Generator, extreme: bool = False, 
     )
 
 
-def extreme_state(stand: Stand, rng: np.random.Generator, kind: str, phase_limit: float = 1e7) -> State:
-    """An extreme state of one of the kinds EXTREMES names; what the kind does not concern is ordinary."""
+def extreme_state(
+    stand: Stand, rng: np.random.Generator, kind: str, phase_limit: float = 1e7, least_exponent: float = -310
+) -> State:
+    """An extreme state of one of the kinds EXTREMES names; what the kind does not concern is ordinary.
+
+    `least_exponent`: decimal, of tiny numbers; subnormal ones are among them.
+    """
     if kind == "rest":
         return rest_state(stand)
     state = random_state(stand, rng)
@@ -79,7 +84,7 @@ def extreme_state(stand: Stand, rng: np.random.Generator, kind: str, phase_limit
         psi, phi = rng.uniform(-3, 3, 2)
         return replace(state, angles=(float(psi), float(singular + off), float(phi)), quaternion=None)
     if kind == "tiny":
-        scale = 10.0 ** rng.uniform(-310, -10)
+        scale = 10.0 ** rng.uniform(least_exponent, least_exponent / 31)
         return replace(
             state,
             position=cast(Vec3, _tuple(np.array(state.position) * scale)),

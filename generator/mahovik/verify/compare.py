@@ -11,18 +11,14 @@ import numpy as np
 
 from mahovik import reference
 from mahovik.errors import StateError
+from mahovik.reference.inverse import inverse_root
 from mahovik.second import WANTS as SECOND_WANTS
 from mahovik.second import Second
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
+from mahovik.verify.bounds import DOUBLE, Bounds
 from mahovik.verify.scales import scales
 from mahovik.verify.states import Request
-
-TOLERANCE = {"double": 1e-12, "float": 1e-3}
-"""Accepted difference relative to the natural scale (docs/verification.md), by element type."""
-
-UNDERFLOW = 1e-290
-"""Floor of every scale: below it products of inputs are subnormal and have lost their digits."""
 
 
 @dataclass(frozen=True)
@@ -33,26 +29,27 @@ class Three:
     second: float
     between: float
 
-    def alone(self, tolerance: float, judged: str) -> str:
-        """Who stands alone: the two that are nearest are taken to agree, if they do within the tolerance."""
+    def alone(self, tolerance: float, derivations: float, judged: str) -> str:
+        """Who stands alone: the two that are nearest are taken to agree, if they do within what is accepted."""
         pairs = (
-            (self.between, f"{judged} and second agree, reference differs"),
-            (self.second, f"reference and second agree, {judged} differs"),
-            (self.worst, f"{judged} and reference agree, second differs"),
+            (self.between / tolerance, f"{judged} and second agree, reference differs"),
+            (self.second / derivations, f"reference and second agree, {judged} differs"),
+            (self.worst / tolerance, f"{judged} and reference agree, second differs"),
         )
         nearest, words = min(pairs)
-        return words if nearest <= tolerance else "no two agree"
+        return words if nearest <= 1 else "no two agree"
 
 
 @dataclass
 class Row:
-    """One line of the verdict. Differences are relative; `state` is where the largest of them occurred.
+    """One line of the verdict. Differences are relative; `state` is where they were worst for what is accepted.
 
     worst         judged - reference
     second        second derivation - reference; None where the second derivation has no such quantity
     between       judged - second derivation; None likewise
     disagreement  who stands alone, where they do not all agree
-    tolerance     accepted difference, where it is not the report's
+    tolerance     accepted of `worst` and `between`, where it is not the report's
+    derivations   accepted of `second`, where it is not the tolerance
     three         the differences of `state`
     """
 
@@ -68,6 +65,7 @@ class Row:
     between: float | None = None
     disagreement: str = ""
     tolerance: float | None = None
+    derivations: float | None = None
     three: Three | None = None
 
     @property
@@ -76,28 +74,32 @@ class Row:
         return self.verdict not in ("ok", "not offered", "not compared")
 
     @property
-    def largest(self) -> float:
-        """The largest difference of any pair."""
-        return max(self.worst, self.second or 0.0, self.between or 0.0)
+    def excess(self) -> float:
+        """The largest difference of any pair over what is accepted of it."""
+        return self._excess(Three(self.worst, self.second or 0.0, self.between or 0.0))
+
+    def _excess(self, three: Three) -> float:
+        tolerance = self.tolerance or 1.0
+        return max(three.worst / tolerance, three.second / (self.derivations or tolerance), three.between / tolerance)
 
     def note(self, difference: float, request: Request, reason: str = "") -> None:
         """Count one state, of what the second derivation does not have."""
         self.states += 1
-        self._keep(difference, request, reason)
+        self._keep(Three(difference, 0.0, 0.0), request, reason)
         self.worst = max(self.worst, difference)
 
     def note_three(self, three: Three, request: Request, reason: str = "") -> None:
         """Count one state that all three have evaluated, or refused."""
         self.states += 1
-        if self._keep(max(three.worst, three.second, three.between), request, reason):
+        if self._keep(three, request, reason):
             self.three = three
         self.worst = max(self.worst, three.worst)
         self.second = max(self.second or 0.0, three.second)
         self.between = max(self.between or 0.0, three.between)
 
-    def _keep(self, difference: float, request: Request, reason: str) -> bool:
+    def _keep(self, three: Three, request: Request, reason: str) -> bool:
         """Keep this state where none before was worse."""
-        if self.request is not None and difference <= self.largest:
+        if self.request is not None and self._excess(three) <= self.excess:
             return False
         self.request, self.reason = request, reason
         self.state = str(request.id).partition(",")[0]
@@ -112,9 +114,9 @@ class Judge:
     `inverse` whose rank or status hangs on the last digits of a singular value.
     """
 
-    def __init__(self, stand: Stand, tolerance: float, second: Second | None = None, judged: str = "C") -> None:
+    def __init__(self, stand: Stand, bounds: Bounds, second: Second | None = None, judged: str = "C") -> None:
         self._stand = stand
-        self.tolerance = tolerance
+        self._bounds = bounds
         self._second = second
         self._judged = judged
         self._rows: dict[tuple[str, str], Row] = {}
@@ -129,28 +131,28 @@ class Judge:
 
     def _evaluated(self, state: State, want: str) -> dict[str, Any] | None:
         try:
-            found = reference.evaluate(self._stand, state, [want], self._at(state))
+            found = reference.evaluate(self._stand, state, [want], self._at(state), self._bounds.cuts)
         except (StateError, np.linalg.LinAlgError, ArithmeticError):
             return None
-        return None if want == "inverse" and _ambiguous(found) else found
+        return None if want == "inverse" and self._ambiguous(found, state) else found
 
     def compare(self, request: Request, want: str, found: Mapping[str, Any]) -> float:
         """Note the differences of one state; returns the largest from the reference."""
         expected = self.expected(request.state, want)
         if expected is None:
             return 0.0
-        natural = self._scales(request.state, want)
+        natural, floor = self._scales(request.state, want), self._bounds.floor
         second, refusal = self._second_values(request.state, want)
         largest = 0.0
         for quantity, value in expected.items():
-            off, reason = difference(found.get(quantity), value, natural[quantity])
+            off, reason = difference(found.get(quantity), value, natural[quantity], floor)
             largest = max(largest, off)
             row = self._row(want, quantity)
             if refusal:
                 row.note_three(Three(off, math.inf, math.inf), request, refusal)
             elif quantity in second:
-                other, words = difference(second[quantity], value, natural[quantity])
-                apart = difference(found.get(quantity), second[quantity], natural[quantity])[0]
+                other, words = difference(second[quantity], value, natural[quantity], floor)
+                apart = difference(found.get(quantity), second[quantity], natural[quantity], floor)[0]
                 row.note_three(Three(off, other, apart), request, reason or words)
             else:
                 row.note(off, request, reason)
@@ -161,17 +163,39 @@ class Judge:
         expected = self.expected(request.state, want)
         if expected is None:
             return
-        natural = self._scales(request.state, want)
+        natural, floor = self._scales(request.state, want), self._bounds.floor
         second, refusal = self._second_values(request.state, want)
         for quantity, value in expected.items():
             row = self._row(want, quantity)
             if refusal:
                 row.note_three(Three(math.inf, math.inf, 0.0), request, f"{reason}; {refusal}")
             elif quantity in second:
-                other = difference(second[quantity], value, natural[quantity])[0]
+                other = difference(second[quantity], value, natural[quantity], floor)[0]
                 row.note_three(Three(math.inf, other, math.inf), request, reason)
             else:
                 row.note(math.inf, request, reason)
+
+    def _ambiguous(self, found: Mapping[str, Any], state: State) -> bool:
+        """Whether rank or status of `inverse` hangs on rounding.
+
+        That is, a singular value within a factor of ten of a threshold, or so near to it as the accepted difference
+        of `sigma`; or a residual as near to UNREACHABLE as the accepted difference of `residual`.
+        """
+        sigma = np.asarray(found["sigma"])
+        if not sigma.size or sigma[0] == 0.0:
+            return False
+        bounds, natural, at = self._bounds, self._scales(state, "inverse"), self._at(state)
+        ratios = sigma / sigma[0]
+        apart = bounds.of("inverse", "sigma") * natural["sigma"] / sigma[0]
+        for cut in (bounds.cuts.rank, bounds.cuts.near):
+            near = (ratios > cut / 10) & (ratios < cut * 10) | (np.abs(ratios - cut) < apart)
+            if np.any(near):
+                return True
+        root = inverse_root(at.K)
+        left = np.asarray(found["residual"])
+        demand = float(np.linalg.norm(root @ (left + at.I @ found["phi_ddot"])))
+        off = float(np.linalg.norm(np.abs(root) @ (bounds.of("inverse", "residual") * natural["residual"])))
+        return abs(float(np.linalg.norm(root @ left)) - bounds.cuts.reached * demand) < off
 
     def _second_values(self, state: State, want: str) -> tuple[dict[str, Any], str]:
         """What the second derivation gives: nothing where it has not the want; and the words of a refusal."""
@@ -185,14 +209,16 @@ class Judge:
     def rows(self) -> list[Row]:
         """All rows with their verdicts, in the order in which the quantities came."""
         for row in self._rows.values():
-            row.verdict = "ok" if row.states and row.largest <= self.tolerance else "FAILED"
+            row.verdict = "ok" if row.states and row.excess <= 1 else "FAILED"
             if row.failed and row.three is not None:
-                row.disagreement = row.three.alone(self.tolerance, self._judged)
+                row.disagreement = row.three.alone(
+                    self._bounds.of(row.want, row.quantity), self._bounds.derivations, self._judged
+                )
         return list(self._rows.values())
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:
         with np.errstate(all="ignore"):
-            return scales(self._stand, state, self._at(state), want)
+            return scales(self._stand, state, self._at(state), want, self._bounds.cuts)
 
     def _at(self, state: State) -> reference.Pieces:
         """Pieces of a state, kept for all that is wanted of it."""
@@ -204,15 +230,16 @@ class Judge:
         return at
 
     def _row(self, want: str, quantity: str) -> Row:
-        return self._rows.setdefault((want, quantity), Row(want, quantity))
+        row = Row(want, quantity, tolerance=self._bounds.of(want, quantity), derivations=self._bounds.derivations)
+        return self._rows.setdefault((want, quantity), row)
 
 
-def difference(found: Any, expected: Any, natural: Any) -> tuple[float, str]:
+def difference(found: Any, expected: Any, natural: Any, floor: float = DOUBLE.floor) -> tuple[float, str]:
     """Largest |found - expected| / scale over the components, and words where there is more to say than that."""
     if found is None:
         return math.inf, "missing"
     if isinstance(expected, dict):
-        return _of_parts(found, expected, natural)
+        return _of_parts(found, expected, natural, floor)
     if natural is None:
         return (0.0, "") if found == expected else (math.inf, f"{found} where the reference has {expected}")
     try:
@@ -227,17 +254,17 @@ def difference(found: Any, expected: Any, natural: Any) -> tuple[float, str]:
     if not np.isfinite(numbers).all():
         return math.inf, "not finite"
     with np.errstate(over="ignore"):
-        relative = np.abs(numbers - wanted) / np.maximum(natural, UNDERFLOW)
+        relative = np.abs(numbers - wanted) / np.maximum(natural, floor)
     return float(relative.max()), ""
 
 
-def _of_parts(found: Any, expected: dict[str, Any], natural: Any) -> tuple[float, str]:
+def _of_parts(found: Any, expected: dict[str, Any], natural: Any, floor: float) -> tuple[float, str]:
     """Of a nested object: the worst part, and its name in the words."""
     if not isinstance(found, Mapping):
         return math.inf, "no object"
     worst, words = 0.0, ""
     for name, value in expected.items():
-        off, reason = difference(found.get(name), value, natural[name])
+        off, reason = difference(found.get(name), value, natural[name], floor)
         if off > worst:
             worst, words = off, f"{name}: {reason}" if reason else name
     return worst, words
@@ -252,12 +279,3 @@ def same_bits(first: Any, second: Any) -> bool:
     if isinstance(first, float | np.floating):
         return np.float64(first).tobytes() == np.float64(second).tobytes()
     return bool(first == second)
-
-
-def _ambiguous(found: Mapping[str, Any]) -> bool:
-    """Whether rank or status of `inverse` hangs on rounding: a singular value near one of its thresholds."""
-    sigma = np.asarray(found["sigma"])
-    if not sigma.size or sigma[0] == 0.0:
-        return False
-    ratios = sigma / sigma[0]
-    return any(bool(np.any((ratios > limit / 10) & (ratios < limit * 10))) for limit in (1e-9, 1e-6))

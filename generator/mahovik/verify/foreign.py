@@ -12,7 +12,8 @@ from mahovik.second import Second
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.backends import WANTS
-from mahovik.verify.compare import TOLERANCE, Judge, Row
+from mahovik.verify.bounds import DOUBLE, uniform
+from mahovik.verify.compare import Judge, Row
 from mahovik.verify.converse import converse
 from mahovik.verify.draw import draw
 from mahovik.verify.evaluate import state_line
@@ -30,7 +31,7 @@ def verify_program(
     seed: int = 1,
     count: int = 200,
     timeout: float = 300.0,
-    tolerance: float = TOLERANCE["double"],
+    tolerance: float = DOUBLE.default,
 ) -> Report:
     """Judge `command`; `{stand}` in it becomes the stand file. `wants`: those it must offer; else what it does offer.
 
@@ -93,7 +94,7 @@ def _rows(
     stand: Stand, requests: Sequence[Request], found: Sequence[Mapping[str, Any]], tolerance: float, required: bool
 ) -> list[Row]:
     """Rows of the wants it offers; one row for each it does not."""
-    judge = Judge(stand, tolerance, Second(stand), "program")
+    judge = Judge(stand, uniform(tolerance), Second(stand), "program")
     wants = list(dict.fromkeys(request.want[0] for request in requests))
     offered = {request.want[0] for request, result in zip(requests, found, strict=True) if "error" not in result}
     for request, result in zip(requests, found, strict=True):

@@ -12,7 +12,8 @@ from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.backends import Backend
-from mahovik.verify.compare import TOLERANCE, Judge, Row, same_bits
+from mahovik.verify.bounds import BOUNDS, DOUBLE, Bounds
+from mahovik.verify.compare import Judge, Row, same_bits
 from mahovik.verify.draw import draw
 from mahovik.verify.refusals import refusals
 from mahovik.verify.report import Report
@@ -38,13 +39,13 @@ def judge(
     backend: Backend,
     states: Sequence[tuple[str, State]],
     wants: Sequence[str],
-    tolerance: float = TOLERANCE["double"],
+    bounds: Bounds = DOUBLE,
     progress: Progress | None = None,
     second: Second | None = None,
     judged: str = "C",
 ) -> list[Row]:
     """Rows of every quantity that `wants` give: the backend against the reference, and with `second` three ways."""
-    found = Judge(stand, tolerance, second, judged)
+    found = Judge(stand, bounds, second, judged)
     for done, (name, state) in enumerate(states):
         for want in wants:
             if not askable(state, want):
@@ -78,11 +79,11 @@ def verify_c(
 
     backend = CBackend(stand, real, against)
     states = draw(stand, seed, count, real, wrenches=against is None)
-    rows = judge(stand, backend, states, backend.wants, TOLERANCE[real], progress, Second(stand))
+    rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, Second(stand))
     rows.append(bits(backend, states, against))
     rows.append(refusals(backend.program, _good_inputs(backend, states), _raw(backend)))
     judged = "generated C" if against is None else f"C in {against}"
-    return report(stand, judged, seed, len(states), TOLERANCE[real], rows)
+    return report(stand, judged, seed, len(states), BOUNDS[real].default, rows)
 
 
 def report(

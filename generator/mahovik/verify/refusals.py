@@ -17,25 +17,26 @@ Call = Callable[[str, Mapping[str, Any], float], tuple[int, dict[str, Any]]]
 _LIMITS = {
     "position": (1e6,) * 3,
     "V": (1e4,) * 3 + (1e5,) * 3,
-    "phi": (1e7,),
     "phi_dot": (1e5,),
     "phi_ddot": (1e9,),
     "V_dot": (1e9,),
     "tau": (1e9,),
     "wrench": (1e9,),
-    "angles": (1e7,),
 }
 _NEVER = ("prepare", "prepare_mounts")  # take parameters, not a state
 
 
 def refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Row:
     """Every function of a state with one bad number at a time. `inputs` is a good state by argument name."""
+    phase = (program.precision.max_phase,)
+    limits = _LIMITS | {"phi": phase, "angles": phase}
+    untouched = (float(program.precision.scalar(SENTINEL)), int(SENTINEL))
     row = Row("", "bad inputs refused, outputs untouched", verdict="ok")
     for function in program.functions:
         names = {a.name for a in function.arguments if a.direction == "in"}
         if not function.public or function.name in _NEVER or not names & {"x", "angles"}:
             continue
-        for where, value, bad, expected in bad_inputs({n: v for n, v in inputs.items() if n in names}):
+        for where, value, bad, expected in bad_inputs({n: v for n, v in inputs.items() if n in names}, limits):
             if where.startswith("attitude") and "angles" in names:
                 continue  # not read
             status, outputs = call(function.name, bad, SENTINEL)
@@ -43,14 +44,16 @@ def refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Row:
             words = f"{function.name}: {where} = {value:g}"
             if status != STATUS_VALUES[expected]:
                 row.verdict, row.state, row.reason = "FAILED", words, f"status {status}, expected {expected}"
-            elif not all(number in (SENTINEL, int(SENTINEL)) for number in _numbers(outputs)):
+            elif not all(number in untouched for number in _numbers(outputs)):
                 row.verdict, row.state, row.reason = "FAILED", words, "refused, but outputs were written"
     return row
 
 
-def bad_inputs(inputs: Mapping[str, Any]) -> Iterator[tuple[str, float, dict[str, Any], str]]:
+def bad_inputs(
+    inputs: Mapping[str, Any], limits: Mapping[str, tuple[float, ...]]
+) -> Iterator[tuple[str, float, dict[str, Any], str]]:
     """Copies of the inputs with one bad number each: where, the number, the inputs, the status that is due."""
-    paths = [("x", name) for name in inputs.get("x", {})] + [(name,) for name in inputs if name in _LIMITS]
+    paths = [("x", name) for name in inputs.get("x", {})] + [(name,) for name in inputs if name in limits]
     for path in paths:
         name = path[-1]
         count = len(_at(inputs, path))
@@ -59,9 +62,9 @@ def bad_inputs(inputs: Mapping[str, Any]) -> Iterator[tuple[str, float, dict[str
             yield _with(inputs, path, None, 0.99)
         for index in range(count):
             bad = [math.nan, math.inf, -math.inf]
-            limits = _LIMITS.get(name)
-            if limits is not None:
-                limit = limits[index % len(limits)] * (1 + 1e-6)
+            given = limits.get(name)
+            if given is not None:
+                limit = given[index % len(given)] * (1 + 1e-6)
                 bad += [limit, -limit]
             for value in bad:
                 yield _with(inputs, path, index, value)

@@ -45,9 +45,9 @@ def conclusion(report: Report) -> str:
         return f"FAILED: {', '.join(dict.fromkeys(row.quantity for row in report.failures))}"
     if not report.passed:
         return "FAILED: nothing was compared"
-    accepted = [(row.largest, row.tolerance or report.tolerance) for row in report.rows if row.verdict == "ok"]
-    worst, tolerance = max(accepted, key=lambda pair: pair[0] / pair[1])
-    return f"passed: worst {worst:.1e} of the natural scale, {tolerance:.0e} accepted"
+    worst = max((row for row in report.rows if row.verdict == "ok"), key=lambda row: row.excess)
+    tolerance = worst.tolerance or report.tolerance
+    return f"passed: worst {worst.excess * tolerance:.1e} of the natural scale, {tolerance:.0e} accepted"
 
 
 def as_json(report: Report) -> str:
@@ -127,7 +127,7 @@ def as_junit(report: Report) -> str:
 def worst_lines(report: Report) -> str:
     """States as `eval` takes them: the worst of every quantity that failed, or of all where none did; worst first."""
     rows = [row for row in report.failures or report.rows if row.request is not None]
-    rows.sort(key=lambda row: -row.largest)
+    rows.sort(key=lambda row: -row.excess)
     return "".join(f"{line}\n" for line in dict.fromkeys(state_line(row.request) for row in rows if row.request))
 
 

@@ -15,7 +15,8 @@ from mahovik.errors import UsageError
 from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.state import State
 from mahovik.verify.c_backend import CBackend
-from mahovik.verify.compare import TOLERANCE, Row, difference
+from mahovik.verify.bounds import DOUBLE
+from mahovik.verify.compare import Row, difference
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import report
 from mahovik.verify.judges.motion import MOTION_TOLERANCE, UNTIL, end_of_motion, moderate
@@ -92,11 +93,11 @@ def verify_judges(stand: Stand, *, seed: int = 1, count: int = 200, names: Seque
     moved = [_motion_row(stand, backend, judge, seed) for judge in judges]
     noted = [row for row in (*rows.values(), *moved) if row.states]
     for row in noted:
-        row.tolerance = row.tolerance or TOLERANCE["double"]
+        row.tolerance = row.tolerance or DOUBLE.default
         row.verdict = "ok" if row.worst <= row.tolerance else "FAILED"
     ordered = [row for judge in judges for row in noted if row.want == judge.name]
     who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
-    return report(stand, f"generated C against {who}", seed, count, TOLERANCE["double"], ordered)
+    return report(stand, f"generated C against {who}", seed, count, DOUBLE.default, ordered)
 
 
 def near(state: State) -> State:

@@ -32,7 +32,7 @@ def inverse(m: Magnitudes) -> dict[str, Any]:
     With G the weighted pseudoinverse of I: phi'' moves by G (errors of demand and I phi'' and K), by
     (I^T K^-1 I)^+ (errors of I^T) K^-1 residual, and inside the null space by (errors of I^T) G^T Theta_ff phi''.
     """
-    found = reference_inverse(m.at, np.array(m.state.V_dot))
+    found = reference_inverse(m.at, np.array(m.state.V_dot), m.cuts)
     if not found.sigma.size:
         return {"phi_ddot": np.zeros(0), "status": None, "residual": _demand(m), "sigma": np.zeros(0), "rank": None}
     K_root, Theta_root = inverse_root(m.at.K), inverse_root(m.at.Theta_ff)

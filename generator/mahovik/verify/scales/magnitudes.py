@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.reference import Pieces
+from mahovik.reference.inverse import Cuts
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.scales.wrenches import length, wrench_scale
@@ -48,10 +49,11 @@ def inverse_magnitude(S: Array) -> Array:
 class Magnitudes:
     """The magnitudes at a state; every attribute S_x belongs to the x of `Pieces`, in the same shape."""
 
-    def __init__(self, stand: Stand, state: State, at: Pieces) -> None:
+    def __init__(self, stand: Stand, state: State, at: Pieces, cuts: Cuts = Cuts()) -> None:
         self.stand = stand
         self.state = state
         self.at = at
+        self.cuts = cuts
         self.speed = np.abs(at.phi_dot)
         self.acceleration = np.abs(np.array(state.phi_ddot, dtype=np.float64))
 
