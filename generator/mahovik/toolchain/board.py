@@ -114,6 +114,16 @@ def version(command: str) -> str:
     return f"{command} {number or '?'}"
 
 
+def build_version(target: Target) -> str:
+    """Compiler with version and optimisation, as tables show it. Raises ToolchainError."""
+    return f"{version(target.compiler[0])} {target.optimisation}"
+
+
+def selftest_main(name: str, sweep: int) -> str:
+    """C of a `main` that runs the self-test of a stand with `sweep` states, and prints to the board's console."""
+    return template("board/selftest_main.c.j2").render(name=name, sweep=sweep)
+
+
 def _ending(status: int) -> str:
     if status == 99:
         return "crashed (fault handler)"

@@ -1,0 +1,1 @@
+"""What the emitted C costs on a processor: instructions, stack, code, constants."""
