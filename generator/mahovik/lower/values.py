@@ -79,6 +79,11 @@ class Values:
         self.mounting = self._mounting() if layout.flywheels else None
         self.options = self._options() if layout.flywheels else None
 
+    @property
+    def interpreter(self) -> Interpreter:
+        """The interpreter of the stand's program."""
+        return self._program
+
     def _parameters(self) -> dict[str, Any]:
         layout, stand = self._layout, self._stand
         found: dict[str, Any] = {"carrier": self._body(stand.carrier)}
