@@ -113,6 +113,8 @@ def titled(function: Function) -> str:
 def counted(function: Function) -> str:
     """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
     found = cost(function)
+    if not found.total:
+        return "No operation on reals."
     divisions = {0: "no division", 1: "1 of them a division"}.get(
         found.divisions, f"{found.divisions} of them divisions"
     )

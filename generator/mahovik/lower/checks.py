@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik.lower.library import Library
-from mahovik.lower.limits import QUATERNION_NORM_MAX, QUATERNION_NORM_MIN
+from mahovik.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.program.build import Body
 from mahovik.program.expression import Not, Status, both, real
 from mahovik.program.function import Argument, Function
@@ -34,6 +34,28 @@ def within(lib: Library) -> Function:
     )
 
 
+def check_turns(lib: Library) -> Function:
+    """Sines and cosines from encoders: finite, and of unit length within 1e-3."""
+    sine, cosine = lib.turn_arguments()
+    body = Body()
+    lib.begin(body)
+    for given in (sine, cosine):
+        lib.check(body, "within", given.place, lib.layout.count, real(2))
+    with body.loop("s", lib.layout.count) as s:
+        norm = body.let("norm2", sine.place[s] * sine.place[s] + cosine.place[s] * cosine.place[s])
+        unit = both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
+        lib.guard(body, Not(unit), "RANGE")
+    body.ret(Status("OK"))
+    return Function(
+        "check_turns",
+        "Are sines and cosines finite, and s^2 + c^2 that of a length within 1e-3 of 1?",
+        (sine, cosine),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE"),
+    )
+
+
 def check_state(lib: Library) -> Function:
     """Ranges of a whole state; the quaternion within 1e-3 of unit length."""
     x = lib.state_argument()
@@ -50,7 +72,7 @@ def check_state(lib: Library) -> Function:
         lib.check(body, "within", state.phi_dot, lib.layout.count, limit["MAX_SPEED"])
     q = state.attitude
     norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-    unit = both(norm >= real(QUATERNION_NORM_MIN), norm <= real(QUATERNION_NORM_MAX))
+    unit = both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
     lib.guard(body, Not(unit), "RANGE")
     body.ret(Status("OK"))
     return Function(

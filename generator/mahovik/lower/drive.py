@@ -8,7 +8,7 @@ from mahovik.derive import accumulate as derived_rows
 from mahovik.derive import carrier as derived_carrier
 from mahovik.derive import drive as derived
 from mahovik.derive.symbols import SYMMETRIC, vector
-from mahovik.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.lower.flywheels import AT_NOTES, columns_of, places_of, turn_of, turns_of
 from mahovik.lower.forward import (
     STATE_STATUSES,
     Scene,
@@ -81,7 +81,7 @@ def couple_flywheel(
     lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, swing: Place, out: Place
 ) -> dict[str, Expr]:
     """I_s and the bias torque of flywheel s into `out`; returns its sine and cosine."""
-    turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+    turn = turn_of(lib, body, x, s, seen.turns)
     named = {"row": stand.flywheel[s], **turn, "V": seen.V, "swing": swing, "g": seen.g, "out": out}
     body.call(lib["couple"], *lib.passed("couple", **named))
     return turn
@@ -92,42 +92,75 @@ def along(column: Place, V_dot: Place) -> Expr:
     return translate(vector("column", 6).dot(vector("V_dot", 6)), {"column": column, "V_dot": V_dot})
 
 
-def torque(lib: Library) -> Function:
-    """tau for given V*, phi''."""
+def torque(lib: Library, at: bool = False) -> Function:
+    """tau for given V*, phi''; `at`: torque_at, of given sines and cosines of the phases."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
-    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    tau = Argument(
-        "tau", Kind.REAL, (layout.count,), "out", "N m", "drive torques, mount on flywheel, about the spin axis"
-    )
+    arguments = _torque_arguments(lib, at)
+    stand, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
+    tau, wrench = arguments[-1], tuple(a for a in arguments if a.name == "wrench")
     body = Body()
-    check_inputs(lib, body, stand, x, phi_ddot, wrench)
+    check_inputs(lib, body, stand, x, (phi_ddot,), wrench, tuple(turns))
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
-    seen = scene(lib, body, stand.place, x.place)
-    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
+    if layout.sine_input:
+        inputs = [*(places_of(turns) or turns_of(lib, body, x.place)), *places_of((V_dot, phi_ddot, *wrench))]
+        body.call(lib["balance"], stand.place, x.place, *inputs, tau.place)
+    else:
+        _balance(lib, body, arguments)
+    body.ret(Status("OK"))
+    return Function(
+        "torque_at" if at else "torque",
+        "Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).",
+        arguments,
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=STATE_STATUSES,
+        notes=AT_NOTES if at else (),
+        public=True,
+    )
+
+
+def balance(lib: Library) -> Function:
+    """What torque and torque_at share, from checked inputs."""
+    arguments = _torque_arguments(lib, at=True)
+    body = Body()
+    _balance(lib, body, arguments)
+    return Function("balance", "Drive torques for a given motion, from checked inputs.", arguments, body.statements)
+
+
+def _torque_arguments(lib: Library, at: bool) -> tuple[Argument, ...]:
+    """stand, x, sines and cosines, V_dot, phi_ddot, run-time wrenches, tau."""
+    purpose = "drive torques, mount on flywheel, about the spin axis"
+    return (
+        lib.table_argument(),
+        lib.state_argument(),
+        *(lib.turn_arguments() if at else ()),
+        Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V"),
+        *lib.phi_ddot_arguments(),
+        *lib.wrench_arguments(),
+        Argument("tau", Kind.REAL, (lib.layout.count,), "out", "N m", purpose),
+    )
+
+
+def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
+    """tau of checked arguments."""
+    layout = lib.layout
+    place = {a.name: a.place for a in arguments}
+    stand, x = place["stand"], place["x"]
+    wrench = tuple(a for a in arguments if a.name == "wrench")
+    seen = scene(lib, body, stand, x, turns=tuple(place[n] for n in ("sine", "cosine") if n in place))
+    moving = relative_rate(body, x, place["V_dot"], seen.stream)
     if layout.own_turning:
         scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
         for element in scratch:
             body.set(element, real(0))
-        own_wrenches(lib, body, stand.place, x.place, seen.V, wrench, scratch, seen.own)
+        own_wrenches(lib, body, stand, x, seen.turns, seen.V, wrench, scratch, seen.own)
     swing = swing_of(lib, body, seen)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand.place, x.place, s, seen, swing, coupling)
-        spin = stand.place.flywheel[s].spin * phi_ddot[0].place[s]
+        couple_flywheel(lib, body, stand, x, s, seen, swing, coupling)
+        spin = stand.flywheel[s].spin * place["phi_ddot"][s]
         total = along(coupling.I, moving) + spin + coupling.bias
-        body.set(tau.place[s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
-    body.ret(Status("OK"))
-    return Function(
-        "torque",
-        "Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).",
-        (stand, x, V_dot, *phi_ddot, *wrench, tau),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=STATE_STATUSES,
-        public=True,
-    )
+        body.set(place["tau"][s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
 
 
 def eliminate(lib: Library) -> Function:
@@ -202,13 +235,14 @@ def solve_schur(lib: Library) -> Function:
     )
 
 
-def _coupled_arguments(lib: Library) -> tuple[Argument, ...]:
-    """stand, x, tau, locked, run-time wrenches, V_dot, phi_ddot."""
+def _coupled_arguments(lib: Library, at: bool) -> tuple[Argument, ...]:
+    """stand, x, sines and cosines, tau, locked, run-time wrenches, V_dot, phi_ddot."""
     count = lib.layout.count
     held = "not 0: a lock holds phi'' = 0; its tau is not read"
     return (
         lib.table_argument(),
         lib.state_argument(),
+        *(lib.turn_arguments() if at else ()),
         Argument("tau", Kind.REAL, (count,), unit="N m", purpose="drive torques, mount on flywheel"),
         Argument("locked", Kind.INT, (count,), purpose=held),
         *lib.wrench_arguments(),
@@ -220,11 +254,13 @@ def _coupled_arguments(lib: Library) -> tuple[Argument, ...]:
 def move(lib: Library) -> Function:
     """V*, phi'' for given tau, from checked inputs."""
     layout = lib.layout
-    arguments = _coupled_arguments(lib)
-    stand, x, tau, locked, *wrench, V_dot, phi_ddot = arguments
+    arguments = _coupled_arguments(lib, at=True)
+    turns = lib.turn_arguments()
+    stand, x = arguments[:2]
+    tau, locked, *wrench, V_dot, phi_ddot = arguments[2 + len(turns) :]
     body = Body()
     lib.begin(body)
-    seen = scene(lib, body, stand.place, x.place)
+    seen = scene(lib, body, stand.place, x.place, turns=places_of(arguments[2 : 2 + len(turns)]))
     drives = body.local("drive", (layout.count,), layout.coupling)
     swing = swing_of(lib, body, seen)
     body.call(lib["start_sums"], stand.place, seen.sums)
@@ -270,31 +306,36 @@ def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> No
     """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
     by_name = {a.name: a for a in arguments}
     wrench = tuple(a for a in arguments if a.name == "wrench")
-    check_inputs(lib, body, by_name["stand"], by_name["x"], (), wrench)
+    turns = tuple(a for a in arguments if a.name in ("sine", "cosine"))
+    check_inputs(lib, body, by_name["stand"], by_name["x"], (), wrench, turns)
     lib.check(body, "within", by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression)
 
 
-def coupled(lib: Library) -> Function:
-    """V*, phi'' for given tau."""
+def coupled(lib: Library, at: bool = False) -> Function:
+    """V*, phi'' for given tau; `at`: coupled_at, of given sines and cosines of the phases."""
     layout = lib.layout
-    arguments = _coupled_arguments(lib)
+    arguments = _coupled_arguments(lib, at)
     V_dot, phi_ddot = arguments[-2:]
     body = Body()
     check_drive(lib, body, arguments)
     motion = body.local("V_result", (6,))
     spins = body.local("phi_result", (layout.count,))
-    lib.check(body, "move", *(a.place for a in arguments[:-2]), motion, spins)
+    stand, x, *inputs = places_of(arguments[:-2])
+    if not at:
+        inputs = [*turns_of(lib, body, x), *inputs]
+    lib.check(body, "move", stand, x, *inputs, motion, spins)
     body.copy_array(V_dot.place, motion)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], spins[s])
     body.ret(Status("OK"))
     return Function(
-        "coupled",
+        "coupled_at" if at else "coupled",
         "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first.",
         arguments,
         body.statements,
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+        notes=AT_NOTES if at else (),
         public=True,
     )
 

@@ -41,6 +41,45 @@ def sine_and_cosine(lib: Library, body: Body, phase: Expr, suffix: str = "") -> 
     return {"s": s, "c": c}
 
 
+Turns = tuple[Place, ...]
+"""Sines and cosines of all phases, two arrays; empty where a function takes them of the phases of the state."""
+
+
+def places_of(arguments: Sequence[Argument]) -> Turns:
+    """The places of arguments."""
+    return tuple(a.place for a in arguments)
+
+
+def turns_of(lib: Library, body: Body, x: Place) -> Turns:
+    """Sines and cosines of the phases of a state as locals, where internal functions take them."""
+    if not lib.layout.sine_input:
+        return ()
+    sine = body.local("sine", (lib.layout.count,))
+    cosine = body.local("cosine", (lib.layout.count,))
+    with body.loop("s", lib.layout.count) as s:
+        turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+        body.set(sine[s], turn["s"])
+        body.set(cosine[s], turn["c"])
+    return sine, cosine
+
+
+def turn_of(lib: Library, body: Body, x: Place, s: Place, turns: Turns, suffix: str = "_phi") -> dict[str, Expr]:
+    """s, c of flywheel s: as given, or locals (with a suffix) computed of its phase."""
+    if turns:
+        sine, cosine = turns
+        return {"s": sine[s], "c": cosine[s]}
+    return sine_and_cosine(lib, body, x.phi[s], suffix)
+
+
+def named_turns(turns: Turns) -> dict[str, Place]:
+    """Sines and cosines by the names of the arguments that take them."""
+    return dict(zip(("sine", "cosine"), turns, strict=True)) if turns else {}
+
+
+AT_NOTES = ("Of given sines and cosines, used as they are: the phases of x are checked, but not used.",)
+"""What the functions say that take sines and cosines."""
+
+
 def columns_of(row: Place) -> dict[str, Place]:
     """The columns of a row by the names that the derivation uses."""
     names = ("mu_c", "mu_s", "J_c", "J_s", "J_2c", "J_2s", "t_0", "t_c", "t_s")

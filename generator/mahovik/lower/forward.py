@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.derive import wrench as derived
-from mahovik.lower.flywheels import sine_and_cosine
+from mahovik.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turn_of, turns_of
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body
@@ -21,7 +21,7 @@ class Scene:
     """What the equations are evaluated with; None where the stand has no need of it.
 
     C attitude; V relative to the stream; stream and g (gravity) in E1; sums over all bodies; own: wrenches of the
-    flywheels of their own, six numbers each.
+    flywheels of their own, six numbers each; turns: sines and cosines of the phases, where they are inputs.
     """
 
     C: Place | None
@@ -30,6 +30,7 @@ class Scene:
     g: Place | None
     sums: Place
     own: Place | None
+    turns: Turns
 
 
 def check_inputs(
@@ -39,10 +40,13 @@ def check_inputs(
     x: Argument,
     phi_ddot: tuple[Argument, ...] = (),
     wrench: tuple[Argument, ...] = (),
+    turns: tuple[Argument, ...] = (),
 ) -> None:
-    """Checks of state, stream, accelerations, run-time wrenches: before anything is computed or written."""
+    """Checks of state, sines, stream, accelerations, run-time wrenches: before anything is computed or written."""
     lib.begin(body)
     lib.check(body, "check_state", x.place)
+    if turns:
+        lib.check(body, "check_turns", *(a.place for a in turns))
     if lib.layout.stream:
         lib.check(body, "within", stand.place.stream, 3, lib.limits["MAX_VELOCITY"].expression)
     for argument in phi_ddot:
@@ -51,8 +55,11 @@ def check_inputs(
         lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_WRENCH"].expression)
 
 
-def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = False) -> Scene:
-    """Attitude, twist relative to the stream, gravity, and places for sums. `attitude`: C even where (8) needs none."""
+def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:
+    """Attitude, twist relative to the stream, gravity, and places for sums.
+
+    `attitude`: C even where (8) needs none. `turns`: sines and cosines that are there already.
+    """
     layout = lib.layout
     C = stream = g = own = None
     V = x.V
@@ -73,19 +80,19 @@ def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = Fal
     if layout.own_turning:
         own = body.local("own", (6 * int(layout.count),), comment="own wrenches of the flywheels, six numbers each")
     sums = body.local("sum", (), layout.sums)
-    return Scene(C, V, stream, g, sums, own)
+    return Scene(C, V, stream, g, sums, own, turns or turns_of(lib, body, x))
 
 
-def sum_up(lib: Library, body: Body, stand: Place, x: Place, sums: Place, phi_ddot: Place | None) -> None:
+def sum_up(lib: Library, body: Body, stand: Place, x: Place, seen: Scene, phi_ddot: Place | None) -> None:
     """Sums over all bodies; without phi_ddot those of constant speeds."""
     layout = lib.layout
-    body.call(lib["start_sums"], stand, sums)
+    body.call(lib["start_sums"], stand, seen.sums)
     if layout.flywheels:
         with body.loop("s", layout.count) as s:
             acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
-            turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+            turn = turn_of(lib, body, x, s, seen.turns)
             row = stand.flywheel[s]
-            body.call(lib["add_flywheel"], row, turn["s"], turn["c"], x.phi_dot[s], acceleration, sums)
+            body.call(lib["add_flywheel"], row, turn["s"], turn["c"], x.phi_dot[s], acceleration, seen.sums)
 
 
 def external_wrench(
@@ -97,7 +104,7 @@ def external_wrench(
             body.set(element, real(0))
         return
     named = {"stand": stand, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "g": seen.g, "F": F}
-    named["own"] = seen.own
+    named |= {"own": seen.own, **named_turns(seen.turns)}
     passed = lib.passed("external", **named, **{w.name: w.place for w in wrench})
     if lib["external"].returns is None:
         body.call(lib["external"], *passed)
@@ -126,12 +133,12 @@ def relative_rate(body: Body, x: Place, V_dot: Place, stream: Place | None) -> P
 def accelerate(lib: Library) -> Function:
     """V* for given phi'' by (8), from checked inputs."""
     stand, x = lib.table_argument(), lib.state_argument()
-    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
+    turns, phi_ddot, wrench = lib.turn_arguments(), lib.phi_ddot_arguments(), lib.wrench_arguments()
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
     lib.begin(body)
-    seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen.sums, phi_ddot[0].place if phi_ddot else None)
+    seen = scene(lib, body, stand.place, x.place, turns=places_of(turns))
+    sum_up(lib, body, stand.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="wrench (7); then what K V* must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
@@ -143,7 +150,7 @@ def accelerate(lib: Library) -> Function:
     return Function(
         "accelerate",
         "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK.",
-        (stand, x, *phi_ddot, *wrench, V_dot),
+        (stand, x, *turns, *phi_ddot, *wrench, V_dot),
         body.statements,
         equation="(8)",
         returns=Kind.STATUS,
@@ -161,27 +168,29 @@ def from_stream(body: Body, x: Place, seen: Scene, V_dot: Place) -> None:
         body.set(V_dot[i], V_dot[i] - drift[i])
 
 
-def forward(lib: Library) -> Function:
-    """V* for given phi'' by (8)."""
+def forward(lib: Library, at: bool = False) -> Function:
+    """V* for given phi'' by (8); `at`: forward_at, of given sines and cosines of the phases."""
     stand, x = lib.table_argument(), lib.state_argument()
+    turns = lib.turn_arguments() if at else ()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = "derivative of the components of V; may overlap any input"
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose)
     body = Body()
-    check_inputs(lib, body, stand, x, phi_ddot, wrench)
+    check_inputs(lib, body, stand, x, phi_ddot, wrench, turns)
     result = body.local("result", (6,))
-    inputs = [a.place for a in (*phi_ddot, *wrench)]
+    inputs = [*(places_of(turns) or turns_of(lib, body, x.place)), *places_of((*phi_ddot, *wrench))]
     lib.check(body, "accelerate", stand.place, x.place, *inputs, result)
     body.copy_array(V_dot.place, result)
     body.ret(Status("OK"))
     return Function(
-        "forward",
+        "forward_at" if at else "forward",
         "Acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I phi'' + J phi').",
-        (stand, x, *phi_ddot, *wrench, V_dot),
+        (stand, x, *turns, *phi_ddot, *wrench, V_dot),
         body.statements,
         equation="(8)",
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+        notes=AT_NOTES if at else (),
         public=True,
     )
 
@@ -194,7 +203,7 @@ def wrench_function(lib: Library) -> Function:
     body = Body()
     check_inputs(lib, body, stand, x, (), wrench)
     seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen.sums, None)
+    sum_up(lib, body, stand.place, x.place, seen, None)
     result = body.local("result", (6,))
     external_wrench(lib, body, stand.place, x.place, seen, wrench, result)
     body.copy_array(F.place, result)

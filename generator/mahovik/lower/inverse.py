@@ -11,7 +11,7 @@ from typing import Any
 
 from mahovik.derive import accumulate as derived_rows
 from mahovik.derive import carrier as derived_carrier
-from mahovik.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.lower.flywheels import AT_NOTES, columns_of, places_of, turn_of, turns_of
 from mahovik.lower.forward import (
     STATE_STATUSES,
     check_inputs,
@@ -27,12 +27,6 @@ from mahovik.program.build import Body, call
 from mahovik.program.expression import Const, Convert, Expr, Not, Place, Status, both, integer, magnitude, real, select
 from mahovik.program.function import STATUS_VALUES, Argument, Function
 from mahovik.program.types import Kind
-
-RANK_TOLERANCE = {"double": 1e-9, "float": 1e-5}
-"""Singular values below this part of the largest count as zero (stand.md)."""
-
-UNREACHABLE_ABOVE = {"double": 1e-9, "float": 1e-4}
-"""Scaled residual over scaled demand above which the target is out of reach (stand.md)."""
 
 
 def factor(lib: Library) -> Function:
@@ -74,17 +68,17 @@ def demand(lib: Library) -> Function:
     stand, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
     weight = Argument("weight", Kind.REAL, (layout.count,), purpose="of the flywheels in the norm, greater than 0")
-    wrench = lib.wrench_arguments()
+    turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
     work = Argument("work", layout.inverse_work, (), "out")
     w = work.place
     body = Body()
     lib.begin(body)
-    seen = scene(lib, body, stand.place, x.place)
+    seen = scene(lib, body, stand.place, x.place, turns=places_of(turns))
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     body.call(lib["start_sums"], stand.place, seen.sums)
     column = body.local("column", (6,), comment="I_s")
     with body.loop("s", layout.count) as s:
-        turn = sine_and_cosine(lib, body, x.place.phi[s], "_phi")
+        turn = turn_of(lib, body, x.place, s, seen.turns)
         row = stand.place.flywheel[s]
         body.call(lib["add_flywheel"], row, turn["s"], turn["c"], x.place.phi_dot[s], real(0), seen.sums)
         assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
@@ -124,7 +118,7 @@ def demand(lib: Library) -> Function:
     return Function(
         "demand",
         "What (12) asks of the flywheels at a state: I, b, and both scaled to W, r.",
-        (stand, x, V_dot, weight, *wrench, work),
+        (stand, x, *turns, V_dot, weight, *wrench, work),
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,
@@ -140,10 +134,11 @@ def _check(
     V_dot: Argument,
     options: Place,
     wrench: tuple[Argument, ...],
+    turns: tuple[Argument, ...] = (),
 ) -> None:
     """Inputs of both variants, and the options."""
     largest = lib.limits["LARGEST"].expression
-    check_inputs(lib, body, stand, x, (), wrench)
+    check_inputs(lib, body, stand, x, (), wrench, turns)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_PARAMETER"].expression)
     lib.check(body, "within", options.limit, lib.layout.count, largest)
@@ -154,7 +149,9 @@ def _check(
     for share in shares:
         lib.guard(body, Not(both(share >= 0, share <= 1)), "BAD_ARGUMENT")
     with body.loop("s", lib.layout.count) as s:
-        lib.guard(body, Not(both(options.weight[s] > real(1e-9), options.limit[s] > 0)), "BAD_ARGUMENT")
+        lib.guard(
+            body, Not(both(options.weight[s] > real(lib.thresholds.weight), options.limit[s] > 0)), "BAD_ARGUMENT"
+        )
 
 
 def inverse(lib: Library) -> Function:
@@ -168,12 +165,12 @@ def inverse(lib: Library) -> Function:
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and how good it is")
     o, p = out.place, options.place
-    precision = layout.precision.name
     body = Body()
     _check(lib, body, stand, x, V_dot, p, wrench)
     work = body.local("work", (), layout.inverse_work)
     inputs = [w.place for w in wrench]
-    lib.check(body, "demand", stand.place, x.place, V_dot.place, p.weight, *inputs, work)
+    turns = turns_of(lib, body, x.place)
+    lib.check(body, "demand", stand.place, x.place, *turns, V_dot.place, p.weight, *inputs, work)
     wanted = body.local("wanted")
     body.set(wanted, real(0))
     with body.loop("i", 6) as i:
@@ -190,7 +187,7 @@ def inverse(lib: Library) -> Function:
     with body.loop("s", layout.count) as s:
         body.set(o.phi_ddot[s], real(0))
     body.note("y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero")
-    with body.loop("i", 6) as i, body.when(work.sigma[i] > RANK_TOLERANCE[precision] * first):
+    with body.loop("i", 6) as i, body.when(work.sigma[i] > lib.thresholds.rank * first):
         body.set(rank, rank + 1)
         ratio = body.let("ratio", work.sigma[i] / first)
         share = body.local("lambda")
@@ -291,27 +288,31 @@ def _residual(lib: Library, body: Body, o: Place, work: Place, wanted: Place, fl
         body.set(o.hardest[i], real(0))
         with body.loop("k", i + 1) as k:
             body.add(o.hardest[i], work.G[i][k] * work.U[k][5])
-    tolerance = UNREACHABLE_ABOVE[lib.layout.precision.name]
+    tolerance = lib.thresholds.unreachable
     with body.when(left > tolerance * tolerance * wanted):
         body.set(flags, _flag(flags, "UNREACHABLE"))
 
 
-def inverse_fast(lib: Library) -> Function:
-    """phi'' for a wanted V* by the normal equations: for fast loops away from singularity."""
+def inverse_fast(lib: Library, at: bool = False) -> Function:
+    """phi'' for a wanted V* by the normal equations: for fast loops away from singularity.
+
+    `at`: inverse_fast_at, of given sines and cosines of the phases.
+    """
     layout = lib.layout
     stand, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
     options = Argument("options", layout.inverse_options, purpose="weights and damping; near and limits are not read")
-    wrench = lib.wrench_arguments()
+    given, wrench = lib.turn_arguments() if at else (), lib.wrench_arguments()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     p = options.place
     wide = int(layout.count) >= 6
     size = 6 if wide else int(layout.count)
     body = Body()
-    _check(lib, body, stand, x, V_dot, p, wrench)
+    _check(lib, body, stand, x, V_dot, p, wrench, given)
     work = body.local("work", (), layout.inverse_work)
     inputs = [w.place for w in wrench]
-    lib.check(body, "demand", stand.place, x.place, V_dot.place, p.weight, *inputs, work)
+    turns = places_of(given) or turns_of(lib, body, x.place)
+    lib.check(body, "demand", stand.place, x.place, *turns, V_dot.place, p.weight, *inputs, work)
     body.note("normal equations: W W^T z = r, y = W^T z" if wide else "normal equations: W^T W y = W^T r")
     gram = body.local("gram", (size, size))
     z = body.local("z", (size,))
@@ -343,9 +344,9 @@ def inverse_fast(lib: Library) -> Function:
         body.set(phi_ddot.place[s], y * work.scale[s])
     body.ret(Status("OK"))
     return Function(
-        "inverse_fast",
+        "inverse_fast_at" if at else "inverse_fast",
         "Flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal equations.",
-        (stand, x, V_dot, options, *wrench, phi_ddot),
+        (stand, x, *given, V_dot, options, *wrench, phi_ddot),
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,
@@ -353,6 +354,7 @@ def inverse_fast(lib: Library) -> Function:
         notes=(
             "Squares the condition: as good as inverse where singular values are within some thousands of one another;",
             "NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.",
+            *(AT_NOTES if at else ()),
         ),
         public=True,
     )
@@ -361,9 +363,10 @@ def inverse_fast(lib: Library) -> Function:
 def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, size: int) -> None:
     """z = gram^-1 z by a Cholesky factor in the lower triangle, in place."""
     with body.loop("j", size) as j:
+        least = body.let("least", lib.thresholds.gram_pivot * gram[j][j], "below it a pivot is rounding only")
         with body.loop("k", j) as k:
             body.add(gram[j][j], -(gram[j][k] * gram[j][k]))
-        lib.guard(body, Not(gram[j][j] > GRAM_PIVOT[lib.layout.precision.name]), "NOT_POSITIVE_DEFINITE")
+        lib.guard(body, Not(gram[j][j] > least), "NOT_POSITIVE_DEFINITE")
         body.set(gram[j][j], call(lib["sqrt"], gram[j][j]))
         with body.loop("i", size, start=j + 1) as i:
             with body.loop("k", j) as k:
@@ -378,7 +381,3 @@ def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, size: int) -> N
         with body.loop("k", size, start=i_ + 1) as k:
             body.add(z[i_], -(gram[k][i_] * z[k]))
         body.set(z[i_], z[i_] / gram[i_][i_])
-
-
-GRAM_PIVOT = {"double": 1e-26, "float": 1e-12}
-"""Pivots of the dimensionless normal equations below this are noise."""

@@ -10,7 +10,7 @@ from mahovik.derive import drive as derived_drive
 from mahovik.derive import sensitivity as derived
 from mahovik.derive.symbols import vector
 from mahovik.lower.drive import along, check_drive, couple_flywheel, start_schur, swing_of
-from mahovik.lower.flywheels import columns_of, let_weights, sine_and_cosine
+from mahovik.lower.flywheels import columns_of, let_weights, sine_and_cosine, turns_of
 from mahovik.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene, sum_up
 from mahovik.lower.library import Library
 from mahovik.lower.matrices import fill
@@ -103,7 +103,7 @@ def forward_jacobian(lib: Library) -> Function:
     o, body = out.place, Body()
     check_inputs(lib, body, stand, x, phi_ddot, wrench)
     seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen.sums, phi_ddot[0].place if phi_ddot else None)
+    sum_up(lib, body, stand.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="what K V* must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     motion = body.local("V_result", (6,), comment="V_r*")
@@ -180,9 +180,11 @@ def coupled_jacobian(lib: Library) -> Function:
     check_drive(lib, body, (stand, x, tau, *wrench))
     motion = body.local("V_result", (6,), comment="V*, then V_r*")
     spins = body.local("phi_result", (layout.count,), comment="phi''")
-    lib.check(body, "move", *(a.place for a in (stand, x, tau, locked, *wrench)), motion, spins)
-    seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen.sums, spins)
+    turns = turns_of(lib, body, x.place)
+    inputs = [a.place for a in (tau, locked, *wrench)]
+    lib.check(body, "move", stand.place, x.place, *turns, *inputs, motion, spins)
+    seen = scene(lib, body, stand.place, x.place, turns=turns)
+    sum_up(lib, body, stand.place, x.place, seen, spins)
     if seen.stream is not None:
         drift = drift_of(body, x.place, seen.stream)
         for i in range(3):

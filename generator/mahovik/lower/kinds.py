@@ -77,6 +77,11 @@ class Kinds:
         return tuple(self.structure.bodies[i] for i in self.structure.wrench_inputs)
 
     @property
+    def sine_input(self) -> bool:
+        """Some functions take sines and cosines of the phases."""
+        return self.flywheels and self.structure.phase_input == "sincos"
+
+    @property
     def carrier_input(self) -> bool:
         return 0 in self.structure.wrench_inputs
 

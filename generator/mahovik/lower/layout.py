@@ -131,6 +131,15 @@ class Layout(Tables):
         return Struct("coupled_slopes", "Derivatives of coupled.", fields)
 
     @cached_property
+    def encoder(self) -> Struct:
+        fields = (
+            Field("counter", INT, (), "", "last reading"),
+            Field("place", INT, (), "", "counts in the turn, 0 to |per_turn| - 1"),
+            Field("moved", INT, (), "", "counts between the last two readings"),
+        )
+        return Struct("encoder", "An encoder whose counter wraps. Kept by accumulate.", fields)
+
+    @cached_property
     def matrices(self) -> Struct:
         fields = [
             Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),

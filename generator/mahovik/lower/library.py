@@ -55,6 +55,16 @@ class Library:
             return ()
         return (Argument("phi_ddot", Kind.REAL, (self.layout.count,), unit="rad/s2", purpose="flywheel accelerations"),)
 
+    def turn_arguments(self) -> tuple[Argument, ...]:
+        """Sines and cosines of the phases, where the stand takes them of encoders: `phase_input = "sincos"`."""
+        if not self.layout.sine_input:
+            return ()
+        purpose = "cosines of the phases; each (sine, cosine) within 1e-3 of unit length"
+        return (
+            Argument("sine", Kind.REAL, (self.layout.count,), purpose="sines of the phases"),
+            Argument("cosine", Kind.REAL, (self.layout.count,), purpose=purpose),
+        )
+
     def wrench_arguments(self) -> tuple[Argument, ...]:
         """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
         if not self.layout.inputs:

@@ -38,9 +38,9 @@ def limits(precision: Precision) -> dict[str, Limit]:
     return {limit.name: limit for limit in table}
 
 
-QUATERNION_NORM_MIN = 0.998001
-QUATERNION_NORM_MAX = 1.002001
-"""|q|^2 for a quaternion within 1e-3 of unit length."""
+UNIT_SQUARE_MIN = 0.998001
+UNIT_SQUARE_MAX = 1.002001
+"""Square of a length within 1e-3 of 1: of a quaternion, or of (sine, cosine)."""
 
 SINGULAR_BELOW = 1e-6
 """|cos theta| (Euler: |sin theta|) below which A of (10) is refused as singular."""

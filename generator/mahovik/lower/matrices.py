@@ -48,7 +48,7 @@ def matrices(lib: Library) -> Function:
     body = Body()
     check_inputs(lib, body, stand, x, (), wrench)
     seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen.sums, None)
+    sum_up(lib, body, stand.place, x.place, seen, None)
     F = body.local("F", (6,))
     external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
     body.copy_array(out.place.F, F)
@@ -97,7 +97,7 @@ def momentum(lib: Library) -> Function:
     body = Body()
     check_inputs(lib, body, stand, x)
     seen = scene(lib, body, stand.place, x.place, attitude=True)
-    sum_up(lib, body, stand.place, x.place, seen.sums, None)
+    sum_up(lib, body, stand.place, x.place, seen, None)
     C, V, sums = seen.C, seen.V, seen.sums
     assert C is not None
     Z = body.local("Z", (6,), comment="momentum screw (2)")

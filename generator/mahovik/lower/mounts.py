@@ -6,7 +6,7 @@ from typing import Any
 
 from mahovik.derive import drive as derived
 from mahovik.derive import wrench as derived_wrench
-from mahovik.lower.flywheels import sine_and_cosine
+from mahovik.lower.flywheels import turn_of
 from mahovik.lower.forward import (
     STATE_STATUSES,
     check_inputs,
@@ -116,12 +116,12 @@ def mounts(lib: Library) -> Function:
         scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
         for element in scratch:
             body.set(element, real(0))
-        own_wrenches(lib, body, stand.place, x.place, seen.V, wrench, scratch, seen.own)
+        own_wrenches(lib, body, stand.place, x.place, seen.turns, seen.V, wrench, scratch, seen.own)
     W = body.local("W", (6,))
     with body.loop("s", layout.count) as s:
         for k in range(6):
             body.set(W[k], real(0) if seen.own is None else -seen.own[s * integer(6) + k])
-        turn = sine_and_cosine(lib, body, x.place.phi[s], "_phi")
+        turn = turn_of(lib, body, x.place, s, seen.turns)
         named: dict[str, Any] = {
             "mount": table.place.flywheel[s],
             **turn,

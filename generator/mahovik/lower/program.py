@@ -16,6 +16,7 @@ from mahovik.lower import (
     measure,
     mounts,
     parameters,
+    phases,
     placement,
     prepare,
     rotation,
@@ -47,9 +48,12 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(routines.sincos(precision))
     lib.add(routines.square_root(precision))
     lib.add(routines.atan2(precision))
-    lib.add(routines.wrap(precision))
+    lib.add(routines.unwind(precision))
+    lib.add(routines.wrap(precision, lib["unwound"]))
     lib.add(checks.within(lib))
     lib.add(checks.check_state(lib))
+    if layout.sine_input:
+        lib.add(checks.check_turns(lib))
     lib.add(rotation.rotation())
     lib.add(rotation.rotate_back())
     if layout.flywheels:
@@ -62,6 +66,8 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(solve.solve_carrier(lib))
     lib.add(forward.accelerate(lib))
     lib.add(forward.forward(lib))
+    if layout.sine_input:
+        lib.add(forward.forward(lib, at=True))
     if layout.wrenches:
         lib.add(forward.wrench_function(lib))
     lib.add(matrices.velocity_matrix(lib))
@@ -69,12 +75,22 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(matrices.momentum(lib))
     if layout.flywheels:
         lib.add(drive.couple(lib))
+        if layout.sine_input:
+            lib.add(drive.balance(lib))
+            lib.add(drive.torque(lib, at=True))
         lib.add(drive.torque(lib))
         lib.add(drive.eliminate(lib))
         lib.add(drive.solve_schur(lib))
         lib.add(drive.move(lib))
         lib.add(drive.coupled(lib))
+        if layout.sine_input:
+            lib.add(drive.coupled(lib, at=True))
     step.add_all(lib)
+    if layout.flywheels:
+        lib.add(phases.wrap(lib))
+        lib.add(phases.phase_of_counts(lib))
+        lib.add(phases.speed_of_counts(lib))
+        lib.add(phases.accumulate(lib))
     _add_jacobians(lib)
     if layout.flywheels:
         square_root = lib["sqrt"]
@@ -83,6 +99,8 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(inverse.demand(lib))
         lib.add(inverse.inverse(lib))
         lib.add(inverse.inverse_fast(lib))
+        if layout.sine_input:
+            lib.add(inverse.inverse_fast(lib, at=True))
     if layout.sensors:
         lib.add(measure.sense(lib))
         lib.add(measure.measure(lib))
@@ -170,6 +188,7 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         layout.generalized,
         *((layout.mount_table,) if layout.flywheels else ()),
         *((layout.reading,) if layout.sensors else ()),
+        *((layout.encoder,) if layout.flywheels else ()),
         layout.sums,
         *((layout.coupling, layout.schur, layout.inverse_work) if layout.flywheels else ()),
         *((layout.inverse_options, layout.inverse_result, layout.coupled_slopes) if layout.flywheels else ()),

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from mahovik.derive import motion as derived
 from mahovik.lower.drive import check_drive
+from mahovik.lower.flywheels import turns_of
 from mahovik.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.lower.library import Library
 from mahovik.lower.solve import parts_of_twist
@@ -48,7 +49,7 @@ def _rate(lib: Library, torques: bool) -> Function:
     body = Body()
     lib.begin(body)
     C = body.local("C", (9,), comment="attitude")
-    inputs = [a.place for a in drive]
+    inputs = [*turns_of(lib, body, x.place), *(a.place for a in drive)]
     out = rate.place
     if torques:
         lib.check(body, "move", stand.place, x.place, *inputs, out.V, out.phi_dot)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.derive import wrench as derived
-from mahovik.lower.flywheels import sine_and_cosine
+from mahovik.lower.flywheels import Turns, named_turns, places_of, turn_of
 from mahovik.lower.laws import add_force
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
@@ -25,21 +25,22 @@ def external(lib: Library) -> Function:
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
     F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "in E1 about O1")
     own = own_argument(lib)
-    wrench = lib.wrench_arguments()
+    given, wrench = lib.turn_arguments(), lib.wrench_arguments()
+    turns = places_of(given)
     body = Body()
     if layout.legs:
         lib.begin(body)
     for element in F.place:
         body.set(element, real(0))
     if layout.weight:
-        _weight(lib, body, stand.place, x.place, sums.place, g.place, F.place)
+        _weight(lib, body, stand.place, x.place, turns, sums.place, g.place, F.place)
     if layout.carrier_damped:
         _damp(lib, body, stand.place, stand.place.damper, V.place, F.place)
     if layout.carrier_input:
         for i in range(6):
             body.add(F.place[i], wrench[0].place[i])
     if layout.own:
-        own_wrenches(lib, body, stand.place, x.place, V.place, wrench, F.place, own.place)
+        own_wrenches(lib, body, stand.place, x.place, turns, V.place, wrench, F.place, own.place)
     if layout.suspended:
         body.call(lib["suspend"], stand.place.suspension, x.place, C.place, F.place)
     if layout.legs:
@@ -49,7 +50,7 @@ def external(lib: Library) -> Function:
     return Function(
         "external",
         "Total external wrench of " + _kinds(lib) + ", from checked inputs.",
-        (stand, x, sums, C, V, g, *wrench, F, own),
+        (stand, x, *given, sums, C, V, g, *wrench, F, own),
         body.statements,
         equation="(7)",
         returns=Kind.STATUS if layout.legs else None,
@@ -81,6 +82,7 @@ def own_wrenches(
     body: Body,
     stand: Place,
     x: Place,
+    turns: Turns,
     V: Place,
     wrench: tuple[Argument, ...],
     F: Place,
@@ -93,11 +95,11 @@ def own_wrenches(
             body.set(own[i], real(0))
     with body.loop("k", len(lib.layout.own)) as k:
         everything = {"stand": stand, "frame": stand.frame[k], "x": x, "V": V, "F": F, "own": own}
-        everything |= {w.name: w.place for w in wrench}
+        everything |= {w.name: w.place for w in wrench} | named_turns(turns)
         body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
 
 
-def _weight(lib: Library, body: Body, stand: Place, x: Place, sums: Place, g: Place, F: Place) -> None:
+def _weight(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums: Place, g: Place, F: Place) -> None:
     """Weight of every body at its mass centre, less the Archimedes force."""
     layout = lib.layout
     binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": stand.mass}
@@ -109,7 +111,7 @@ def _weight(lib: Library, body: Body, stand: Place, x: Place, sums: Place, g: Pl
         body.copy_array(moment, stand.displaced_moment)
         with body.loop("s", layout.count) as s:
             row = stand.flywheel[s]
-            turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+            turn = turn_of(lib, body, x, s, turns)
             for i in range(3):
                 body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
         binding["displaced_moment"] = moment
@@ -129,7 +131,7 @@ def own_wrench(lib: Library) -> Function:
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
     F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; is added to")
     own = own_argument(lib)
-    wrench = lib.wrench_arguments()
+    given, wrench = lib.turn_arguments(), lib.wrench_arguments()
     body = Body()
     origin = frame.place.origin
     axes = body.local("axes", (9,), comment="of the body in E1")
@@ -139,7 +141,7 @@ def own_wrench(lib: Library) -> Function:
         body.set(element, real(0))
     if layout.own_turning:
         with body.when(frame.place.flywheel >= 0):
-            turn = sine_and_cosine(lib, body, x.place.phi[frame.place.flywheel])
+            turn = turn_of(lib, body, x.place, frame.place.flywheel, places_of(given), "")
             assign(body, list(axes), derived.turned_axes(), turn | {"R": frame.place.axes})
     if layout.own_damped:
         _own_damping(lib, body, stand.place, frame.place, x.place, V.place, axes, P)
@@ -157,7 +159,7 @@ def own_wrench(lib: Library) -> Function:
     return Function(
         "own_wrench",
         "Adds the wrench of one instrument or flywheel that acts in its own frame.",
-        (stand, frame, x, V, *wrench, F, own),
+        (stand, frame, x, *given, V, *wrench, F, own),
         body.statements,
         equation="(7)",
     )

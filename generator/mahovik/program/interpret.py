@@ -76,8 +76,9 @@ class Interpreter:
         function = self._functions[name]
         storage = {a.name: self.argument(a, inputs.get(a.name)) for a in function.arguments}
         value = self.call(name, *storage.values())
-        outputs = {a.name: plain(storage[a.name]) for a in function.arguments if a.direction != "in"}
-        return value, outputs
+        boxes = {a.name for a in function.arguments if _is_box(a.variable)}
+        found = {name: place[0] if name in boxes else place for name, place in storage.items()}
+        return value, {a.name: plain(found[a.name]) for a in function.arguments if a.direction != "in"}
 
 
 def new_value(type_: Kind | Struct, shape: tuple[Any, ...], precision: Precision) -> Any:

@@ -17,6 +17,7 @@ Mat6 = tuple[Vec6, Vec6, Vec6, Vec6, Vec6, Vec6]
 
 Sequence = Literal["ship", "aircraft", "euler"]
 About = Literal["origin", "center_of_mass"]
+PhaseInput = Literal["angle", "sincos"]
 
 WRENCH_LETTERS = ("X", "Y", "Z", "K", "M", "N")
 TWIST_LETTERS = ("u", "v", "w", "p", "q", "r")
@@ -191,7 +192,10 @@ class Point:
 
 @dataclass(frozen=True)
 class Stand:
-    """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order."""
+    """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
+
+    `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
+    """
 
     name: str
     angles: Sequence
@@ -203,6 +207,7 @@ class Stand:
     instruments: tuple[Instrument, ...]
     flywheels: tuple[Flywheel, ...]
     points: tuple[Point, ...]
+    phase_input: PhaseInput = "angle"
 
     @property
     def bodies(self) -> tuple[Body, ...]:

@@ -83,6 +83,8 @@ def read(document: dict[str, Any], source: str) -> Stand:
     flywheel_tables = _array(problems, document, "flywheel", FlywheelTable)
     point_tables = _array(problems, document, "point", PointTable)
     _check_names(problems, document)
+    if header is not None and header.phase_input != "angle" and not document.get("flywheel"):
+        problems.add("phase_input", f"{show(header.phase_input)} says how phases are given, but there is no flywheel")
 
     carrier = build.carrier(carrier_table, problems) if carrier_table else None
     legs: list[Leg] = [build.leg(table) for _, table in leg_tables]
@@ -110,6 +112,7 @@ def read(document: dict[str, Any], source: str) -> Stand:
         instruments=tuple(instruments),
         flywheels=tuple(flywheels),
         points=tuple(points),
+        phase_input=header.phase_input,
     )
     physical.check_stand(stand, problems)
     if problems.lines:

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, PlainValidator, model_validat
 from pydantic_core import PydanticCustomError
 
 from mahovik.stand import units
-from mahovik.stand.model import TWIST_LETTERS, WRENCH_LETTERS, About, Factor, Mat3, Mat6, Vec3
+from mahovik.stand.model import TWIST_LETTERS, WRENCH_LETTERS, About, Factor, Mat3, Mat6, PhaseInput, Vec3
 from mahovik.stand.model import Sequence as AngleSequence
 from mahovik.stand.names import name_problem, stand_name_problem
 from mahovik.stand.shapes import Blocks, direction, matrix6, symmetric3, vec3, vector
@@ -120,6 +120,14 @@ def _about(raw: Any) -> About:
     raise QuantityError(f'expected "origin" or "center_of_mass", found {show(raw)}')
 
 
+def _phase_input(raw: Any) -> PhaseInput:
+    if raw == "angle":
+        return "angle"
+    if raw == "sincos":
+        return "sincos"
+    raise QuantityError(f'expected "angle" or "sincos", found {show(raw)}')
+
+
 def _letter(letters: tuple[str, ...]) -> Callable[[Any], int]:
     def read(raw: Any) -> int:
         if _text(raw) not in letters:
@@ -175,6 +183,7 @@ class Header(Table):
     angles: Annotated[AngleSequence, _validator(_sequence)] = "ship"
     gravity: Annotated[Vec3, _validator(lambda raw: vec3(raw, units.ACCELERATION))] = ZERO3
     stream: Annotated[Vec3, _validator(lambda raw: vec3(raw, units.VELOCITY))] | None = None
+    phase_input: Annotated[PhaseInput, _validator(_phase_input)] = "angle"
 
 
 class BuoyancyTable(Table):

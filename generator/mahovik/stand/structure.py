@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from mahovik.stand.model import Body, Damping, Factor, Sequence, Stand
+from mahovik.stand.model import Body, Damping, Factor, PhaseInput, Sequence, Stand
 
 TermKind = tuple[int, tuple[Factor, Factor]]
 """Wrench component 0..5 of a hydrodynamic derivative and its two factors."""
@@ -44,6 +44,8 @@ class Structure:
     damping_terms: tuple[tuple[int, tuple[TermKind, ...]], ...]
     """Body index and the kind of each of its terms, for bodies that have terms."""
     wrench_inputs: tuple[int, ...]
+    phase_input: PhaseInput
+    """"sincos": functions that take sines and cosines of the phases are there as well."""
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -95,4 +97,5 @@ def structure(stand: Stand) -> Structure:
             if body.damping is not None and body.damping.terms
         ),
         wrench_inputs=where(lambda body: body.wrench_input),
+        phase_input=stand.phase_input,
     )

@@ -24,6 +24,8 @@ def dumps(stand: Stand) -> str:
     lines = ["schema = 1", f'name = "{stand.name}"', f'angles = "{stand.angles}"', _line("gravity", stand.gravity)]
     if stand.stream is not None:
         lines.append(_line("stream", stand.stream))
+    if stand.phase_input != "angle":
+        lines.append(_line("phase_input", stand.phase_input))
     lines += ["", "[carrier]", *_body(stand.carrier)]
     if stand.suspension is not None:
         lines += ["", "[suspension]", *_fields(stand.suspension, "stiffness", "damping", "position", "angles")]

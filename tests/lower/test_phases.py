@@ -1,0 +1,231 @@
+"""wrap against Arb; phases, places and speeds of encoder counts against exact integers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+
+from lower.refusals import FILL
+from mahovik.lower.phases import MAX_COUNTS
+from mahovik.program.function import STATUS_VALUES
+from mahovik.program.interpret import Interpreter
+from mahovik.stand.random import BARE, random_stand
+from mahovik.verify.c_backend import CBackend
+
+PRECISIONS = pytest.mark.parametrize("precision_name", ["double", "float"])
+ERROR = {"double": 5e-16, "float": 3e-7}
+INT_MIN, INT_MAX = -(2**31), 2**31 - 1
+
+
+@pytest.fixture(autouse=True)
+def digits() -> Iterator[None]:
+    """Arb with 200 bits."""
+    before, ctx.prec = ctx.prec, 200
+    yield
+    ctx.prec = before
+
+
+@cache
+def backend(precision_name: str) -> CBackend:
+    stand = random_stand(np.random.default_rng(3), 1, BARE, f"phases_{precision_name}")
+    return CBackend(stand, precision_name)
+
+
+@cache
+def interpreter(precision_name: str) -> Interpreter:
+    return Interpreter(backend(precision_name).program)
+
+
+def called(precision_name: str, function: str, **inputs: Any) -> tuple[int, dict[str, Any]]:
+    """Status and outputs of the compiled function."""
+    c = backend(precision_name)
+    return c.library.run(c.program.function(function), inputs, FILL)
+
+
+def good(precision_name: str, function: str, **inputs: Any) -> Any:
+    """The one output of a call that must be good, and the interpreter's as well."""
+    status, outputs = called(precision_name, function, **inputs)
+    assert status == 0, (function, inputs, status)
+    (value,) = outputs.values()
+    assert interpreter(precision_name).run(function, inputs)[1] == outputs
+    return value
+
+
+def refused(precision_name: str, function: str, due: str, **inputs: Any) -> None:
+    status, outputs = called(precision_name, function, **inputs)
+    assert status == STATUS_VALUES[due], (function, inputs, status)
+    (value,) = outputs.values()
+    assert value == inputs.get("encoder", FILL)
+
+
+def scalar(precision_name: str, value: float) -> float:
+    return float(backend(precision_name).program.precision.scalar(value))
+
+
+def angles(precision_name: str) -> list[float]:
+    """Dense, at both ends, and the machine numbers next to multiples of pi."""
+    precision = backend(precision_name).program.precision
+    rng = np.random.default_rng(1)
+    largest = precision.max_phase
+    found = [*rng.uniform(-largest, largest, 2000), *rng.uniform(-30, 30, 2000), 0.0, largest, -largest, 1e-300]
+    halves = [*range(-40, 41), *rng.integers(-int(largest / math.pi), int(largest / math.pi), 1500)]
+    for half in halves:
+        middle = precision.scalar(int(half) * math.pi)
+        found += [middle, np.nextafter(middle, precision.scalar(9e9)), np.nextafter(middle, precision.scalar(-9e9))]
+    return [float(precision.scalar(x)) for x in found if abs(float(precision.scalar(x))) <= largest]
+
+
+@PRECISIONS
+def test_wrap_is_the_equal_angle_within_half_a_turn(precision_name: str) -> None:
+    pi = scalar(precision_name, math.pi)
+    for phi in angles(precision_name):
+        wrapped = good(precision_name, "wrap", phi=phi)
+        assert abs(wrapped) <= pi, phi
+        off = (arb(phi) - arb(float(wrapped))) / (2 * arb.pi())
+        assert abs(off - round(float(off))) * 2 * arb.pi() < ERROR[precision_name], phi
+        if abs(phi) < pi:
+            assert wrapped == phi
+
+
+@PRECISIONS
+def test_wrap_refuses_what_it_cannot_take(precision_name: str) -> None:
+    largest = backend(precision_name).program.precision.max_phase
+    beyond = float(np.nextafter(backend(precision_name).program.precision.scalar(largest), np.float32(np.inf)))
+    for phi in (math.nan, math.inf, -math.inf):
+        refused(precision_name, "wrap", "NOT_FINITE", phi=phi)
+    for phi in (beyond, -beyond, 1e30):
+        refused(precision_name, "wrap", "RANGE", phi=phi)
+
+
+def exact_phase(count: int, per_turn: int, zero: float) -> Fraction:
+    """Turns from phi = 0, in [-1/2, 1/2]."""
+    turns = (Fraction(count) - Fraction(zero)) / per_turn
+    return turns - round(turns)
+
+
+def check_phase(precision_name: str, count: int, per_turn: int, zero: float = 0.0) -> float:
+    phi = float(good(precision_name, "phase_of_counts", count=count, per_turn=per_turn, zero=zero))
+    assert abs(phi) <= scalar(precision_name, math.pi)
+    turns = exact_phase(count, per_turn, zero)
+    found = arb(phi) / (2 * arb.pi()) - arb(turns.numerator) / turns.denominator
+    if abs(turns) == Fraction(1, 2):
+        found = min(abs(found - k) for k in (-1, 0, 1))
+    unit = float(np.spacing(backend(precision_name).program.precision.scalar(abs(phi) or 1e-30)))
+    assert abs(found) * 2 * arb.pi() <= 2 * unit, (count, per_turn, zero, phi)
+    return phi
+
+
+@PRECISIONS
+def test_the_phase_of_any_count_is_good_to_two_units_in_the_last_place(precision_name: str) -> None:
+    most = MAX_COUNTS[precision_name]
+    rng = np.random.default_rng(2)
+    turns = [1, -1, 2, 3, 7, -4096, 4096, 10_000, 65536, most, -most, most - 1]
+    for per_turn in (*turns, *(int(n) for n in rng.integers(1, most, 50))):
+        size = abs(per_turn)
+        counts = [0, 1, -1, size // 2, -(size // 2), size // 2 + 1, size, INT_MAX, INT_MIN, INT_MIN + 1]
+        for count in (*counts, *(int(n) for n in rng.integers(INT_MIN, INT_MAX, 20))):
+            zero = float(rng.integers(-size, size + 1))
+            check_phase(precision_name, count, per_turn)
+            check_phase(precision_name, count, per_turn, zero)
+
+
+@PRECISIONS
+def test_a_count_and_the_same_a_thousand_million_counts_on_have_one_phase(precision_name: str) -> None:
+    for per_turn in (4096, -4096, 1000, 9999):
+        turns = 10**9 // abs(per_turn) * abs(per_turn)
+        for count in range(0, abs(per_turn), 37):
+            here = good(precision_name, "phase_of_counts", count=count, per_turn=per_turn, zero=7.25)
+            far = good(precision_name, "phase_of_counts", count=count + turns, per_turn=per_turn, zero=7.25)
+            assert here == far
+
+
+@PRECISIONS
+@pytest.mark.parametrize("function", ["phase_of_counts", "speed_of_counts", "accumulate"])
+def test_counts_a_turn_that_are_none(precision_name: str, function: str) -> None:
+    more = MAX_COUNTS[precision_name] + 1
+    inputs: dict[str, dict[str, Any]] = {
+        "phase_of_counts": {"count": 3, "zero": 0.0},
+        "speed_of_counts": {"moved": 3, "dt": 0.001},
+        "accumulate": {"encoder": {"counter": 0, "place": 0, "moved": 0}, "counter": 3, "bits": 16},
+    }
+    for per_turn in (0, more, -more, INT_MIN, INT_MAX):
+        refused(precision_name, function, "BAD_ARGUMENT", per_turn=per_turn, **inputs[function])
+    for per_turn in (1, -1, more - 1, 1 - more):
+        assert called(precision_name, function, per_turn=per_turn, **inputs[function])[0] == 0
+
+
+@PRECISIONS
+def test_zeros_and_times_that_are_refused(precision_name: str) -> None:
+    for zero in (math.nan, math.inf, -math.inf):
+        refused(precision_name, "phase_of_counts", "NOT_FINITE", count=1, per_turn=100, zero=zero)
+    for zero in (100.01, -101.0):
+        refused(precision_name, "phase_of_counts", "RANGE", count=1, per_turn=100, zero=zero)
+    check_phase(precision_name, 1, -100, 100.0)
+    for dt, due in ((0.0, "BAD_ARGUMENT"), (-1e-3, "BAD_ARGUMENT"), (10.5, "RANGE"), (math.nan, "NOT_FINITE")):
+        refused(precision_name, "speed_of_counts", due, moved=5, per_turn=100, dt=dt)
+    refused(precision_name, "speed_of_counts", "RANGE", moved=5, per_turn=100, dt=1e-38)
+    refused(precision_name, "speed_of_counts", "RANGE", moved=INT_MIN, per_turn=1, dt=1e-3)
+
+
+@PRECISIONS
+def test_speed_is_counts_over_time(precision_name: str) -> None:
+    for moved, per_turn, dt in ((100, 4096, 1e-3), (-100, 4096, 1e-3), (7, -1000, 0.01), (0, 5, 1.0)):
+        found = good(precision_name, "speed_of_counts", moved=moved, per_turn=per_turn, dt=dt)
+        assert found == pytest.approx(2 * math.pi * moved / per_turn / dt, rel=4 * ERROR[precision_name], abs=0)
+
+
+def reading(position: int, bits: int, per_turn: int, signed: bool) -> int:
+    """What a counter of so many bits shows; 0 bits: it counts over one turn."""
+    if bits == 0:
+        return position % abs(per_turn)
+    value = position % 2**bits
+    return value - 2**bits if signed and value >= 2 ** (bits - 1) else value
+
+
+@PRECISIONS
+@pytest.mark.parametrize(
+    ("bits", "per_turn", "signed"),
+    [(16, 4096, False), (16, 10_000, False), (16, -2500, True), (32, 4096, True), (32, -999, True), (8, 1024, False),
+     (0, 4096, False), (0, -999, False), (2, 3, False), (31, 4001, False)],
+)  # fmt: skip
+def test_a_counter_that_wraps_is_followed_there_and_back(
+    precision_name: str, bits: int, per_turn: int, signed: bool
+) -> None:
+    """More than 10^9 counts with reversals; the place and phase are those of the true position, exactly."""
+    rng = np.random.default_rng(bits)
+    size = abs(per_turn)
+    reach = (size if bits == 0 else 2**bits) // 2 - 1
+    most = min(reach, 5_000_000)
+    position = int(rng.integers(0, size))
+    encoder = {"counter": reading(position, bits, per_turn, signed), "place": position % size, "moved": 0}
+    travelled = 0
+    for step in range(600):
+        moved = int(rng.integers(-most, most + 1)) if step % 3 else most * (-1 if step % 200 > 150 else 1)
+        position += moved
+        travelled += abs(moved)
+        counter = reading(position, bits, per_turn, signed)
+        encoder = good(precision_name, "accumulate", encoder=encoder, counter=counter, bits=bits, per_turn=per_turn)
+        assert encoder == {"counter": counter, "place": position % size, "moved": moved}
+        if step % 50 == 0:
+            check_phase(precision_name, encoder["place"], per_turn)
+    assert travelled > (10**9 if most == 5_000_000 else 0)
+
+
+@PRECISIONS
+def test_counters_and_places_that_cannot_be(precision_name: str) -> None:
+    at_rest = {"counter": 5, "place": 5, "moved": 0}
+    for bits in (-1, 1, 33, 64, INT_MAX, INT_MIN):
+        refused(precision_name, "accumulate", "BAD_ARGUMENT", encoder=at_rest, counter=6, bits=bits, per_turn=100)
+    for place in (-1, 100, INT_MIN, INT_MAX):
+        encoder = at_rest | {"place": place}
+        refused(precision_name, "accumulate", "BAD_ARGUMENT", encoder=encoder, counter=6, bits=16, per_turn=100)
+    for counter, last in ((100, 5), (-1, 5), (6, 100), (6, -1)):
+        encoder = at_rest | {"counter": last}
+        refused(precision_name, "accumulate", "BAD_ARGUMENT", encoder=encoder, counter=counter, bits=0, per_turn=100)

@@ -1,0 +1,126 @@
+"""Functions of given sines and cosines: the bits of those of phases, and what they refuse."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from emit.compiled import bits
+from lower.refusals import FILL
+from mahovik.program.function import STATUS_VALUES
+from mahovik.program.interpret import Interpreter
+from mahovik.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
+from mahovik.toolchain.library import filled
+from mahovik.verify.c_backend import CBackend
+
+FUNCTIONS = ("forward", "torque", "coupled", "inverse_fast")
+FLOATING = Features("ship", 1, True, True, True, True, 1, 1, True)
+STANDS = {"turned3": (3, EVERYTHING), "turned8": (8, FLOATING), "turned1": (1, BARE)}
+
+
+@cache
+def backend(name: str, precision_name: str = "double") -> CBackend:
+    count, features = STANDS[name]
+    stand = random_stand(np.random.default_rng(list(name.encode())), count, features, name)
+    return CBackend(replace(stand, phase_input="sincos"), precision_name)
+
+
+def inputs_of(c: CBackend, seed: int = 0) -> dict[str, Any]:
+    """A state, and the sines and cosines of its phases by the routine of the program."""
+    inputs = c.arguments(random_state(c.generated.values._stand, np.random.default_rng(seed)))
+    options = {name: np.array(v).tolist() for name, v in inputs["options"].items()}
+    largest = c.generated.program.precision.largest
+    options["limit"] = [min(v, largest) for v in options["limit"]]
+    routines = Interpreter(c.generated.program)
+    turns = []
+    for phi in inputs["x"]["phi"]:
+        scalar = c.generated.program.precision.scalar
+        sine, cosine = [scalar(0)], [scalar(0)]
+        routines.call("sincos", scalar(phi), sine, cosine)
+        turns.append((float(sine[0]), float(cosine[0])))
+    sines, cosines = zip(*turns, strict=True)
+    return inputs | {"options": options, "sine": list(sines), "cosine": list(cosines)}
+
+
+def without_phases(inputs: dict[str, Any]) -> dict[str, Any]:
+    """The same state with other phases: functions of sines must not look at them."""
+    return inputs | {"x": {**inputs["x"], "phi": [1.25 - p for p in inputs["x"]["phi"]]}}
+
+
+def run(c: CBackend, function: str, inputs: dict[str, Any]) -> tuple[int, dict[str, Any]]:
+    wanted = {a.name for a in c.program.function(function).arguments if a.direction != "out"}
+    return c.library.run(c.program.function(function), {n: v for n, v in inputs.items() if n in wanted}, FILL)
+
+
+@pytest.mark.parametrize(
+    ("name", "precision_name"), [*((name, "double") for name in STANDS), ("turned3", "float")], ids=str
+)
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_the_sines_of_the_phases_give_the_bits_of_the_phases(name: str, function: str, precision_name: str) -> None:
+    c = backend(name, precision_name)
+    for seed in range(5):
+        inputs = inputs_of(c, seed)
+        status, want = run(c, function, inputs)
+        assert status == 0
+        status, got = run(c, f"{function}_at", without_phases(inputs))
+        assert (status, bits(got)) == (0, bits(want))
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_compiled_and_interpreted_agree(function: str) -> None:
+    c = backend("turned3")
+    inputs = inputs_of(c)
+    wanted = {a.name for a in c.program.function(f"{function}_at").arguments if a.direction != "out"}
+    given = {n: v for n, v in inputs.items() if n in wanted} | {"stand": c.generated.values.table}
+    assert bits(c.interpreter._run(f"{function}_at", given)[1]) == bits(run(c, f"{function}_at", inputs)[1])
+
+
+@pytest.mark.parametrize("name", ["turned1", "turned3"])
+def test_the_key_changes_no_bit_of_the_other_functions(name: str) -> None:
+    c = backend(name)
+    plain = CBackend(replace(c.generated.values._stand, phase_input="angle"))
+    inputs = inputs_of(c)
+    for function in plain.program.functions:
+        needed = {a.name for a in function.arguments if a.direction != "out"}
+        if function.public and "x" in needed and needed <= set(inputs):
+            ours, theirs = (run(b, function.name, inputs | {"stand": b._table}) for b in (c, plain))
+            assert bits(ours) == bits(theirs), function.name
+    assert not any(f.name.endswith("_at") for f in plain.program.functions)
+
+
+def refused(c: CBackend, function: str, inputs: dict[str, Any], due: str) -> None:
+    status, outputs = run(c, function, inputs)
+    assert status == STATUS_VALUES[due]
+    for a in c.program.function(function).arguments:
+        if a.direction == "out":
+            assert outputs[a.name] == filled(a.type, a.shape, FILL)
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_what_is_no_sine_and_cosine_is_refused(function: str) -> None:
+    c = backend("turned3")
+    inputs = inputs_of(c)
+    for s in range(3):
+        for name in ("sine", "cosine"):
+            for value, due in ((math.nan, "NOT_FINITE"), (math.inf, "NOT_FINITE"), (2.5, "RANGE"), (-1e200, "RANGE")):
+                given = list(inputs[name])
+                given[s] = value
+                refused(c, f"{function}_at", inputs | {name: given}, due)
+
+
+@pytest.mark.parametrize(("length", "good"), [(1 - 1.001e-3, False), (1 + 1.001e-3, False), (0.0, False),
+                                              (1 - 0.999e-3, True), (1 + 0.999e-3, True)])  # fmt: skip
+def test_the_length_of_sine_and_cosine_is_one_within_a_thousandth(length: float, good: bool) -> None:
+    c = backend("turned3")
+    inputs = inputs_of(c)
+    for s in range(3):
+        given = {n: [v * (length if k == s else 1) for k, v in enumerate(inputs[n])] for n in ("sine", "cosine")}
+        if good:
+            assert run(c, "forward_at", inputs | given)[0] == 0
+        else:
+            refused(c, "forward_at", inputs | given, "RANGE")
