@@ -25,6 +25,12 @@ def load_stand(stand_file: str) -> Stand:
     return load(stand_file)
 
 
+def given(option: str) -> bool:
+    """Whether the user gave an option of the running command, by its name in Python."""
+    source = click.get_current_context().get_parameter_source(option)
+    return source not in (None, click.core.ParameterSource.DEFAULT)
+
+
 def console() -> Console:
     """Colours and box lines on a terminal only; elsewhere no line is cut or folded."""
     from rich.console import Console

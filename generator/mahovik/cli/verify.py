@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mahovik.cli.arguments import console, load_stand, real_option, stand_argument, table
+from mahovik.cli.arguments import console, given, load_stand, real_option, stand_argument, table
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 @click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
 @click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
 @click.option("--judges", is_flag=True, help="Judge by Pinocchio and MuJoCo; for stands without fluid.")
+@click.option(
+    "--targets", metavar="NAME,...", help="The same bits on processors: all, quick, m7,rv64gc,...; both element types."
+)
 @real_option
 def verify(
     stand_file: str,
@@ -44,6 +47,7 @@ def verify(
     want: str | None,
     timeout: float,
     judges: bool,
+    targets: str | None,
     real: str,
 ) -> None:
     """Judge C or any program by the reference.
@@ -60,6 +64,14 @@ def verify(
         raise UsageError("--judges judges a fresh copy: not with --with, --against")
     if want is not None and command is None:
         raise UsageError("--want goes with --with")
+    if targets is not None:
+        if judges or command is not None or against is not None or worst is not None:
+            raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --with, --against, -o")
+        from mahovik.cli.targets import verify_on_targets
+
+        reals = (real,) if given("real") else None
+        verify_on_targets(load_stand(stand_file), targets, reals, states if given("states") else None, as_json, junit)
+        return
     wants = read_wants(want)
     stand = load_stand(stand_file)
     if judges:

@@ -1,0 +1,60 @@
+"""`mahovik verify --targets`: the same bits on every processor."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from mahovik.cli.arguments import console, table
+
+if TYPE_CHECKING:
+    from mahovik.stand.model import Stand
+    from mahovik.verify.targets import TargetsReport
+
+
+def verify_on_targets(
+    stand: Stand, names: str, reals: tuple[str, ...] | None, states: int | None, as_json: bool, junit: str | None
+) -> None:
+    """Runs the self-test on targets, prints the table, and ends with the verdict as exit status.
+
+    1 where bits differ; 2 where a compiler or an emulator is missing, or the processor lacks what the one target that
+    was asked for wants: then nothing is known.
+    """
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from mahovik.verify.files import write
+    from mahovik.verify.targets import SWEEP, asked, verify_targets
+    from mahovik.verify.targets_report import as_json as json_text
+    from mahovik.verify.targets_report import as_junit
+
+    pairs = asked(names, reals)
+    err = Console(stderr=True)
+    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task(f"verify {stand.name} on targets", total=len(pairs))
+        found = verify_targets(stand, pairs, states or SWEEP, lambda done, _: bar.update(task, completed=done))
+    click.echo(json_text(found)) if as_json else _print(found)
+    if junit is not None:
+        write(Path(junit), as_junit(found))
+    if not found.passed:
+        raise SystemExit(1 if any(row.failed for row in found.rows) else 2)
+
+
+def _print(found: TargetsReport) -> None:
+    from rich.text import Text
+
+    out = console()
+    out.print(
+        Text(f"self-test of {found.stand} on targets   structure {found.structure}, physics {found.physics}"),
+    )
+    rows = table("target", "processor", "compiler", "real", "functions>", "states>", "verdict")
+    for row in found.rows:
+        verdict = Text(row.verdict, "green" if row.verdict == "ok" else "red" if row.failed else "yellow")
+        if row.reason:
+            verdict.append(f"  {row.reason}")
+        counts = (str(row.functions), str(row.states)) if row.functions else ("", "")
+        rows.add_row(row.target, Text(row.title), row.built_with, row.real, *counts, verdict)
+    out.print(rows)
+    out.print(Text(found.conclusion, "bold green" if found.passed else "bold red"))
