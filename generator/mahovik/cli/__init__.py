@@ -15,6 +15,7 @@ from mahovik.cli.evaluate import evaluate
 from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
 from mahovik.cli.new import new
+from mahovik.cli.replay import replay
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
 from mahovik.cli.verify import verify
@@ -38,5 +39,5 @@ def main() -> None:
     """
 
 
-for command in (new, check, derive, generate, verify, evaluate, rest, simulate):
+for command in (new, check, derive, generate, verify, evaluate, rest, simulate, replay):
     main.add_command(command)

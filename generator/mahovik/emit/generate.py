@@ -11,6 +11,7 @@ from mahovik.emit.declaration import contract, null_check, prototype, struct_lin
 from mahovik.emit.expression import Expressions
 from mahovik.emit.layout import paragraph, wrapped
 from mahovik.emit.literal import real_literal
+from mahovik.emit.log_format import RESERVED
 from mahovik.emit.names import Names
 from mahovik.emit.statement import Statements
 from mahovik.emit.templates import template
@@ -150,7 +151,7 @@ class _Printer:
         """Enumerators of flywheels and of run-time wrenches."""
         layout = self._layout
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
-        taken |= {"STRUCTURE", "PHYSICS", "H", "CODE", "CONST"}
+        taken |= {"STRUCTURE", "PHYSICS", "H", "CODE", "CONST"} | RESERVED
         found = []
         if layout.flywheels:
             names = list(layout.structure.flywheels)
