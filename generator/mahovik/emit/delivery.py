@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mahovik.emit.generate import Generated
+from mahovik.emit.generate import Generated, generate_all
+from mahovik.emit.readme import readme
 from mahovik.emit.selftest import selftest
 from mahovik.lower.golden import golden
 from mahovik.stand.identity import identities
@@ -13,3 +14,9 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     """The self-test of generated C: `<stand>_selftest.c`, to be compiled beside its header and source."""
     vectors = golden(generated.program, generated.values)
     return {f"{stand.name}_selftest.c": selftest(generated.program, vectors, identities(stand))}
+
+
+def delivery(stand: Stand, precision_name: str = "double") -> dict[str, str]:
+    """All files of the folder but its manifest: header, source, self-test, README. Raises UsageError, StandError."""
+    generated = generate_all(stand, precision_name)
+    return {**generated.files, **selftest_files(stand, generated), "README.md": readme(stand, generated)}

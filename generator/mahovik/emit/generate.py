@@ -14,15 +14,15 @@ from mahovik.emit.literal import real_literal
 from mahovik.emit.log_format import RESERVED
 from mahovik.emit.names import Names
 from mahovik.emit.statement import Statements
+from mahovik.emit.status import statuses
 from mahovik.emit.templates import template
 from mahovik.errors import UsageError
 from mahovik.lower.layout import Layout
 from mahovik.lower.limits import limits
 from mahovik.lower.program import lower_layout
-from mahovik.lower.thresholds import thresholds
 from mahovik.lower.values import Values
 from mahovik.program.expression import BitCast
-from mahovik.program.function import STATUS_VALUES, Function, Program
+from mahovik.program.function import Function, Program
 from mahovik.program.types import DOUBLE, FLOAT, Struct
 from mahovik.program.walk import expressions
 from mahovik.stand.identity import identities
@@ -31,21 +31,6 @@ from mahovik.stand.structure import structure
 
 PRECISIONS = {"double": DOUBLE, "float": FLOAT}
 """Element types that `generate` offers."""
-
-_STATUS_MEANING = {
-    "OK": "good",
-    "NEAR_SINGULAR": "least singular value below `near` of the largest",
-    "DAMPED": "damping was applied",
-    "LIMITED": "a limit was reached; the mask says whose",
-    "UNREACHABLE": "least squares: residual above {unreachable} of the demand",
-    "RANK_DEFICIENT": "fewer than min(6, N) singular values above {rank} of the largest",
-    "NOT_FINITE": "an input is NaN or infinite",
-    "RANGE": "out of range, quaternion off unit length, leg of no length",
-    "NOT_POSITIVE_DEFINITE": "no mass, no spin inertia, or a pivot failed",
-    "SINGULAR_ATTITUDE": "attitude angles within 1e-6 of their singularity",
-    "BAD_ARGUMENT": "a null pointer, a count, an index, a step or an option",
-}
-
 
 _INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work"))
 """Structs of the source alone."""
@@ -98,7 +83,7 @@ class _Printer:
         return template("stand.h.j2").render(
             **self._common(),
             limits=self._limits(),
-            statuses=self._statuses(),
+            statuses=statuses(self._names, self._program.precision),
             enums=self._enums(),
             structs=structs,
             externs=self._externs(),
@@ -119,7 +104,6 @@ class _Printer:
     def _common(self) -> dict[str, Any]:
         stand = self._stand
         found = identities(stand)
-        bodies = [_counted(len(stand.instruments), "instrument"), _counted(len(stand.flywheels), "flywheel")]
         return {
             "name": stand.name,
             "NAME": stand.name.upper(),
@@ -128,7 +112,7 @@ class _Printer:
             "physics": found.physics,
             "real": self._program.precision.name,
             "width": self._program.precision.width,
-            "bodies": ", ".join(["carrier", *bodies]),
+            "bodies": described(stand),
         }
 
     def _limits(self) -> list[tuple[str, str, str]]:
@@ -141,11 +125,6 @@ class _Printer:
             )
             for x in limits(precision).values()
         ]
-
-    def _statuses(self) -> list[tuple[str, int, str]]:
-        decided = thresholds(self._program.precision)
-        numbers = {"unreachable": _power(decided.unreachable), "rank": _power(decided.rank)}
-        return [(self._names.constant(n), v, _STATUS_MEANING[n].format(**numbers)) for n, v in STATUS_VALUES.items()]
 
     def _enums(self) -> list[list[str]]:
         """Enumerators of flywheels and of run-time wrenches."""
@@ -224,9 +203,11 @@ class _Printer:
         return initialiser(struct, value, self._program.precision, labels)
 
 
-def _power(number: float) -> str:
-    """1e-9, not 1e-09."""
-    return f"{number:.0e}".replace("e-0", "e-")
+def described(stand: Stand) -> str:
+    """What a stand consists of: `carrier, 1 instrument, 8 flywheels`."""
+    return ", ".join(
+        ["carrier", _counted(len(stand.instruments), "instrument"), _counted(len(stand.flywheels), "flywheel")]
+    )
 
 
 def _counted(number: int, noun: str) -> str:

@@ -1,0 +1,58 @@
+"""README.md of a delivered folder: what it is, how to call it, what was verified and how to repeat that."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik import __version__
+from mahovik.emit.declaration import titled
+from mahovik.emit.generate import Generated, described
+from mahovik.emit.names import Names
+from mahovik.emit.statement import dimensions
+from mahovik.emit.status import statuses
+from mahovik.emit.templates import template
+from mahovik.program.cost import cost
+from mahovik.program.function import Argument, Function
+from mahovik.program.types import Struct
+from mahovik.stand.identity import identities
+from mahovik.stand.model import Stand
+
+
+def readme(stand: Stand, generated: Generated) -> str:
+    """Text of README.md."""
+    program = generated.program
+    names = Names(program.name)
+    found = identities(stand)
+    forward = program.function("forward")
+    zeroed = [a for a in forward.arguments if a.direction == "in" and not isinstance(a.type, Struct)]
+    return template("delivery.md.j2").render(
+        name=stand.name,
+        NAME=stand.name.upper(),
+        bodies=described(stand),
+        real=program.precision.name,
+        option="" if program.precision.name == "double" else f" --real {program.precision.name}",
+        generator=f"mahovik {__version__}",
+        structure=found.structure,
+        physics=found.physics,
+        flywheel=stand.flywheels[0].name if stand.flywheels else "",
+        declarations=[_zeroed(a, names) for a in zeroed],
+        call=_call(forward, names),
+        functions=[_row(f) for f in program.functions if f.public],
+        statuses=statuses(names, program.precision),
+    )
+
+
+def _zeroed(a: Argument, names: Names) -> str:
+    unit = f"  /* {a.unit} */" if a.unit else ""
+    return f"const {names.type(a.type)} {a.name}{''.join(dimensions(names, a.shape))} = {{ 0 }};{unit}"
+
+
+def _call(function: Function, names: Names) -> str:
+    sources = {"stand": f"&{names.function('default')}", "x": "&x"}
+    arguments = ", ".join(sources.get(a.name, a.name) for a in function.arguments)
+    return f"{names.function(function.name)}({arguments})"
+
+
+def _row(function: Function) -> dict[str, Any]:
+    purpose = titled(function).replace("|", "\\|")
+    return {"name": function.name, "purpose": purpose, "operations": cost(function).total}
