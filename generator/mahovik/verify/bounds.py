@@ -34,11 +34,34 @@ class Bounds:
 DOUBLE = Bounds(1e-12)
 """A sum of a hundred products is right to 1e-14 of its scale: two digits are left for stands of bad condition."""
 
+_FLOAT = {
+    # sums over all flywheels of what mountings, rounded to float, have turned: grows with their number, here 64
+    ("matrices", "K"): 3e-6,
+    ("matrices", "I"): 3e-6,
+    ("matrices", "J"): 3e-6,
+    ("mounts", "mount_wrench"): 3e-6,
+    # products of two or three rotations, against 1
+    ("generalized", "A"): 2e-6,
+    ("points", "points"): 2e-6,
+    # sums that the scale counts by their largest possible terms, or solutions whose condition it has: less is left
+    ("matrices", "K_dot"): 5e-7,
+    ("momentum", "Z0"): 5e-7,
+    ("generalized", "D"): 5e-7,
+    ("generalized", "J0"): 5e-7,
+    ("generalized", "q_dot"): 5e-7,
+    ("generalized", "q_ddot"): 5e-7,
+    ("inverse", "phi_ddot"): 5e-7,
+    ("inverse", "sigma"): 5e-7,
+}
+"""Three to ten times what tools/float_bounds.py measures (docs/verification.md), by its reason."""
+
 FLOAT = Bounds(
-    default=1e-5,
+    default=1e-6,
+    special=_FLOAT,
     floor=1e-30,
     cuts=Cuts(THRESHOLDS["float"].rank, reached=THRESHOLDS["float"].unreachable),
 )
+"""A number of float is right to 6e-8: 1e-6 is sixteen such errors in a row. The parameters' rounding is among them."""
 
 BOUNDS = {"double": DOUBLE, "float": FLOAT}
 

@@ -11,7 +11,7 @@ from mahovik.second import Second
 from mahovik.stand.model import Stand
 from mahovik.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.verify.c_backend import CBackend, with_all_inputs
-from mahovik.verify.compare import TOLERANCE
+from mahovik.verify.bounds import BOUNDS
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import judge, report
 from mahovik.verify.report import Report
@@ -33,10 +33,10 @@ def random_stands(count: int) -> Iterator[Stand]:
         yield stand if number % 2 else with_all_inputs(stand)
 
 
-def verify_random(stand: Stand, states: int, seed: int = 1) -> Report:
+def verify_random(stand: Stand, states: int, seed: int = 1, real: str = "double") -> Report:
     """Compiled C against both derivations; a C that takes run-time wrenches on some bodies is given none on others."""
-    backend = CBackend(stand)
+    backend = CBackend(stand, real)
     everywhere = all(body.wrench_input for body in stand.bodies)
-    drawn = draw(stand, seed, states, wrenches=everywhere)
-    rows = judge(stand, backend, drawn, backend.wants, second=Second(stand))
-    return report(stand, "generated C", seed, states, TOLERANCE["double"], rows)
+    drawn = draw(stand, seed, states, real, wrenches=everywhere)
+    rows = judge(stand, backend, drawn, backend.wants, BOUNDS[real], second=Second(stand))
+    return report(stand, "generated C", seed, states, BOUNDS[real].default, rows)

@@ -36,12 +36,13 @@ def write_all(folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str]
             if not (target.is_file() and target.read_bytes() == content):
                 drafts[name] = _draft(folder, name, content)
         for name, draft in drafts.items():
-            before = targets[name].read_bytes() if targets[name].is_file() else None
+            replaced[targets[name]] = targets[name].read_bytes() if targets[name].is_file() else None
             os.replace(draft, targets[name])
-            replaced[targets[name]] = before
-    except OSError as error:
+    except BaseException as error:  # an interrupt as well: the old files come back
         _restore(replaced)
-        raise UsageError(f"{targets.get(name, folder)}: cannot be written: {error.strerror or error}") from None
+        if isinstance(error, OSError):
+            raise UsageError(f"{targets.get(name, folder)}: cannot be written: {error.strerror or error}") from None
+        raise
     finally:
         for draft in drafts.values():
             draft.unlink(missing_ok=True)
