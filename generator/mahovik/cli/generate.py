@@ -1,4 +1,4 @@
-"""`mahovik generate`: the C of a stand."""
+"""`mahovik generate`: the folder of a stand's C, which stands alone."""
 
 from __future__ import annotations
 
@@ -14,16 +14,29 @@ from mahovik.cli.arguments import load_stand, real_option, stand_argument
 @click.option(
     "-o", "output", metavar="DIR", type=click.Path(), help="Folder to write into; default ./NAME of the stand."
 )
+@click.option("--check", is_flag=True, help="Write nothing; exit status 1 where the folder differs.")
 @real_option
-def generate(stand_file: str, output: str | None, real: str) -> None:
+def generate(stand_file: str, output: str | None, check: bool, real: str) -> None:
     """Write the C of a stand.
 
-    A header and a source, all or nothing. Needs no compiler.
+    A folder that stands alone: header, source, self-test with golden vectors, README, and a manifest with the hash of
+    every file. All or nothing, and never over a file that mahovik has not written. Needs no compiler.
     """
     stand = load_stand(stand_file)
-    from mahovik.emit.generate import generate as texts
-    from mahovik.verify.files import write_all
+    from mahovik.emit.delivery import delivery
+    from mahovik.errors import CheckError
+    from mahovik.verify.delivery import deliver, differences
 
-    files = texts(stand, real)
-    for path in write_all(Path(output if output is not None else stand.name), files):
-        click.echo(f"{click.format_filename(path)}   {files[path.name].count(chr(10))} lines")
+    files = delivery(stand, real)
+    folder = Path(output if output is not None else stand.name)
+    if check:
+        found = differences(folder, stand, real, files)
+        if found:
+            raise CheckError("\n".join(found))
+        click.echo(f"{click.format_filename(folder)}   as the stand file gives it")
+        return
+    done = deliver(folder, stand, real, files)
+    for path in done.paths:
+        click.echo(f"{click.format_filename(path)}   {path.read_text(encoding='utf-8').count(chr(10))} lines")
+    for note in done.notes:
+        click.echo(note)
