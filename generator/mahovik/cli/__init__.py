@@ -10,6 +10,7 @@ import click
 
 from mahovik import __version__
 from mahovik.cli.check import check
+from mahovik.cli.cost import cost
 from mahovik.cli.derive import derive
 from mahovik.cli.evaluate import evaluate
 from mahovik.cli.generate import generate
@@ -39,5 +40,5 @@ def main() -> None:
     """
 
 
-for command in (new, check, derive, generate, verify, evaluate, rest, simulate, replay):
+for command in (new, check, derive, generate, verify, cost, evaluate, rest, simulate, replay):
     main.add_command(command)

@@ -53,10 +53,16 @@ def require(target: Target) -> None:
         raise ToolchainError(f"{target.name}: {unable}")
 
 
-def build(target: Target, sources: Mapping[str, str], scratch: Path, optimisation: str | None = None) -> Path:
+def build(
+    target: Target,
+    sources: Mapping[str, str],
+    scratch: Path,
+    optimisation: str | None = None,
+    extra: Sequence[str] = (),
+) -> Path:
     """Builds C texts, one with `main`, with the board's files in `scratch`; returns the program's file.
 
-    `optimisation` is the target's own unless given. Raises ToolchainError.
+    `optimisation` is the target's own unless given; `extra` flags are for the C texts alone. Raises ToolchainError.
     """
     require(target)
     level = optimisation or target.optimisation
@@ -64,7 +70,7 @@ def build(target: Target, sources: Mapping[str, str], scratch: Path, optimisatio
     for name, text in {**own, **sources}.items():
         (scratch / name).write_text(text, encoding="utf-8")
     objects = [
-        *(compile_one(target, name, scratch, level) for name in sources if name.endswith(".c")),
+        *(compile_one(target, name, scratch, level, extra) for name in sources if name.endswith(".c")),
         *(compile_one(target, name, scratch, "-O2", board=True) for name in own if name.endswith((".c", ".S"))),
     ]
     program = scratch / "program.elf"

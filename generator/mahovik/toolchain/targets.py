@@ -160,8 +160,14 @@ _AARCH64 = Target(
 )
 
 
+_UNFUSED = "-fno-tree-vectorize"
+"""gcc 12 makes `vfmaddsub` of neighbouring sums and differences of products, in spite of -ffp-contract=off, where it
+vectorises for an x86-64 with FMA: two roundings become one."""
+
+
 def _host(name: str, title: str, command: str, optimisation: str, march: str = "", needs: str = "") -> Target:
     flags = (f"-march={march}",) if march else ()
+    flags += (_UNFUSED,) if march and command == "gcc" else ()
     packages = ("clang",) if command == "clang" else ("gcc", "libc6-dev")
     return Target(
         name,

@@ -47,7 +47,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]]) -> str:
         for a in f.arguments:
             if a.direction != "in":
                 written.setdefault(f"{f.name}_{a.name}", a)
-            elif a.name not in (*_OF_THE_STAND, "mounting", "order"):
+            if a.direction != "out" and a.name not in (*_OF_THE_STAND, "mounting", "order"):
                 taken.setdefault(a.name, a)
     calls = []
     for f in public:

@@ -1,0 +1,93 @@
+"""COST.md: what a stand's C costs, as a page; and the same as JSON, to compare with later."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from mahovik import __version__
+from mahovik.errors import UsageError
+from mahovik.study.cost.measure import Costs, TargetCost
+from mahovik.study.cost.states import STATES
+
+PAGE, DATA = "COST.md", "cost.json"
+"""Names of the files, beside the C."""
+
+
+def page(costs: Costs) -> str:
+    """The page, the same text for the same figures."""
+    text = (
+        f"# Cost of {costs.stand}\n\n"
+        f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}. "
+        "Generated: measure again instead of\nediting.\n\n"
+        f"Of one call, arguments passed; the dearest of {STATES} ordinary states. **Instructions, not cycles**: they "
+        "show what grows; time on silicon\ndepends on memory and pipeline. *Stack* is the deepest chain of calls by "
+        "the compiler's own frames; *painted* is what a\ncall was seen to use on the emulator. *Code* is a function "
+        "with all it calls; functions share most of it.\n"
+    )
+    for target in costs.targets:
+        text += _target(costs, target)
+    return text + _code(costs)
+
+
+def _target(costs: Costs, found: TargetCost) -> str:
+    counted = f"counted by {found.emulator}" if found.emulator else "counted by callgrind"
+    text = f"\n## {found.title}: {found.target}, {found.real}\n\n{found.compiler} `{found.flags}`; {counted}.\n\n"
+    rows = []
+    for f in found.functions:
+        calls = f"{f.code:,}{'*' if f.routines else ''}"
+        rows.append(
+            [f"`{f.function}`", f"{f.instructions:,}", f"{f.stack:,}", f"{f.painted:,}" * bool(f.painted), calls]
+        )
+    text += _table(["function", "instructions", "stack, bytes", "painted", "code, bytes"], rows)
+    routines = sorted({name for f in found.functions for name in f.routines})
+    if routines:
+        names = ", ".join(f"`{name}`" for name in routines)
+        text += f"\n\\* and {names} of the compiler's library, counted in instructions and painted stack only.\n"
+    constants = ", ".join(f"`{name}` {size:,}" for name, size in found.constants.items())
+    text += f"\nWhole file: {found.text:,} bytes of code. Constants, bytes: {constants}; literals of the code {found.unnamed:,}.\n"
+    if found.flywheel:
+        each = ", ".join(f"`{costs.stand}_{name}` {size}" for name, size in found.flywheel.items())
+        text += f"Of these, a flywheel takes: {each}.\n"
+    return text
+
+
+def _code(costs: Costs) -> str:
+    """Bytes of each function's own code, target by target; what the compiler cut off a function is counted with it."""
+    columns = []
+    for target in costs.targets:
+        sizes: Counter[str] = Counter()
+        for symbol, size in target.symbols.items():
+            sizes[symbol.partition(".")[0].removeprefix(f"{costs.stand}_")] += size
+        columns.append(sizes)
+    names = sorted(set().union(*columns))
+    rows = [[f"`{name}`", *(f"{c[name]:,}" if name in c else "" for c in columns)] for name in names]
+    head = ["own code, bytes", *(f"{t.target}, {t.real}" for t in costs.targets)]
+    return "\n## Code by function\n\nA function that is not there was compiled into its callers.\n\n" + _table(
+        head, rows
+    )
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def as_json(costs: Costs) -> str:
+    """The figures for programs."""
+    return json.dumps(asdict(costs), indent=1) + "\n"
+
+
+def accepted(text: str, where: str) -> list[dict[str, Any]]:
+    """The targets of a JSON of `as_json`. Raises UsageError."""
+    try:
+        found = json.loads(text)["targets"]
+        for target in found:
+            for key in ("target", "real", "compiler", "functions", "text", "constants"):
+                target[key]
+    except (json.JSONDecodeError, KeyError, TypeError):
+        raise UsageError(f"{where}: no figures of `mahovik cost`: write it again without --check") from None
+    return list(found)
