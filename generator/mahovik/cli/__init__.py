@@ -15,6 +15,7 @@ from mahovik.cli.derive import derive
 from mahovik.cli.evaluate import evaluate
 from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
+from mahovik.cli.judge_log import judge_log
 from mahovik.cli.new import new
 from mahovik.cli.replay import replay
 from mahovik.cli.rest import rest
@@ -40,5 +41,5 @@ def main() -> None:
     """
 
 
-for command in (new, check, derive, generate, verify, cost, evaluate, rest, simulate, replay):
+for command in (new, check, derive, generate, verify, cost, evaluate, rest, simulate, replay, judge_log):
     main.add_command(command)

@@ -57,9 +57,8 @@ def fnv1a(data: bytes, start: int = _FNV_OFFSET) -> int:
 
 def golden(program: Program, values: Values) -> Golden:
     """Golden vectors of a stand's program."""
-    planned = plan(program)
     player = _Player(program, values)
-    public = [f for f in program.functions if f.public]
+    planned, public = player.plan, player.functions
     cases = tuple(_cases(planned, program.precision))
     answers: dict[str, list[Answer]] = {f.name: [] for f in public}
     for case in cases:
@@ -69,13 +68,12 @@ def golden(program: Program, values: Values) -> Golden:
             answers[f.name].append(
                 Answer(status, fnv1a(_bytes(status, written, program.precision)), tuple(_reals(written))[:LISTED])
             )
-    generator = Generator()
-    hashes = {f.name: _FNV_OFFSET for f in public}
-    for state in range(SWEPT):
-        given = player.arguments(draw(planned, generator, program.precision, sweep_factors(state)))
-        for f in public:
-            hashes[f.name] = fnv1a(_bytes(*player.play(f, given), program.precision), hashes[f.name])
-    return Golden(planned, cases, {name: tuple(found) for name, found in answers.items()}, hashes)
+    return Golden(planned, cases, {name: tuple(found) for name, found in answers.items()}, player.sweep(SWEPT))
+
+
+def sweep_hashes(program: Program, values: Values, states: int) -> dict[str, int]:
+    """Hashes of a sweep by function, from the interpreter: some hundredths of a second a state."""
+    return _Player(program, values).sweep(states)
 
 
 def _cases(planned: tuple[Input, ...], precision: Precision) -> Iterator[dict[str, Any]]:
@@ -93,6 +91,8 @@ class _Player:
     """Calls the functions of a program with drawn inputs."""
 
     def __init__(self, program: Program, values: Values) -> None:
+        self.plan = plan(program)
+        self.functions = [f for f in program.functions if f.public]
         self._program = program
         self._values = values
         self._interpreter: Interpreter = values.interpreter
@@ -108,6 +108,17 @@ class _Player:
             for name, value in self._constants.items()
             if value is not None
         }
+
+    def sweep(self, states: int) -> dict[str, int]:
+        """Hashes by function over so many states."""
+        precision = self._program.precision
+        generator = Generator()
+        hashes = {f.name: _FNV_OFFSET for f in self.functions}
+        for state in range(states):
+            given = self.arguments(draw(self.plan, generator, precision, sweep_factors(state)))
+            for f in self.functions:
+                hashes[f.name] = fnv1a(_bytes(*self.play(f, given), precision), hashes[f.name])
+        return hashes
 
     def arguments(self, drawn: Mapping[str, Any]) -> dict[str, Any]:
         """Drawn inputs by argument name, and parameters with their masses multiplied, under the struct's name."""

@@ -1,0 +1,36 @@
+"""`mahovik judge-log`: the log of a self-test from a real board."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from mahovik.cli.arguments import load_stand
+
+
+@click.command("judge-log")
+@click.argument("log", metavar="LOG", type=click.Path())
+@click.argument("stand_file", metavar="[STAND.toml]", type=click.Path(), required=False)
+def judge_log(log: str, stand_file: str | None) -> None:
+    """Judge the log of a self-test from a board.
+
+    Every function must say PASS; with the stand file the identities must be its own, no function may be missing, and
+    the hashes of the sweep must be those of this machine. What a serial terminal adds is passed over.
+    Exit status 0 only if all that was asked for is good.
+    """
+    from mahovik.errors import CheckError
+    from mahovik.verify.judge_log import judge_log as judge
+
+    text = Path(log).read_text(encoding="utf-8", errors="replace")
+    found = judge(text, log, load_stand(stand_file) if stand_file is not None else None)
+    if found.problems:
+        raise CheckError("\n".join(f"{click.format_filename(log)}: {line}" for line in found.problems))
+    for run in found.runs:
+        states = f"{len(run.functions)} functions, {run.sweep} states"
+        click.echo(f"PASS   {run.stand} {run.real}, structure {run.structure}, physics {run.physics}: {states}")
+    click.echo(f"checked: {'; '.join(found.checked)}")
+    for line in found.unchecked:
+        click.echo(f"not checked: {line}")
+    if stand_file is not None and found.unchecked:
+        raise SystemExit(1)

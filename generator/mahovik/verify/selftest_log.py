@@ -1,0 +1,133 @@
+"""The log of a self-test, as a serial terminal has kept it: read, and judged.
+
+The text is that which the head of `<stand>_selftest.c` describes. A terminal may put words before a line, end lines
+with CR, LF or both, lose some, and begin or end in the middle: what is no line of the test is passed over, and what is
+missing is said.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from mahovik import __version__
+from mahovik.errors import UsageError
+from mahovik.lower.golden import CASES
+
+_Value = TypeVar("_Value")
+
+_HEAD = re.compile(
+    r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)\s*$",
+)
+_GENERATOR = re.compile(r"generator mahovik (\S+)\s*$")
+_FUNCTION = re.compile(r"\b(\w+) (PASS|FAIL) cases (\d+)(?: wrong (\d+))? worst (\d+) ulp\s*$")
+_SWEEP = re.compile(r"\bsweep (\d+)\s*$")
+_HASH = re.compile(r"\b(\w+) ([0-9a-f]{8})\s*$")
+_FAILURES = re.compile(r"\bfailures (\d+)\s*$")
+
+
+@dataclass(frozen=True)
+class FunctionLine:
+    """What the test says of one function: golden cases, how many of them are wrong, worst distance in ulp."""
+
+    passed: bool
+    cases: int
+    wrong: int
+    worst: int
+
+
+@dataclass
+class SelfTestLog:
+    """One run of a self-test. `sweep`, `failures` are None where their line is missing."""
+
+    stand: str
+    structure: str
+    physics: str
+    real: str
+    generator: str | None = None
+    functions: dict[str, FunctionLine] = field(default_factory=dict)
+    sweep: int | None = None
+    hashes: dict[str, str] = field(default_factory=dict)
+    failures: int | None = None
+    repeated: list[str] = field(default_factory=list)
+    """Functions of which two lines say different things."""
+
+
+def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
+    """All runs in a log, in order: a board that is reset begins anew. Raises UsageError where there is none."""
+    runs: list[SelfTestLog] = []
+    for line in re.split(r"\r\n|\r|\n", text):
+        if head := _HEAD.search(line):
+            runs.append(SelfTestLog(head[1], head[2], head[3], head[4]))
+        elif runs and runs[-1].failures is None:
+            _read_line(runs[-1], line)
+    if not runs:
+        raise UsageError(f'{where}: no line "mahovik selftest ...": expected what the self-test of a stand has printed')
+    return tuple(runs)
+
+
+def _read_line(run: SelfTestLog, line: str) -> None:
+    if found := _FUNCTION.search(line):
+        name, verdict, cases, wrong, worst = found.groups()
+        _once(run, run.functions, name, FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), int(worst)))
+    elif found := _GENERATOR.search(line):
+        run.generator = found[1]
+    elif found := _SWEEP.search(line):
+        run.sweep = int(found[1])
+    elif found := _FAILURES.search(line):
+        run.failures = int(found[1])
+    elif run.sweep is not None and (found := _HASH.search(line)):
+        _once(run, run.hashes, found[1], found[2])
+
+
+def _once(run: SelfTestLog, known: dict[str, _Value], name: str, value: _Value) -> None:
+    if known.setdefault(name, value) != value:
+        run.repeated.append(name)
+
+
+def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[str]:
+    """What is wrong with a run by itself, one line a kind; `functions`: those that a stand has, where it is known."""
+    found = []
+    wanted = list(functions) if functions is not None else list(dict.fromkeys((*run.functions, *run.hashes)))
+    if failed := [f"{name} (worst {line.worst} ulp)" for name, line in run.functions.items() if not line.passed]:
+        found.append(f"FAIL: {', '.join(failed)}")
+    if run.repeated:
+        found.append(f"two lines that differ: {', '.join(dict.fromkeys(run.repeated))}")
+    if absent := [name for name in wanted if name not in run.functions]:
+        found.append(f"no line PASS or FAIL of: {', '.join(absent)}")
+    if other := [name for name in run.functions if name not in wanted]:
+        found.append(f"functions that the stand has not: {', '.join(other)}")
+    if few := [name for name, line in run.functions.items() if line.cases != len(CASES) + 1]:
+        found.append(f"not {len(CASES) + 1} cases, as this version has: {', '.join(few)}")
+    if run.sweep is None:
+        found.append('no line "sweep": the log ends before it')
+    elif absent := [name for name in wanted if name not in run.hashes]:
+        found.append(f"no hash of the sweep of: {', '.join(absent)}")
+    if run.failures is None:
+        found.append('no line "failures": the log is not whole')
+    elif run.failures and not failed:
+        found.append(f"failures {run.failures}, but no line says FAIL")
+    return found
+
+
+def identity_problems(run: SelfTestLog, stand: str, structure: str, physics: str) -> list[str]:
+    """Whether the C on the board is that of a stand file, by this version of the generator."""
+    pairs = (("stand", run.stand, stand), ("structure", run.structure, structure), ("physics", run.physics, physics))
+    found = [f"{kind} {has}, the stand file has {wants}" for kind, has, wants in pairs if has != wants]
+    if run.generator is not None and run.generator != __version__:
+        found.append(f"made by mahovik {run.generator}, this is {__version__}: generate and run it again")
+    return found
+
+
+def hash_problems(run: SelfTestLog, expected: Mapping[str, str]) -> list[str]:
+    """Where the sweep on the board has other bits than here."""
+    off = [name for name, value in expected.items() if run.hashes.get(name, value) != value]
+    if not off:
+        return []
+    first = off[0]
+    return [
+        f"other bits in the sweep of {run.sweep} states: {', '.join(off)} "
+        f"({first}: {run.hashes[first]} on the board, {expected[first]} here)"
+    ]
