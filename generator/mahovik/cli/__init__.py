@@ -13,6 +13,7 @@ from mahovik.cli.check import check
 from mahovik.cli.cost import cost
 from mahovik.cli.derive import derive
 from mahovik.cli.evaluate import evaluate
+from mahovik.cli.export import export
 from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
 from mahovik.cli.judge_log import judge_log
@@ -41,5 +42,5 @@ def main() -> None:
     """
 
 
-for command in (new, check, derive, generate, verify, cost, evaluate, rest, simulate, replay, judge_log):
+for command in (new, check, derive, generate, verify, cost, evaluate, rest, simulate, replay, judge_log, export):
     main.add_command(command)

@@ -130,6 +130,11 @@ def selftest_main(name: str, sweep: int) -> str:
     return template("board/selftest_main.c.j2").render(name=name, sweep=sweep)
 
 
+def selftest_flags(name: str) -> tuple[str, ...]:
+    """Flags that leave the `main` of a stand's self-test out, where `selftest_main` takes its place."""
+    return (f"-D{name.upper()}_SELFTEST_NO_MAIN",)
+
+
 def _ending(status: int) -> str:
     if status == 99:
         return "crashed (fault handler)"

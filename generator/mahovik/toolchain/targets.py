@@ -166,8 +166,8 @@ vectorises for an x86-64 with FMA: two roundings become one."""
 
 
 def _host(name: str, title: str, command: str, optimisation: str, march: str = "", needs: str = "") -> Target:
-    flags = (f"-march={march}",) if march else ()
-    flags += (_UNFUSED,) if march and command == "gcc" else ()
+    flags = [f"-march={march}"] if march else []
+    flags += [_UNFUSED] if march and command == "gcc" else []
     packages = ("clang",) if command == "clang" else ("gcc", "libc6-dev")
     return Target(
         name,

@@ -10,11 +10,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from mahovik.emit.delivery import delivery
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.names import nearest
-from mahovik.toolchain.board import build, build_version, run, selftest_main
+from mahovik.toolchain.board import build, build_version, run, selftest_flags, selftest_main
 from mahovik.toolchain.targets import TARGETS, Target
 
 REALS = ("double", "float")
@@ -116,10 +117,10 @@ def verify_targets(
     """
     names = identities(stand)
     sources = {real: selftest_sources(stand, real, sweep) for real in dict.fromkeys(real for _, real in pairs)}
-    expected = {real: _printed(TARGETS["host"], files).splitlines() for real, files in sources.items()}
+    expected = {real: _printed(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
-        tasks = [pool.submit(_row, t, real, sources[real], expected[real], sweep) for t, real in pairs]
+        tasks = [pool.submit(_row, t, real, stand.name, sources[real], expected[real], sweep) for t, real in pairs]
         for done, task in enumerate(tasks):
             rows.append(task.result())
             if progress is not None:
@@ -129,17 +130,14 @@ def verify_targets(
 
 def selftest_sources(stand: Stand, real: str, sweep: int) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name."""
-    from mahovik.emit.generate import generate_all
-    from mahovik.emit.selftest import selftest
-    from mahovik.lower.golden import golden
-
-    made = generate_all(stand, real)
-    text = selftest(made.program, golden(made.program, made.values), identities(stand))
-    without_main = f"#define {stand.name.upper()}_SELFTEST_NO_MAIN\n{text}"
-    return {**made.files, f"{stand.name}_selftest.c": without_main, "main.c": selftest_main(stand.name, sweep)}
+    files = delivery(stand, real)
+    files.pop("README.md")
+    return {**files, "main.c": selftest_main(stand.name, sweep)}
 
 
-def _row(target: Target, real: str, files: Mapping[str, str], expected: Sequence[str], sweep: int) -> TargetRow:
+def _row(
+    target: Target, real: str, name: str, files: Mapping[str, str], expected: Sequence[str], sweep: int
+) -> TargetRow:
     def row(verdict: str, reason: str = "", functions: int = 0) -> TargetRow:
         return TargetRow(target.name, target.title, built_with, real, functions, sweep, verdict, reason)
 
@@ -150,16 +148,16 @@ def _row(target: Target, real: str, files: Mapping[str, str], expected: Sequence
     if unable := target.unable():
         return row(_ELSEWHERE, unable)
     try:
-        found = _printed(target, files).splitlines()
+        found = _printed(target, name, files).splitlines()
     except ToolchainError as error:
         return row("FAILED", str(error))
     problem = next(_problems(expected, found), "")
     return row("FAILED" if problem else "ok", problem, sum(" PASS " in line for line in found))
 
 
-def _printed(target: Target, files: Mapping[str, str]) -> str:
+def _printed(target: Target, name: str, files: Mapping[str, str]) -> str:
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        return run(target, build(target, files, Path(scratch)), TIMEOUT)
+        return run(target, build(target, files, Path(scratch), extra=selftest_flags(name)), TIMEOUT)
 
 
 def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:

@@ -10,14 +10,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mahovik.emit.generate import Generated, generate_all
+from mahovik.emit.manifest import digest
 from mahovik.errors import CheckError, UsageError
 from mahovik.program.types import Kind, Struct
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.names import nearest
 from mahovik.study.cost.states import STATES, measuring_states
-from mahovik.toolchain.board import build, compile_flags, require, run, version
+from mahovik.toolchain.board import build, require, run, version
 from mahovik.toolchain.callgrind import NATIVE, instructions_of_host
+from mahovik.toolchain.compiler import BITS
 from mahovik.toolchain.footprint import STACK_FLAGS, Footprint, footprint
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.toolchain.workload import Line, read, workload
@@ -45,13 +47,15 @@ class FunctionCost:
 
 @dataclass(frozen=True)
 class TargetCost:
-    """Of a stand's C on one target. `text`: bytes of code of the whole file; `symbols`: bytes of each function and
-    table; `unnamed`: bytes of constants without a symbol; `flywheel`: bytes that one flywheel adds, by table.
+    """Of a stand's C on one target. `source`: SHA-256 of the measured .c; `text`: bytes of code of the whole file;
+    `symbols`, `constants`: bytes of each function, of each table; `unnamed`: bytes of constants without a symbol;
+    `flywheel`: bytes that one flywheel adds, by table.
     """
 
     target: str
     title: str
     real: str
+    source: str
     compiler: str
     flags: str
     emulator: str
@@ -129,8 +133,9 @@ def _one(stand: Stand, made: Generated, target: Target, real: str) -> TargetCost
         target=target.name,
         title=target.title,
         real=real,
+        source=digest(made.files[f"{stand.name}.c"]),
         compiler=version(target.compiler[0]),
-        flags=" ".join((*target.compiler[1:], target.optimisation, *compile_flags(target)[:2])),
+        flags=" ".join(("-std=c99", *target.compiler[1:], target.optimisation, *BITS)),
         emulator="" if not target.emulator else version(target.emulator[0]),
         functions=tuple(functions),
         text=found.text,

@@ -14,19 +14,20 @@ from mahovik.study.cost.measure import Costs, TargetCost
 from mahovik.study.cost.states import STATES
 
 PAGE, DATA = "COST.md", "cost.json"
-"""Names of the files, beside the C."""
+"""Names of the files beside the C: the page, and the accepted figures."""
 
 
 def page(costs: Costs) -> str:
     """The page, the same text for the same figures."""
+    sources = "".join(f"\n{real}: {source}" for real, source in sorted({(t.real, t.source) for t in costs.targets}))
     text = (
         f"# Cost of {costs.stand}\n\n"
-        f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}. "
-        "Generated: measure again instead of\nediting.\n\n"
+        f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}.\n"
         f"Of one call, arguments passed; the dearest of {STATES} ordinary states. **Instructions, not cycles**: they "
-        "show what grows; time on silicon\ndepends on memory and pipeline. *Stack* is the deepest chain of calls by "
-        "the compiler's own frames; *painted* is what a\ncall was seen to use on the emulator. *Code* is a function "
-        "with all it calls; functions share most of it.\n"
+        "show what grows;\ntime on silicon depends on memory and pipeline as well.\n\n"
+        "*Stack* is the deepest chain of calls by the compiler's own frames; *painted* is what a call was seen to use "
+        "on the\nemulator. *Code* is a function with all it calls; functions share most of it.\n\n"
+        f"SHA-256 of the measured `{costs.stand}.c`, by element type:\n\n```text{sources}\n```\n"
     )
     for target in costs.targets:
         text += _target(costs, target)
@@ -48,7 +49,9 @@ def _target(costs: Costs, found: TargetCost) -> str:
         names = ", ".join(f"`{name}`" for name in routines)
         text += f"\n\\* and {names} of the compiler's library, counted in instructions and painted stack only.\n"
     constants = ", ".join(f"`{name}` {size:,}" for name, size in found.constants.items())
-    text += f"\nWhole file: {found.text:,} bytes of code. Constants, bytes: {constants}; literals of the code {found.unnamed:,}.\n"
+    text += (
+        f"\nWhole file: {found.text:,} bytes of code; constants: {constants}, literals of the code {found.unnamed:,}.\n"
+    )
     if found.flywheel:
         each = ", ".join(f"`{costs.stand}_{name}` {size}" for name, size in found.flywheel.items())
         text += f"Of these, a flywheel takes: {each}.\n"
@@ -89,5 +92,5 @@ def accepted(text: str, where: str) -> list[dict[str, Any]]:
             for key in ("target", "real", "compiler", "functions", "text", "constants"):
                 target[key]
     except (json.JSONDecodeError, KeyError, TypeError):
-        raise UsageError(f"{where}: no figures of `mahovik cost`: write it again without --check") from None
+        raise UsageError(f"{where}: no figures of `mahovik cost`: write it again with --accept") from None
     return list(found)

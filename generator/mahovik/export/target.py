@@ -1,0 +1,73 @@
+"""A small project that runs a stand's self-test on a board: C, startup, linker script, Makefile, README."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+
+from mahovik import __version__
+from mahovik.emit.delivery import delivery
+from mahovik.emit.templates import template
+from mahovik.errors import UsageError
+from mahovik.stand.model import Stand
+from mahovik.stand.names import nearest
+from mahovik.toolchain.board import board_files, link_flags, selftest_main
+from mahovik.toolchain.compiler import BITS
+from mahovik.toolchain.targets import TARGETS, Target
+
+SWEEP = 20
+"""States of the self-test's sweep."""
+
+
+def exportable(name: str) -> Target:
+    """The target of that name. Raises UsageError for an unknown one, and for two compilers in one project."""
+    target = TARGETS.get(name)
+    if target is None:
+        raise UsageError(
+            f'unknown target "{name}", did you mean "{nearest(name, list(TARGETS))}"? {", ".join(TARGETS)}'
+        )
+    if target.linker:
+        raise UsageError(f"{name} is compiled and linked by two compilers: export {name.partition('-')[0]} instead")
+    return target
+
+
+def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
+    """The project's files, text by file name. Raises StandError."""
+    files = {**delivery(stand, real), **board_files(target), "main.c": selftest_main(stand.name, SWEEP)}
+    hosted = target.family == "hosted"
+    sources = sorted(name for name in files if name.endswith((".c", ".S")))
+    flags = target.compiler[1:]
+    words = {
+        "name": stand.name,
+        "NAME": stand.name.upper(),
+        "real": real,
+        "title": target.title,
+        "compiler": target.compiler[0],
+        "hosted": hosted,
+        "emulator": shlex.join(target.emulator),
+    }
+    files["Makefile"] = template("board/Makefile.j2").render(
+        **words,
+        machine=shlex.join(flags),
+        optimisation=target.optimisation,
+        bits=shlex.join(BITS),
+        mhz=f" -DBOARD_MHZ={target.mhz}u" if target.mhz else "",
+        link=shlex.join(link_flags(target)),
+        objects=[f"{Path(name).stem}.o" for name in sources],
+        headers=sorted(name for name in files if name.endswith(".h")),
+        startup_in_assembler="startup.S" in files,
+    )
+    option = f" --real {real}"
+    arm = target.family == "cortex-m"
+    files["README.md"] = template("board/project.md.j2").render(
+        **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
+        command=f"mahovik export target {target.name} STAND.toml{option}",
+        generator=f"mahovik {__version__}",
+        packages=f"; Debian: apt-get install {' '.join(target.packages)}",
+        startup="startup.S" if "startup.S" in files else "startup.c",
+        fpu=bool(target.real),
+        vector="-fno-tree-vectorize" in flags and not hosted,
+        semihosting="arm semihosting enable" if arm else "riscv set_enable_virtual off; arm semihosting enable",
+        ticks="ticks of the processor's clock; compile with -DBOARD_MHZ=1000u" if arm else "retired instructions",
+    )
+    return files
