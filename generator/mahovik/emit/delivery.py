@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.readme import readme
+from mahovik.emit.recorder import recorder_files
 from mahovik.emit.selftest import selftest
 from mahovik.lower.golden import golden
 from mahovik.stand.identity import identities
@@ -17,6 +18,11 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
 
 
 def delivery(stand: Stand, precision_name: str = "double") -> dict[str, str]:
-    """All files of the folder but its manifest: header, source, self-test, README. Raises UsageError, StandError."""
+    """All files of the folder but its manifest. Raises UsageError, StandError."""
     generated = generate_all(stand, precision_name)
-    return {**generated.files, **selftest_files(stand, generated), "README.md": readme(stand, generated)}
+    return {
+        **generated.files,
+        **selftest_files(stand, generated),
+        **recorder_files(stand, generated),
+        "README.md": readme(stand, generated),
+    }

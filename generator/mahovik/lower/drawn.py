@@ -49,8 +49,8 @@ _LARGEST = {
 }
 """Sensible magnitudes by name, SI: powers of two, so that scaling is exact. Others: 1."""
 
-STEP = 2.0**-10
-"""Time step, s."""
+STEP = 2.0**-14
+"""Time step, s: short enough for light flywheels in strong laws of damping."""
 
 SINE, COSINE = "sine", "cosine"
 """Names of inputs that are drawn together."""
@@ -203,7 +203,7 @@ def _value(each: Input, generator: Generator, precision: Precision, factor: floa
         case Rule.ATTITUDE:
             return [float(x) * factor for x in generator.attitude(precision)]
         case Rule.INTEGER:
-            return each.lowest + generator.word() % each.span
+            return int((each.lowest + generator.word() % each.span) * factor)
         case Rule.ORDER:
             return 4 if generator.word() & 0x100 else 2
         case Rule.STEP:
