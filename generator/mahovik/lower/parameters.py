@@ -1,4 +1,14 @@
-"""What can be wrong with parameters, found before prepare writes anything."""
+"""What can be wrong with parameters, found before prepare writes anything.
+
+A body can be if and only if its second moments about the centre of mass, int(x x^T) dm, are positive semidefinite. With
+J the inertia about the origin they are P = tr(J)/2 E - J - m c c^T. Their eigenvalues are half of J1 + J2 - J3 and its
+like, of the principal moments about the centre of mass: so this one condition is the triangle inequality, in any axes,
+and with it J >= 0. Added mass is positive semidefinite as it stands.
+
+Semidefinite to a tolerance: P + t |J| E and Lambda + t diag(Lambda) are positive definite, t of `thresholds`. The stand
+file is refused from half of that on, so whatever it takes is taken here, in float as well. The factors are L D L^T,
+which need no root and are backward stable where the matrix is definite (Higham 2002, chapter 10).
+"""
 
 from __future__ import annotations
 
@@ -6,14 +16,14 @@ from mahovik.derive import carrier as derived_carrier
 from mahovik.derive.symbols import SYMMETRIC
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import translate
-from mahovik.program.build import Body
-from mahovik.program.expression import Not, Status, both
+from mahovik.program.build import Body, call
+from mahovik.program.expression import Expr, Not, Status, both, either, magnitude, real, select
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind, Struct
 
 
 def check_body(lib: Library, struct: Struct) -> Function:
-    """Mass properties finite, and the mass not negative; `check_body` or `check_dry_body`, by the struct."""
+    """Mass properties of a body that can be; `check_body` or `check_dry_body`, by the struct."""
     buoyant = struct.field("displaced_mass") is not None
     b = Argument("body", struct)
     body = Body()
@@ -27,15 +37,96 @@ def check_body(lib: Library, struct: Struct) -> Function:
     lib.check(body, "within", masses, len(scalars), bound)
     for array in arrays:
         lib.check(body, "within", array, len(array), bound)
-    lib.guard(body, b.place.mass < 0, "RANGE")
-    body.ret(Status("OK"))
+    for mass in scalars:
+        lib.guard(body, mass < 0, "RANGE")
+    body.ret(call(lib["check_inertia"], b.place.mass, b.place.center_of_mass, b.place.inertia))
     return Function(
         f"check_{struct.name}",
-        "Are the mass properties finite and the mass not negative?",
+        "Are the mass properties finite, and those of a body that can be?",
         (b,),
         body.statements,
         returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
+        statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def check_inertia(lib: Library) -> Function:
+    """Second moments about the centre of mass, positive semidefinite."""
+    mass = Argument("mass", Kind.REAL, unit="kg", purpose="not negative")
+    center = Argument("c", Kind.REAL, (3,), unit="m", purpose="centre of mass")
+    inertia = Argument("J", Kind.REAL, (6,), unit="kg m2", purpose="about the origin: 11 22 33 12 13 23")
+    J, c = inertia.place, center.place
+    tolerance = lib.thresholds.unphysical
+    body = Body()
+    size = body.local("size", comment="largest element of J")
+    body.set(size, real(0))
+    with body.loop("k", 6) as element:
+        body.set(size, select(magnitude(J[element]) > size, magnitude(J[element]), size))
+    offset = [body.let(f"b{k + 1}", mass.place * c[k]) for k in range(3)]
+    body.note("P = tr(J)/2 E - J - m c c^T + t |J| E")
+    P: dict[tuple[int, int], Expr] = {}
+    for k, (i, j) in enumerate(SYMMETRIC):
+        about_origin = real(0.5) * (J[(i + 1) % 3] + J[(i + 2) % 3] - J[i]) if i == j else -J[k]
+        moment = about_origin - offset[i] * c[j]
+        P[j, i] = body.let(f"P{i + 1}{j + 1}", moment + real(tolerance) * size if i == j else moment)
+    body.note("a point mass in its origin has none")
+    largest = magnitude(offset[0] * c[0]) + magnitude(offset[1] * c[1]) + magnitude(offset[2] * c[2])
+    with body.when(size + largest > 0):
+        lib.guard(body, Not(P[0, 0] > 0), "NOT_POSITIVE_DEFINITE")
+        l21 = body.let("l21", P[1, 0] / P[0, 0])
+        l31 = body.let("l31", P[2, 0] / P[0, 0])
+        d2 = body.let("d2", P[1, 1] - l21 * P[1, 0])
+        lib.guard(body, Not(d2 > 0), "NOT_POSITIVE_DEFINITE")
+        rest = body.let("p32", P[2, 1] - l31 * P[1, 0])
+        d3 = body.let("d3", P[2, 2] - l31 * P[2, 0] - rest / d2 * rest)
+        lib.guard(body, Not(d3 > 0), "NOT_POSITIVE_DEFINITE")
+    body.ret(Status("OK"))
+    return Function(
+        "check_inertia",
+        "Are the second moments about the centre of mass positive semidefinite? Then a body can have this inertia.",
+        (mass, center, inertia),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def check_added_mass(lib: Library) -> Function:
+    """Added mass symmetric, and positive semidefinite."""
+    added = Argument("added_mass", Kind.REAL, (6, 6), purpose="of carrier and instruments, about O1 in E1")
+    m = added.place
+    body = Body()
+    lib.begin(body)
+    factor = body.local("factor", (6, 6), comment="L below the diagonal, D on it")
+    with body.loop("i", 6) as i:
+        lib.check(body, "within", m[i], 6, lib.limits["MAX_PARAMETER"].expression)
+    with body.loop("i", 6) as i, body.loop("j", i) as j:
+        lib.guard(body, either(m[i][j] < m[j][i], m[i][j] > m[j][i]), "NOT_POSITIVE_DEFINITE")
+    body.note("rows of zeros, of what meets no fluid, are left out")
+    with body.loop("i", 6) as i:
+        with body.loop("j", 6) as j:
+            touched = either(m[i][j] < 0, m[i][j] > 0)
+            lib.guard(body, both(touched, Not(m[i][i] > 0)), "NOT_POSITIVE_DEFINITE")
+        diagonal = body.local("diagonal")
+        body.set(diagonal, m[i][i] + real(lib.thresholds.unphysical) * m[i][i])
+        with body.loop("j", i) as j:
+            entry = body.local("entry", comment="L_ij D_j")
+            body.set(entry, m[i][j])
+            with body.loop("k", j) as k:
+                body.add(entry, -(factor[i][k] * factor[k][k] * factor[j][k]))
+            body.set(factor[i][j], entry / factor[j][j])
+            body.add(diagonal, -(factor[i][j] * entry))
+        with body.when(m[i][i] > 0):
+            lib.guard(body, Not(diagonal > 0), "NOT_POSITIVE_DEFINITE")
+        body.set(factor[i][i], select(m[i][i] > 0, diagonal, real(1)))
+    body.ret(Status("OK"))
+    return Function(
+        "check_added_mass",
+        "Is the added mass finite, symmetric to the bit and positive semidefinite?",
+        (added,),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE"),
     )
 
 
@@ -109,14 +200,13 @@ def check_parameters(lib: Library) -> Function:
     if layout.added_mass:
         A = body.local("A", (6,))
         inverse = body.local("A_inv", (6,))
-        with body.loop("i", 6) as i:
-            lib.check(body, "within", p.added_mass[i], 6, bound)
+        lib.check(body, "check_added_mass", p.added_mass)
         lib.check(body, "translation_block", p, total, A, inverse)
     body.ret(Status("OK"))
     mounts = ("BAD_ARGUMENT",) if layout.instruments and (layout.flywheels or points) else ()
     return Function(
         "check_parameters",
-        "Are the parameters finite, in range, their axes directions, and the masses positive?",
+        "Are the parameters finite, in range, their axes directions, and the bodies such that can be?",
         (parameters,),
         body.statements,
         returns=Kind.STATUS,

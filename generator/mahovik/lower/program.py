@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from mahovik import routines
 from mahovik.lower import (
+    allocate,
     checks,
+    demand,
     drive,
     flywheels,
     forward,
     generalized,
     inverse,
+    inverse_fast,
     jacobian,
     laws,
     matrices,
@@ -95,12 +98,14 @@ def lower_layout(layout: Layout) -> Program:
     if layout.flywheels:
         square_root = lib["sqrt"]
         lib.add(routines.orthogonalise(layout.inverse_work, layout.count, square_root, precision.name))
-        lib.add(inverse.factor(lib))
-        lib.add(inverse.demand(lib))
+        lib.add(demand.factor(lib))
+        lib.add(demand.demand(lib))
+        lib.add(allocate.solve_gram(lib))
+        lib.add(allocate.allocate(lib))
         lib.add(inverse.inverse(lib))
-        lib.add(inverse.inverse_fast(lib))
+        lib.add(inverse_fast.inverse_fast(lib))
         if layout.sine_input:
-            lib.add(inverse.inverse_fast(lib, at=True))
+            lib.add(inverse_fast.inverse_fast(lib, at=True))
     if layout.sensors:
         lib.add(measure.sense(lib))
         lib.add(measure.measure(lib))
@@ -110,6 +115,7 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(generalized.attitude(lib))
     lib.add(placement.frame_of_axes(lib))
     lib.add(prepare.carry(lib))
+    lib.add(parameters.check_inertia(lib))
     lib.add(parameters.check_body(lib, layout.body))
     if layout.flywheels and layout.flywheel_body is not layout.body:
         lib.add(parameters.check_body(lib, layout.flywheel_body))
@@ -118,6 +124,7 @@ def lower_layout(layout: Layout) -> Program:
     if layout.structure.points:
         lib.add(placement.place_point(lib))
     if layout.added_mass:
+        lib.add(parameters.check_added_mass(lib))
         lib.add(parameters.translation_block(lib))
     lib.add(parameters.check_parameters(lib))
     lib.add(prepare.prepare(lib))

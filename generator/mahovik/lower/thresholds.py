@@ -18,11 +18,15 @@ class Thresholds:
     rank           inverse: singular value over the largest, below which it counts as zero (stand.md)
     unreachable    inverse: scaled residual over scaled demand, above which the target is out of reach (stand.md)
     near_singular  inverse: default of the option `near`; above `rank`, or no kept value could ever be below it
-    weight         inverse: smallest weight of a flywheel; its root divides, so far smaller ones only lose digits
+    weight         inverse: smallest weight of a flywheel; MAX_WEIGHT is its inverse
+    regular        inverse: put on the diagonal of normal equations that limits may have left singular; some thousand
+                   times what rounding leaves of a zero there
     gram_pivot     inverse_fast: pivot over the diagonal element that it came from, below which rounding has eaten it
     zero_length    legs: m, a shorter leg has no direction; a float at 1 m has a spacing of 1.2e-7 m
     parallel       axes: sine of the angle between `axis` and `zero`, below which `zero` does not say where the
                    second axis is; in double half of what the stand file takes
+    unphysical     prepare: how far below zero an eigenvalue may be, relative to the largest element, of what no body
+                   has negative; twice what the stand file takes, and what rounding the parameters to float costs
     small_square   square of a length or of half an angle, below which its direction is taken from a series, or
                    refused; a float still has all its digits there (the smallest with all digits is 1.2e-38)
     """
@@ -31,9 +35,11 @@ class Thresholds:
     unreachable: float
     near_singular: float
     weight: float
+    regular: float
     gram_pivot: float
     zero_length: float
     parallel: float
+    unphysical: float
     small_square: float
 
 
@@ -42,20 +48,24 @@ THRESHOLDS = {
         rank=1e-9,
         unreachable=1e-9,
         near_singular=1e-6,
-        weight=1e-9,
+        weight=1e-6,
+        regular=1e-12,
         gram_pivot=1e-13,
         zero_length=1e-9,
         parallel=5e-10,
+        unphysical=1e-9,
         small_square=1e-30,
     ),
     "float": Thresholds(
         rank=1e-5,
         unreachable=1e-4,
         near_singular=1e-3,
-        weight=1e-9,
+        weight=1e-6,
+        regular=1e-4,
         gram_pivot=1e-5,
         zero_length=1e-6,
         parallel=1e-4,
+        unphysical=1e-5,
         small_square=1e-30,
     ),
 }

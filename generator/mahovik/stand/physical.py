@@ -94,6 +94,11 @@ def _check_added_mass(added: Array, where: str, problems: Problems) -> None:
         i = int(np.argmin(diagonal))
         problems.add(where, "added_mass", f"not positive semidefinite, [{i}][{i}] = {diagonal[i]:.6g}")
         return
+    for i, j in zip(*np.nonzero(added), strict=True):
+        if not diagonal[i] > 0:
+            reason = f"not positive semidefinite, [{i}][{i}] = 0 but [{i}][{j}] = {added[i, j]:.6g}"
+            problems.add(where, "added_mass", reason)
+            return
     # unit diagonal first: kg and kg m2 have no common size
     root = np.where(diagonal > 0, np.sqrt(diagonal), 1.0)
     least = np.linalg.eigvalsh(added / root[:, None] / root[None, :])[0]

@@ -1,0 +1,233 @@
+"""prepare takes the parameters of every stand that the reader takes, in double and in float, and of no other."""
+
+from __future__ import annotations
+
+import copy
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from emit.compiled import compiled
+from lower.refusals import refuses
+from mahovik.emit.generate import generate_all
+from mahovik.lower import parameters as lowered
+from mahovik.lower.checks import within
+from mahovik.lower.layout import Layout
+from mahovik.lower.library import Library
+from mahovik.lower.thresholds import THRESHOLDS
+from mahovik.program.function import STATUS_VALUES, Program
+from mahovik.program.interpret import Interpreter
+from mahovik.program.types import DOUBLE, FLOAT, Precision
+from mahovik.stand import Stand, structure
+from mahovik.stand.random import BARE, random_stand
+from strategies import stands
+
+Array = NDArray[np.float64]
+PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
+OK, REFUSED = STATUS_VALUES["OK"], STATUS_VALUES["NOT_POSITIVE_DEFINITE"]
+SEEDS = st.integers(0, 2**32 - 1)
+ORDER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+
+
+@cache
+def checks(precision: Precision) -> Interpreter:
+    """check_inertia and check_added_mass alone."""
+    lib = Library(Layout(structure(random_stand(np.random.default_rng(1), 0, BARE)), precision))
+    for make in (within, lowered.check_inertia, lowered.check_added_mass):
+        lib.add(make(lib))
+    return Interpreter(Program("checks", precision, (), (), lib.functions))
+
+
+def inertia_status(precision: Precision, mass: float, center: Array, J: Array) -> int:
+    given = {"mass": mass, "c": center.tolist(), "J": [float(J[i, j]) for i, j in ORDER]}
+    return int(checks(precision).run("check_inertia", given)[0])
+
+
+def added_status(precision: Precision, added: Array) -> int:
+    return int(checks(precision).run("check_added_mass", {"added_mass": added.tolist()})[0])
+
+
+def rotation(rng: np.random.Generator) -> Array:
+    Q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    return np.asarray(Q)
+
+
+def about_origin(principal: Array, Q: Array, mass: float, center: Array) -> Array:
+    """Inertia about the origin, of principal moments about the centre of mass."""
+    return np.asarray(Q @ np.diag(principal) @ Q.T + mass * (center @ center * np.eye(3) - np.outer(center, center)))
+
+
+def drawn(seed: int, moments: Array) -> tuple[Array, float, Array, Array]:
+    """A body of second moments about its centre of mass in random axes: principal moments, mass, centre, J."""
+    rng = np.random.default_rng(seed)
+    mass, size = float(10 ** rng.uniform(-4, 4)), float(10 ** rng.uniform(-4, 2))
+    center = rng.normal(size=3) * size * float(rng.choice([0.0, 0.1, 1.0]))
+    principal = (moments.sum() - moments) * mass * size**2
+    return principal, mass, center, about_origin(principal, rotation(rng), mass, center)
+
+
+@PRECISIONS
+@settings(max_examples=300, deadline=None)
+@given(
+    seed=SEEDS,
+    moments=st.tuples(*[st.sampled_from([0.0, 1e-12, 1e-3, 0.5, 1.0]) | st.floats(0, 1)] * 3).filter(any),
+)
+def test_every_body_that_can_be_is_taken(precision: Precision, seed: int, moments: tuple[float, ...]) -> None:
+    """Rods, discs and clouds: second moments that are zero are on the border, and rounding is beside it."""
+    _, mass, center, J = drawn(seed, np.array(moments))
+    assert inertia_status(precision, mass, center, J) == OK
+
+
+@PRECISIONS
+@settings(max_examples=300, deadline=None)
+@given(seed=SEEDS, moments=st.tuples(st.floats(0, 1), st.floats(0.1, 1)), excess=st.floats(8, 1e5))
+def test_a_triangle_that_does_not_close_is_refused(
+    precision: Precision, seed: int, moments: tuple[float, float], excess: float
+) -> None:
+    """One second moment negative, by more than the tolerance of the largest element of J about the origin."""
+    _, mass, center, J = drawn(seed, np.array([*moments, 0.0]))
+    rng = np.random.default_rng(seed + 1)
+    n = rng.normal(size=3)
+    n /= np.linalg.norm(n)
+    P = np.trace(J) / 2 * np.eye(3) - J - mass * np.outer(center, center)
+    lack = n @ P @ n + excess * THRESHOLDS[precision.name].unphysical * np.abs(J).max()
+    P = P - lack * np.outer(n, n)
+    P_origin = P + mass * np.outer(center, center)
+    broken = np.trace(P_origin) * np.eye(3) - P_origin
+    assert inertia_status(precision, mass, center, broken) == REFUSED
+
+
+@PRECISIONS
+@pytest.mark.parametrize(
+    ("J", "good"),
+    [
+        ([1.0, 1.0, 2.0], True),  # a flat disc
+        ([1.0, 1.0, 0.0], True),  # a rod
+        ([0.0, 0.0, 0.0], True),  # a point
+        ([1.0, 1.0, 2.001], False),
+        ([1.0, 2.001, 1.0], False),
+        ([2.001, 1.0, 1.0], False),
+        ([1.0, -0.001, 1.0], False),
+        ([1.0, 0.0, 0.0], False),
+        ([-1.0, -1.0, -1.0], False),
+    ],
+)
+def test_bodies_by_hand(precision: Precision, J: list[float], good: bool) -> None:
+    for size in (1.0, 1e-12, 1e12):
+        assert inertia_status(precision, 1.0, np.zeros(3), np.diag(J) * size) == (OK if good else REFUSED)
+
+
+@PRECISIONS
+def test_mass_off_the_origin_has_inertia_there(precision: Precision) -> None:
+    """A point mass 2 at (0.3, 0, 0.4): J about the origin is 2 (0.25 E - c c^T), not a thousandth less."""
+    center = np.array([0.3, 0.0, 0.4])
+    J = about_origin(np.zeros(3), np.eye(3), 2.0, center)
+    assert inertia_status(precision, 2.0, center, J) == OK
+    assert inertia_status(precision, 2.0, center, J * 0.999) == REFUSED
+    assert inertia_status(precision, 2.0, center, J * 0) == REFUSED
+    assert inertia_status(precision, 2.002, center, J) == REFUSED
+    assert inertia_status(precision, 1.998, center, J) == OK
+
+
+def definite(rng: np.random.Generator, rank: int) -> Array:
+    """A positive semidefinite 6x6 of so many directions, its rows of very different size."""
+    factor = rng.normal(size=(6, rank)) * 10 ** rng.uniform(-3, 3, 6)[:, None]
+    added = factor @ factor.T
+    return np.asarray((added + added.T) / 2)
+
+
+@PRECISIONS
+@settings(max_examples=200, deadline=None)
+@given(seed=SEEDS, rank=st.integers(0, 6), dry=st.sets(st.integers(0, 5)))
+def test_every_semidefinite_added_mass_is_taken(precision: Precision, seed: int, rank: int, dry: set[int]) -> None:
+    added = definite(np.random.default_rng(seed), rank)
+    for i in dry:
+        added[i, :] = added[:, i] = 0.0
+    rounded = added.astype(precision.scalar)
+    assert added_status(precision, rounded.astype(float)) == OK
+
+
+@PRECISIONS
+@settings(max_examples=200, deadline=None)
+@given(seed=SEEDS, rank=st.integers(1, 5), excess=st.floats(20, 1e4))
+def test_an_added_mass_with_a_negative_direction_is_refused(
+    precision: Precision, seed: int, rank: int, excess: float
+) -> None:
+    """Of unit diagonal and a zero eigenvalue, less a little along its direction."""
+    rng = np.random.default_rng(seed)
+    added = definite(rng, rank)
+    root = np.sqrt(np.diag(added))
+    unit = added / root[:, None] / root[None, :]
+    n = np.linalg.eigh(unit)[1][:, 0]
+    unit = unit - excess * THRESHOLDS[precision.name].unphysical * np.outer(n, n)
+    broken = unit * root[:, None] * root[None, :]
+    broken = np.triu(broken) + np.triu(broken, 1).T
+    assert added_status(precision, broken) == REFUSED
+
+
+@PRECISIONS
+def test_added_mass_by_hand(precision: Precision) -> None:
+    assert added_status(precision, np.zeros((6, 6))) == OK
+    for i in range(6):
+        negative = np.eye(6)
+        negative[i, i] = -1e-6
+        assert added_status(precision, negative) == REFUSED
+        for j in range(6):
+            if j != i:
+                lonely = np.eye(6)
+                lonely[i, i], lonely[i, j], lonely[j, i] = 0.0, 1e-6, 1e-6
+                assert added_status(precision, lonely) == REFUSED
+                skew = np.eye(6)
+                skew[i, j], skew[j, i] = 0.5, np.nextafter(np.float32(0.5), np.float32(1))
+                assert added_status(precision, skew) == REFUSED
+
+
+@PRECISIONS
+@settings(max_examples=25, deadline=None)
+@given(stand=stands(max_flywheels=3))
+def test_prepare_takes_every_random_stand(precision: Precision, stand: Stand) -> None:
+    """generate_all runs prepare on the parameters, and raises where it refuses them."""
+    assert generate_all(stand, precision.name).values.table["mass"] > 0
+
+
+def with_value(parameters: Any, path: tuple[Any, ...], value: Any) -> Any:
+    found = copy.deepcopy(parameters)
+    place = found
+    for step in path[:-1]:
+        place = place[step]
+    place[path[-1]] = value
+    return found
+
+
+@pytest.mark.parametrize("name", ["everything1", "wet7"])
+def test_the_compiled_prepare_refuses_each_kind_in_any_body_and_writes_nothing(name: str) -> None:
+    c = compiled(name)
+    good = c.values.parameters
+    bodies: list[tuple[Any, ...]] = [("carrier",)]
+    bodies += [(kind, k, "body") for kind in ("instrument", "flywheel") for k in range(len(good.get(kind, ())))]
+    inputs = {"stand": c.table()}
+
+    def refused(path: tuple[Any, ...], value: Any, due: str = "NOT_POSITIVE_DEFINITE") -> None:
+        refuses(c, "prepare", inputs | {"parameters": with_value(good, path, value)}, due)
+
+    for body in bodies:
+        given = good
+        for step in body:
+            given = given[step]
+        J = [float(x) for x in given["inertia"]]
+        refused((*body, "inertia"), [J[0], J[1], J[0] + 1.01 * J[1], *J[3:]])
+        refused((*body, "inertia"), [J[0] + J[1] + 1.01 * J[2], J[1], J[2], *J[3:]])
+        refused((*body, "inertia"), [*J[:5], 2 * max(J)])
+        refused((*body, "center_of_mass"), [1.0, 2.0, 30.0])
+        refused((*body, "mass"), -1e-9, "RANGE")
+        if "displaced_mass" in given:
+            refused((*body, "displaced_mass"), -1e-9, "RANGE")
+    if "added_mass" in good:
+        refused(("added_mass", 3, 3), -1e-9)
+        refused(("added_mass", 4, 4), 1e-9)
+        refused(("added_mass", 5, 0), 1e-3 + float(good["added_mass"][5][0]))
