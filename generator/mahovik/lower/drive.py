@@ -205,7 +205,8 @@ def solve_schur(lib: Library) -> Function:
     names = ("11", "22", "33", "12", "13", "23")
     cofactor: list[Expr] = [body.let(f"c{n}", translate(e, {"A": K.A})) for n, e in zip(names, adjugate, strict=True)]
     d = body.let("det", translate(determinant, {"A": K.A, "cofactor": cofactor}))
-    lib.guard(body, Not(both(both(K.A[0] > 0, cofactor[2] > 0), d > 0)), "NOT_POSITIVE_DEFINITE")
+    whole = both(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
+    lib.guard(body, Not(both(both(K.A[0] > 0, cofactor[2] > 0), whole)), "NOT_POSITIVE_DEFINITE")
     r = body.let("r", 1 / d)
     inverse = body.local("A_inv", (6,))
     for k in range(6):

@@ -6,9 +6,9 @@ from typing import Any
 
 from mahovik.derive import carrier as derived
 from mahovik.lower.library import Library
-from mahovik.lower.symbolic import assign, translate
+from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body
-from mahovik.program.expression import Expr, Not, Place, Status, both
+from mahovik.program.expression import Not, Place, Status, real
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind
 
@@ -69,29 +69,35 @@ def subtract_rates(lib: Library) -> Function:
 
 
 def solve3(lib: Library) -> Function:
-    """Symmetric positive definite 3x3 system by its adjugate: one division."""
+    """Symmetric positive definite 3x3 system by L D L^T: nothing is cubed, so that no size of stand overflows."""
     S = Argument("S", Kind.REAL, (6,), purpose="11 22 33 12 13 23")
     b = Argument("b", Kind.REAL, (3,))
     y = Argument("y", Kind.REAL, (3,), "out", purpose="must not overlap b")
+    m, x = S.place, b.place
+    least = real(lib.layout.precision.smallest)
     body = Body()
-    adjugate, determinant = derived.inverse_of_symmetric()
-    names = ("11", "22", "33", "12", "13", "23")
-    cofactor: list[Expr] = [
-        body.let(f"c{n}", translate(e, {"A": S.place})) for n, e in zip(names, adjugate, strict=True)
-    ]
-    d = body.let("det", translate(determinant, {"A": S.place, "cofactor": cofactor}))
-    body.note("Sylvester: the leading minors are positive. NaN fails too")
-    positive = both(both(S.place[0] > 0, cofactor[2] > 0), d > 0)
-    lib.guard(body, Not(positive), "NOT_POSITIVE_DEFINITE")
-    r = body.let("r", 1 / d)
-    x = b.place
-    rows = ((0, 3, 4), (3, 1, 5), (4, 5, 2))
-    for i, (j, k, m) in enumerate(rows):
-        body.set(y.place[i], (cofactor[j] * x[0] + cofactor[k] * x[1] + cofactor[m] * x[2]) * r)
+    lib.guard(body, Not(m[0] >= least), "NOT_POSITIVE_DEFINITE")
+    r1 = body.let("r1", 1 / m[0])
+    l21 = body.let("l21", m[3] * r1)
+    l31 = body.let("l31", m[4] * r1)
+    d2 = body.let("d2", m[1] - l21 * m[3])
+    lib.guard(body, Not(d2 >= least), "NOT_POSITIVE_DEFINITE")
+    r2 = body.let("r2", 1 / d2)
+    rest = body.let("p32", m[5] - l31 * m[3])
+    l32 = body.let("l32", rest * r2)
+    d3 = body.let("d3", m[2] - l31 * m[4] - l32 * rest)
+    lib.guard(body, Not(d3 >= least), "NOT_POSITIVE_DEFINITE")
+    body.note("L z = b, then L^T y = D^-1 z")
+    z2 = body.let("z2", x[1] - l21 * x[0])
+    y3 = body.let("y3", (x[2] - l31 * x[0] - l32 * z2) / d3)
+    y2 = body.let("y2", z2 * r2 - l32 * y3)
+    body.set(y.place[0], x[0] * r1 - l21 * y2 - l31 * y3)
+    body.set(y.place[1], y2)
+    body.set(y.place[2], y3)
     body.ret(Status("OK"))
     return Function(
         "solve3",
-        "Solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate.",
+        "Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T.",
         (S, b, y),
         body.statements,
         returns=Kind.STATUS,

@@ -41,6 +41,11 @@ class Precision:
         """Largest finite number."""
         return float(np.finfo(self.scalar).max)
 
+    @property
+    def smallest(self) -> float:
+        """Smallest positive number with all its digits; its reciprocal is finite."""
+        return float(np.finfo(self.scalar).smallest_normal)
+
 
 DOUBLE = Precision("double", 64, 53, 1023, np.float64, np.uint64, 1e7)
 FLOAT = Precision("float", 32, 24, 127, np.float32, np.uint32, 1e3)
