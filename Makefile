@@ -5,13 +5,18 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
-.PHONY: help demo test setup generated verify-campaign lint clean
+.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
 	@echo "make test       the same, then all tests"
 	@echo "make setup      virtual environment with everything in .venv (run .venv/bin/mahovik)"
 	@echo "make generated  write generated/ anew from the example stands"
+	@echo "make targets    install compilers and emulators of the targets (Debian)"
+	@echo "make verify-targets  the same bits on every target: minutes"
+	@echo "make targets-table   the same, written into README.md and docs/targets.md"
+	@echo "make cost       measure the example stands, COST.md in generated/; ACCEPT=--accept accepts what has risen"
+	@echo "make cost-check fails where the cost of an example stand has risen"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
@@ -37,6 +42,23 @@ $(READY): pyproject.toml constraints.txt
 generated: setup
 	@for stand in $(EXAMPLES); do \
 	  $(BIN)/mahovik generate generator/mahovik/stands/$$stand.toml -o generated/$$stand || exit 1; done
+
+targets:
+	tools/targets-packages.sh
+
+verify-targets: setup
+	$(BIN)/mahovik verify generator/mahovik/stands/bench8.toml --targets all
+
+targets-table: setup
+	$(BIN)/python tools/targets_table.py
+
+cost: setup
+	@for stand in $(EXAMPLES); do \
+	  $(BIN)/mahovik cost generator/mahovik/stands/$$stand.toml -o generated/$$stand $(ACCEPT) || exit 1; done
+
+cost-check: setup
+	@for stand in $(EXAMPLES); do \
+	  $(BIN)/mahovik cost generator/mahovik/stands/$$stand.toml -o generated/$$stand --check || exit 1; done
 
 verify-campaign: setup
 	$(BIN)/python tools/verify_campaign.py --stands 50

@@ -57,17 +57,16 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
         headers=sorted(name for name in files if name.endswith(".h")),
         startup_in_assembler="startup.S" in files,
     )
-    option = f" --real {real}"
-    arm = target.family == "cortex-m"
     files["README.md"] = template("board/project.md.j2").render(
         **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
-        command=f"mahovik export target {target.name} STAND.toml{option}",
+        command=f"mahovik export target {target.name} STAND.toml --real {real}",
         generator=f"mahovik {__version__}",
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
         startup="startup.S" if "startup.S" in files else "startup.c",
         fpu=bool(target.real),
         vector="-fno-tree-vectorize" in flags and not hosted,
-        semihosting="arm semihosting enable" if arm else "riscv set_enable_virtual off; arm semihosting enable",
-        ticks="ticks of the processor's clock; compile with -DBOARD_MHZ=1000u" if arm else "retired instructions",
+        ticks="ticks of the processor's clock; compile with -DBOARD_MHZ=1000u"
+        if target.mhz
+        else "retired instructions",
     )
     return files
