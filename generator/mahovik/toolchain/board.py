@@ -13,8 +13,8 @@ from mahovik.toolchain.compiler import BITS, WARNINGS
 from mahovik.toolchain.targets import Target
 
 _FILES = {
-    "cortex-m": ("cortex-m/startup.c", "cortex-m/board.c", "cortex-m/link.ld", "stack.c", "board.h"),
-    "riscv": ("riscv/startup.S", "riscv/board.c", "riscv/link.ld", "stack.c", "board.h"),
+    "cortex-m": ("cortex-m/startup.c", "cortex-m/board.c", "cortex-m/link.ld", "board_stack.c", "board.h"),
+    "riscv": ("riscv/startup.S", "riscv/board.c", "riscv/link.ld", "board_stack.c", "board.h"),
     "hosted": ("hosted/board.c", "board.h"),
 }
 
@@ -62,11 +62,14 @@ def build(
 ) -> Path:
     """Builds C texts, one with `main`, with the board's files in `scratch`; returns the program's file.
 
-    `optimisation` is the target's own unless given; `extra` flags are for the C texts alone. Raises ToolchainError.
+    `optimisation` is the target's own unless given; `extra` flags are for the C texts alone. Raises ToolchainError,
+    ValueError for a text with the name of a file of the board.
     """
     require(target)
     level = optimisation or target.optimisation
     own = board_files(target)
+    if clash := sorted(own.keys() & sources.keys()):
+        raise ValueError(f"{', '.join(clash)}: the board has a file of that name")
     for name, text in {**own, **sources}.items():
         (scratch / name).write_text(text, encoding="utf-8")
     objects = [
@@ -158,6 +161,9 @@ def _run(command: Sequence[str], folder: Path, what: str) -> str:
     )
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
-        first = next((line for line in lines if "error" in line), lines[0] if lines else "no message")
+        words = ("error:", "undefined reference", "overflowed")
+        first = next(
+            (line for line in lines if any(word in line for word in words)), "".join(lines[:1]) or "no message"
+        )
         raise ToolchainError(f"{shlex.join(command[:1])} refused {what}: {first}")
     return done.stdout
