@@ -1,0 +1,73 @@
+"""Code, constants and stack of an object, against C whose figures can be told by hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from mahovik.errors import ToolchainError
+from mahovik.toolchain.board import compile_one
+from mahovik.toolchain.footprint import STACK_FLAGS, Footprint, footprint
+from targets.boards import target
+
+CHAIN = """
+extern const int table[25];
+const int table[25] = { 1 };
+int leaf(int n);
+int middle(int n);
+int top(int n);
+__attribute__((noinline)) int leaf(int n)
+{
+    volatile char block[400];
+    block[n] = 1;
+    return block[n];
+}
+__attribute__((noinline)) int middle(int n) { return leaf(n) + 1; }
+__attribute__((noinline)) int top(int n)
+{
+    volatile char block[100];
+    block[n] = 1;
+    return middle(n) + leaf(n) + block[n];
+}
+"""
+
+
+def made(text: str, folder: Path, name: str = "m7") -> Footprint:
+    found = target(name)
+    (folder / "it.c").write_text(text)
+    return footprint(found.compiler[0], compile_one(found, "it.c", folder, "-O2", STACK_FLAGS))
+
+
+@pytest.mark.parametrize("name", ["m7", "rv32gc", "host"])
+def test_chains_tables_and_symbols(name: str, tmp_path: Path) -> None:
+    found = made(CHAIN, tmp_path, name)
+    assert found.constants["table"] == 100
+    assert found.reached("middle") == {"leaf", "middle"}
+    red_zone = 128 if name == "host" else 0  # of x86-64: below the stack pointer, in no frame
+    assert 400 - red_zone <= found.stack_of("leaf") < 450
+    assert found.stack_of("top") == found.frames["top"] + found.frames["middle"] + found.frames["leaf"]
+    assert found.code_of("top") == sum(found.code[name] for name in ("top", "middle", "leaf"))
+    assert 0 <= found.text - sum(found.code.values()) < 64
+
+
+def test_routines_of_the_library_are_named(tmp_path: Path) -> None:
+    found = made("double half(double x);\ndouble half(double x) { return x * 0.3; }\n", tmp_path, "m3")
+    assert found.routines("half") == ["__aeabi_dmul"]
+
+
+RECURSION = """
+int f(int n);
+int g(int n);
+__attribute__((noinline)) int g(int n) { return n > 0 ? f(n - 1) / 3 : 1; }
+__attribute__((noinline)) int f(int n) { return g(n) / 2; }
+"""
+
+
+def test_a_stack_without_bound_is_refused(tmp_path: Path) -> None:
+    found = made(RECURSION, tmp_path)
+    with pytest.raises(ToolchainError, match="calls itself: its stack has no bound"):
+        found.stack_of("f")
+    array = "int sum(int n);\nvoid take(char *x);\nint sum(int n) { char x[n]; take(x); return x[0]; }\n"
+    with pytest.raises(ToolchainError, match="sum has a stack frame without bound"):
+        made(array, tmp_path)
