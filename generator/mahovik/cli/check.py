@@ -26,21 +26,31 @@ if TYPE_CHECKING:
 def check(stand_file: str, speed: str | None, as_json: bool) -> None:
     """Validate a stand; print its figures.
 
-    Masses, centres of mass, unbalance of each flywheel, the force it reaches at a speed, warnings.
+    Masses, centres of mass, unbalance of each flywheel, the force it reaches at a speed; warnings, also of what
+    float would not resolve.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
     from mahovik.stand import identities
     from mahovik.stand.summary import summarize
 
+    from mahovik.study.resolution import shortfalls
+
     summary, names = summarize(stand, asked), identities(stand)
+    short = shortfalls(stand, [row.speed for row in summary.unbalance])
     if as_json:
         import json
+        from dataclasses import asdict
 
-        found = {**summary.as_dict(), "structure": names.structure, "physics": names.physics}
+        found = {
+            **summary.as_dict(),
+            "structure": names.structure,
+            "physics": names.physics,
+            "float": [asdict(each) for each in short],
+        }
         click.echo(json.dumps(found, indent=1, allow_nan=False))
         return
-    _print(console(), summary, names)
+    _print(console(), summary, names, [str(each) for each in short])
 
 
 def read_speed(text: str) -> float:
@@ -59,7 +69,7 @@ def read_speed(text: str) -> float:
     return abs(found)
 
 
-def _print(out: Console, summary: Summary, names: Identities) -> None:
+def _print(out: Console, summary: Summary, names: Identities, short: list[str]) -> None:
     out.print(f"[bold]{summary.name}[/bold]   structure {names.structure}, physics {names.physics}")
     bodies = table("body", "kind", "mount", "mass, kg>", "centre of mass in E1, m>")
     for body in summary.bodies:
@@ -95,7 +105,7 @@ def _print(out: Console, summary: Summary, names: Identities) -> None:
             wheels.add_row(row.name, *(f"{x:.5g}" for x in figures))
         out.print(wheels)
         out.print(f"reach of force: {summary.force:.5g} N, all unbalance in one line at these speeds")
-    for warning in summary.warnings:
+    for warning in (*summary.warnings, *short):
         out.print("warning:", warning, style="yellow", markup=False)
 
 

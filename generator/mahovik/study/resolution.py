@@ -1,0 +1,204 @@
+"""Whether float resolves what a stand is built for: the effect of each flywheel's unbalance, beside all other terms.
+
+The effect of a flywheel's unbalance on a result is the difference that it makes to have this flywheel balanced and
+symmetric, by the reference in double. The rounding of float in the result is FACTOR units (2^-24) of the magnitudes of
+the terms that meet in it at this very state: weight, springs, gyroscopic terms, the accelerations that balance them.
+Where the rounding is more than a tenth of the effect in every component, float cannot be relied on to show the
+unbalance, however right the C is.
+
+Evaluated with the flywheels at given speeds, at some phases: with the carrier at rest, where the unbalance stands
+beside weight and suspension, and moving by 1 m/s and 1 rad/s about every axis, where gyroscopic terms stand beside it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik import reference
+from mahovik.errors import StateError
+from mahovik.reference.forward import forward
+from mahovik.reference.screw import Phi, f, spin
+from mahovik.stand.model import Flywheel, Stand, Vec6
+from mahovik.stand.state import State, rest_state
+from mahovik.verify.scales.magnitudes import inverse_magnitude
+
+Array = NDArray[np.float64]
+
+UNIT = 2.0**-24
+"""Largest relative error of one rounding in float."""
+
+FACTOR = 16.0
+"""Units of rounding in a result, at most: twice what tools/float_bounds.py measures (docs/verification.md)."""
+
+DIGIT = 0.1
+"""Part of an effect that rounding may be, so that a digit of the effect is left."""
+
+DOUBLE_NOISE = 1e-13
+"""Of the terms' magnitudes: an effect below it is rounding of the reference, of a flywheel without unbalance."""
+
+PHASES = 4
+"""A quarter turn apart, so that no component of a vector that turns is missed."""
+
+MOTIONS: Mapping[str, Vec6] = {"at rest": (0.0,) * 6, "moving by 1 m/s and 1 rad/s": (1.0,) * 6}
+"""Of the carrier, by their words."""
+
+
+@dataclass(frozen=True)
+class Shortfall:
+    """A quantity in which float does not show the unbalance of a flywheel.
+
+    flywheel, speed  its name, rad/s
+    want, words      name in `eval`, and what it is
+    motion           of the carrier, in words
+    effect, rounding of the component that shows most; SI
+    """
+
+    flywheel: str
+    speed: float
+    want: str
+    words: str
+    motion: str
+    effect: float
+    rounding: float
+
+    def __str__(self) -> str:
+        return (
+            f"float: the unbalance of {self.flywheel} at {self.speed * 30 / math.pi:.5g} rpm changes {self.words} by "
+            f"{self.effect:.1e}, and float rounds it by up to {self.rounding:.1e} (carrier {self.motion}): "
+            "generate double for it"
+        )
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A result, and the magnitudes of the terms that meet in it; for results of each flywheel a row each."""
+
+    words: str
+    key: str
+    terms: Callable[[reference.Pieces, State], Array]
+    by_flywheel: bool = False
+
+
+def acceleration_terms(at: reference.Pieces, state: State) -> Array:
+    """Of V_dot (6): |K^-1| times every term of (8)."""
+    V, speed = np.abs(at.V_r), np.abs(at.phi_dot)
+    V_dot = forward(at, np.zeros(len(speed)))
+    K = _mass_terms(at)
+    momentum = K @ V + np.abs(at.I) @ speed
+    turning = np.abs(at.J - Phi(at.V_r) @ at.I) @ speed
+    right = _wrench_terms(at) + np.abs(Phi(at.V_r)) @ momentum + np.abs(at.K_dot) @ V + turning
+    stream = np.abs(at.stream_rate())
+    return np.asarray(inverse_magnitude(at.K) @ (right + K @ np.abs(at.V_r_dot(V_dot))) + stream)
+
+
+def momentum_terms(at: reference.Pieces, state: State) -> Array:
+    """Of Z (6)."""
+    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + np.abs(at.I) @ np.abs(at.phi_dot))
+
+
+def mount_terms(at: reference.Pieces, state: State) -> Array:
+    """Of mount_wrench (Nx6): force and moment by their lengths, for their axes do not turn with the flywheel."""
+    found = np.zeros((len(at.flywheels), 6))
+    for row, s in enumerate(at.flywheels):
+        carried = s.L.T @ at.V
+        V = np.abs(carried + f * s.phi_dot)
+        V_dot = np.abs(spin @ carried * s.phi_dot)
+        Theta = np.abs(s.Theta)
+        own = sum((np.abs(P) for P in at.terms[s.body.name].values()), np.zeros(6))
+        whole = Theta @ V_dot + np.abs(Phi(carried + f * s.phi_dot)) @ (Theta @ V) + own
+        found[row] = np.repeat([np.linalg.norm(whole[:3]), np.linalg.norm(whole[3:])], 3)
+    return found
+
+
+def _mass_terms(at: reference.Pieces) -> Array:
+    """Of K (6x6), body by body."""
+    bodies = (*at.fixed, *at.flywheels)
+    total = sum((np.abs(k.L @ k.Theta @ k.L.T) for k in bodies), np.zeros((6, 6)))
+    return np.asarray(total + sum(np.abs(p.Lambda) for p in at.fixed))
+
+
+def _wrench_terms(at: reference.Pieces) -> Array:
+    """Of F (6), body by body and kind by kind."""
+    total = np.zeros(6)
+    for k in (*at.fixed, *at.flywheels):
+        for P in at.terms[k.body.name].values():
+            total += np.abs(k.L) @ np.abs(P)
+    return total
+
+
+QUANTITIES: Mapping[str, Quantity] = {
+    "forward": Quantity("the carrier's acceleration V_dot", "V_dot", acceleration_terms),
+    "momentum": Quantity("the momentum Z", "Z", momentum_terms),
+    "mounts": Quantity("the wrench of its mount", "mount_wrench", mount_terms, by_flywheel=True),
+}
+"""By want. Drive torques are not among them: no torque is asked to show an unbalance."""
+
+
+def balanced(flywheel: Flywheel) -> Flywheel:
+    """The same flywheel without unbalance or asymmetry: mass centre on its axis, inertia of revolution."""
+    J = flywheel.inertia
+    across = 0.5 * (J[1][1] + J[2][2])
+    return replace(
+        flywheel,
+        center_of_mass=(flywheel.center_of_mass[0], 0.0, 0.0),
+        inertia=((J[0][0], 0.0, 0.0), (0.0, across, 0.0), (0.0, 0.0, across)),
+    )
+
+
+def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
+    """What float does not resolve of a stand whose flywheels turn at these speeds (rad/s); one a flywheel and want."""
+    found: dict[tuple[int, str], Shortfall] = {}
+    for motion in MOTIONS:
+        best: dict[tuple[int, str], tuple[float, float]] = {}
+        for state in states(stand, speeds, motion):
+            for number, want, effect, rounding in _effects(stand, state):
+                known = best.get((number, want), (0.0, math.inf))
+                best[number, want] = max(known, (effect, rounding), key=lambda pair: pair[0] / pair[1])
+        for (number, want), (effect, rounding) in best.items():
+            if 0.0 < effect * DIGIT < rounding:
+                flywheel, words = stand.flywheels[number], QUANTITIES[want].words
+                found[number, want] = Shortfall(flywheel.name, speeds[number], want, words, motion, effect, rounding)
+    return [found[key] for key in sorted(found)]
+
+
+def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, float]]:
+    """Flywheel, want, effect of its unbalance and rounding, in the component that shows it best."""
+    try:
+        at = reference.pieces(stand, state)
+    except StateError:
+        return  # a leg without length: no state of the stand
+    without = [reference.pieces(_with(stand, s, balanced(w)), state) for s, w in enumerate(stand.flywheels)]
+    for want, quantity in QUANTITIES.items():
+        value = _value(stand, state, want, at)
+        terms = quantity.terms(at, state)
+        for number, other in enumerate(without):
+            effect, size = np.abs(value - _value(stand, state, want, other)), terms
+            if quantity.by_flywheel:
+                effect, size = effect[number], size[number]
+            seen = effect > DOUBLE_NOISE * size
+            if np.any(seen):
+                effect, size = effect[seen], size[seen]
+                index = int(np.argmax(effect / size))
+                yield number, want, float(effect[index]), float(FACTOR * UNIT * size[index])
+
+
+def _value(stand: Stand, state: State, want: str, at: reference.Pieces) -> Array:
+    return np.asarray(reference.evaluate(stand, state, [want], at)[QUANTITIES[want].key])
+
+
+def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:
+    """At some phases; neighbours are a tenth of a radian apart, so that they do not cancel."""
+    count = len(stand.flywheels)
+    for k in range(PHASES):
+        phases = tuple(0.3 + 0.1 * s + k * math.pi / 2 for s in range(count))
+        yield replace(rest_state(stand), phi=phases, phi_dot=tuple(speeds), V=MOTIONS[motion])
+
+
+def _with(stand: Stand, number: int, flywheel: Flywheel) -> Stand:
+    flywheels = stand.flywheels
+    return replace(stand, flywheels=(*flywheels[:number], flywheel, *flywheels[number + 1 :]))
