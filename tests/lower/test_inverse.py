@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.optimize import lsq_linear
 
 from mahovik.program.function import STATUS_VALUES
 from mahovik.stand.random import BARE, random_stand
@@ -64,8 +65,32 @@ def test_weights_choose_among_flywheels() -> None:
     assert null @ (theta * out["phi_ddot"]) == pytest.approx(0, abs=1e-9 * np.abs(theta * out["phi_ddot"]).max())
 
 
+def scaled(c: CBackend, given: dict) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """K^-1/2 I, K^-1/2 times the demand, and the spin inertias, by the matrices of the C."""
+    m = c.call("matrices", given)[1]["out"]
+    demand = np.array(m["F"]) - np.array(m["K"]) @ given["V_dot"] - np.array(m["M"]) @ given["x"]["V"]
+    demand = demand - np.array(m["J"]) @ given["x"]["phi_dot"]
+    root = np.linalg.inv(np.linalg.cholesky(np.array(m["K"])))
+    theta = np.array([row["spin"] for row in c.table()["flywheel"]])
+    return root @ np.array(m["I"]), root @ demand, theta
+
+
+@pytest.mark.parametrize("count", COUNTS)
+@pytest.mark.parametrize("spread", [1.0, 1e3, 1e6])
+def test_singular_values_and_rank_know_no_weights(count: int, spread: float) -> None:
+    """sigma, rank and status are those of K^-1/2 I Theta_ff^-1/2; what is attainable stays so."""
+    c = made(count)
+    weight = [1.0 if s % 2 else spread for s in range(count)]
+    given, status, out = ask(c, weight=weight)
+    _, plain_status, plain = ask(c)
+    assert (status, out["rank"], out["sigma"]) == (plain_status, plain["rank"], plain["sigma"])
+    matrix, _, theta = scaled(c, given)
+    sigma = np.linalg.svd(matrix / np.sqrt(theta), compute_uv=False)
+    assert out["sigma"] == pytest.approx(sigma[: min(6, count)], rel=1e-9, abs=1e-13 * sigma[0])
+
+
 def test_limits_are_kept_and_told() -> None:
-    """Accelerations are cut, the mask says whose, the residual tells what is missing."""
+    """Where too many flywheels are limited: accelerations at their limits, the mask, what is missing."""
     c = made(7)
     _, _, free = ask(c)
     bound = 0.5 * max(abs(a) for a in free["phi_ddot"])
@@ -73,7 +98,44 @@ def test_limits_are_kept_and_told() -> None:
     assert status & STATUS_VALUES["LIMITED"]
     assert status & STATUS_VALUES["UNREACHABLE"]
     assert max(abs(a) for a in out["phi_ddot"]) == bound
-    assert out["limited"] == [int(abs(a) > bound) for a in free["phi_ddot"]]
+    assert out["limited"] == [int(abs(a) == bound) for a in out["phi_ddot"]]
+
+
+@pytest.mark.parametrize("count", [7, 8, 12])
+@pytest.mark.parametrize("seed", range(4))
+def test_others_give_what_a_limited_flywheel_cannot(count: int, seed: int) -> None:
+    """One flywheel held below what it would give: seven and more still meet the demand; the free ones at least norm."""
+    c = made(count)
+    _, _, free = ask(c, seed)
+    worst = int(np.argmax(np.abs(free["phi_ddot"])))
+    limit = [float("inf")] * count
+    limit[worst] = 0.8 * abs(free["phi_ddot"][worst])
+    given, status, out = ask(c, seed, limit=limit)
+    assert status == STATUS_VALUES["LIMITED"]
+    assert out["limited"] == [int(s == worst) for s in range(count)]
+    matrix, demand, theta = scaled(c, given)
+    rest = [s for s in range(count) if s != worst]
+    others = matrix[:, rest] / np.sqrt(theta[rest])
+    least = np.linalg.pinv(others) @ (demand - matrix[:, worst] * out["phi_ddot"][worst]) / np.sqrt(theta[rest])
+    assert np.array(out["phi_ddot"])[rest] == pytest.approx(least, rel=1e-6, abs=1e-8 * np.abs(least).max())
+
+
+@pytest.mark.parametrize("count", [1, 5, 6, 8, 12])
+@pytest.mark.parametrize("seed", range(4))
+def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> None:
+    """SciPy's bounded least squares is the judge: the same residual, and reached where it can be."""
+    c = made(count)
+    _, _, free = ask(c, seed)
+    limit = [0.7 * max(abs(a) for a in free["phi_ddot"])] * count
+    given, status, out = ask(c, seed, limit=limit)
+    matrix, demand, theta = scaled(c, given)
+    root = np.sqrt(theta)
+    best = lsq_linear(matrix / root, demand, (-np.array(limit) * root, np.array(limit) * root), tol=1e-14)
+    reached = np.linalg.norm(demand - matrix @ out["phi_ddot"])
+    least = np.sqrt(2 * best.cost)
+    assert reached >= least * (1 - 1e-6) - 1e-9 * np.linalg.norm(demand)
+    assert reached <= least * (1 + 1e-6) + 1e-9 * np.linalg.norm(demand)
+    assert bool(status & STATUS_VALUES["UNREACHABLE"]) == (reached > 1e-9 * np.linalg.norm(demand))
 
 
 def test_damping_lowers_what_is_near_singular() -> None:
@@ -86,8 +148,30 @@ def test_damping_lowers_what_is_near_singular() -> None:
     assert same["phi_ddot"] == plain["phi_ddot"]
     _, status, out = ask(c, near=0.9, damping=0.5)
     assert status & STATUS_VALUES["DAMPED"]
-    assert 0 < out["damping"] <= 0.5 * out["sigma"][0]
+    assert 0 < out["damped_by"] <= 0.5 * out["sigma"][0]
     assert np.linalg.norm(out["phi_ddot"]) < np.linalg.norm(plain["phi_ddot"])
+
+
+@pytest.mark.parametrize("count", [1, 5])
+def test_what_is_out_of_reach_is_told(count: int) -> None:
+    """With fewer than six flywheels `hardest` is the demand's part that none of them gives, as large as 1."""
+    c = made(count)
+    given, status, out = ask(c)
+    assert status & STATUS_VALUES["UNREACHABLE"]
+    K = np.array(c.call("matrices", given)[1]["out"]["K"])
+    left = np.array(out["residual"])
+    assert np.array(out["hardest"]) == pytest.approx(left / np.sqrt(left @ np.linalg.solve(K, left)), rel=1e-9)
+
+
+def test_the_hardest_direction_has_the_least_singular_value() -> None:
+    """With six flywheels: K^-1/2 hardest is the left singular vector of the least singular value."""
+    c = made(6)
+    given, _, out = ask(c)
+    m = c.call("matrices", given)[1]["out"]
+    root = np.linalg.inv(np.linalg.cholesky(np.array(m["K"])))
+    matrix, _, theta = scaled(c, given)
+    u = np.linalg.svd(matrix / np.sqrt(theta))[0][:, 5]
+    assert abs(u @ root @ out["hardest"]) == pytest.approx(1, rel=1e-9)
 
 
 @pytest.mark.parametrize("count", [1, 5])
@@ -105,7 +189,13 @@ def test_the_hardest_direction_is_out_of_reach(count: int) -> None:
 
 @pytest.mark.parametrize(
     "options",
-    [{"weight": [0.0] * 6}, {"weight": [-1.0] * 6}, {"limit": [0.0] * 6}, {"near": 1.5}, {"damping": -0.1}],
+    [
+        {"weight": [0.0] * 6},
+        {"weight": [-1.0] * 6},
+        {"limit": [0.0] * 6},
+        {"near": 1.5},
+        {"damping": -0.1},
+    ],
 )
 def test_bad_options_are_refused(options: dict) -> None:
     assert ask(made(6), **options)[1] == STATUS_VALUES["BAD_ARGUMENT"]
@@ -113,3 +203,16 @@ def test_bad_options_are_refused(options: dict) -> None:
 
 def test_not_a_number_among_options_is_refused() -> None:
     assert ask(made(6), weight=[float("nan")] + [1.0] * 5)[1] == STATUS_VALUES["NOT_FINITE"]
+    assert ask(made(6), limit=[float("nan")] * 6)[1] == STATUS_VALUES["NOT_FINITE"]
+    assert ask(made(6), near=float("nan"))[1] == STATUS_VALUES["NOT_FINITE"]
+
+
+def test_the_fast_variant_reads_weights_and_damping_only() -> None:
+    """The same answer as inverse for weighted flywheels; its other options are nobody's business."""
+    c = made(12)
+    weight = [1.0 + s for s in range(12)]
+    given, _, out = ask(c, weight=weight)
+    given["options"] |= {"limit": [float("nan")] * 12, "near": 7.0}
+    status, fast = c.call("inverse_fast", given)
+    assert status == 0
+    assert fast["phi_ddot"] == pytest.approx(out["phi_ddot"], rel=1e-7)

@@ -239,7 +239,7 @@ def solve_schur(lib: Library) -> Function:
 def _coupled_arguments(lib: Library, at: bool) -> tuple[Argument, ...]:
     """stand, x, sines and cosines, tau, locked, run-time wrenches, V_dot, phi_ddot."""
     count = lib.layout.count
-    held = "not 0: a lock holds phi'' = 0; its tau is not read"
+    held = "not 0: a lock holds phi'' = 0, whatever its tau"
     return (
         lib.table_argument(),
         lib.state_argument(),

@@ -67,8 +67,10 @@ class Layout(Tables):
     @cached_property
     def inverse_options(self) -> Struct:
         fields = (
-            Field("weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'', 1 by default; above 1e-9"),
-            Field("limit", REAL, (self.count,), "rad/s2", "magnitude of each phi''; greater than 0"),
+            Field(
+                "weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default"
+            ),
+            Field("limit", REAL, (self.count,), "rad/s2", "magnitude of each phi''; greater than 0, infinity for none"),
             Field("near", REAL, (), "", "NEAR_SINGULAR below this part of the largest singular value, 0..1"),
             Field(
                 "damping", REAL, (), "", "part of the largest singular value that damps those near zero, 0..1; 0: none"
@@ -96,11 +98,17 @@ class Layout(Tables):
         fields = (
             Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
             Field("residual", REAL, (6,), "N, N m", "F - K V* - M V - J phi' - I phi''"),
-            Field("sigma", REAL, (least,), "", "singular values of the scaled I, descending"),
+            Field("sigma", REAL, (least,), "", "singular values of K^-1/2 I Theta_ff^-1/2, descending"),
             Field("rank", INT, (), "", "of them that count"),
-            Field("damping", REAL, (), "", "largest damping applied; 0: none"),
+            Field("damped_by", REAL, (), "", "largest lambda applied, in units of sigma; 0: none"),
             Field("limited", INT, (self.count,), "", "1 where the limit of a flywheel was reached"),
-            Field("hardest", REAL, (6,), "", "wrench of unit size in the norm of K^-1 that is hardest to give"),
+            Field(
+                "hardest",
+                REAL,
+                (6,),
+                "",
+                "wrench out of reach, or hardest to reach; of unit size in the norm of K^-1",
+            ),
         )
         return Struct("inverse_result", "Answer of inverse, and how good it is.", fields)
 

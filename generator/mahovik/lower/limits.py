@@ -33,6 +33,7 @@ def limits(precision: Precision) -> dict[str, Limit]:
         Limit("MAX_WRENCH", 1e9, "N, N m", "each component of a run-time wrench"),
         Limit("MAX_STEP", 10.0, "s", "a time step"),
         Limit("MAX_PARAMETER", 1e15, "SI", "each mass, length and moment of inertia"),
+        Limit("MAX_WEIGHT", 1e6, "", "the weight of a flywheel in inverse"),
         Limit("LARGEST", precision.largest, "", "largest finite number"),
     ]
     return {limit.name: limit for limit in table}

@@ -56,13 +56,17 @@ def _validator(read: Callable[[Any], T]) -> PlainValidator:
     return PlainValidator(validate)
 
 
-def _scalar(dimension: Dimension, *, least: float | None = None, above: float | None = None) -> PlainValidator:
+def _scalar(
+    dimension: Dimension, *, least: float | None = None, above: float | None = None, most: float | None = None
+) -> PlainValidator:
     def read(raw: Any) -> float:
         value = number(raw, dimension)
         if least is not None and value < least:
             raise QuantityError(f"{value:.17g} is negative" if least == 0 else f"{value:.17g} is below {least:g}")
         if above is not None and value <= above:
             raise QuantityError(f"{value:.17g} is not above {above:g}")
+        if most is not None and value > most:
+            raise QuantityError(f"{value:.17g} is above {most:g}")
         return value
 
     return _validator(read)
@@ -315,7 +319,7 @@ class FlywheelTable(BodyTable):
     spin_inertia: Annotated[float, _scalar(units.INERTIA, least=0.0)] | None = None
     transverse_inertia: Annotated[tuple[float, ...], _validator(_transverse)] | None = None
     unbalance: UnbalanceTable | None = None
-    inverse_weight: Annotated[float, _scalar(units.PLAIN, least=1e-6)] = 1.0
+    inverse_weight: Annotated[float, _scalar(units.PLAIN, least=1e-6, most=1e6)] = 1.0
     motor: MotorTable | None = None
     encoder: EncoderTable | None = None
 
