@@ -33,7 +33,6 @@ def check(stand_file: str, speed: str | None, as_json: bool) -> None:
     asked = None if speed is None else read_speed(speed)
     from mahovik.stand import identities
     from mahovik.stand.summary import summarize
-
     from mahovik.study.resolution import shortfalls
 
     summary, names = summarize(stand, asked), identities(stand)

@@ -12,7 +12,7 @@ from mahovik.reference.array import Array
 from mahovik.reference.coupled import coupled
 from mahovik.reference.forward import forward
 from mahovik.reference.generalized import generalized
-from mahovik.reference.inverse import Cuts, inverse
+from mahovik.reference.inverse import CUTS, Cuts, inverse
 from mahovik.reference.momentum import center_of_mass, kinetic_energy, momentum, momentum_in_E0
 from mahovik.reference.mounts import mounts
 from mahovik.reference.pieces import Pieces, pieces
@@ -65,7 +65,7 @@ def want_coupled(at: Pieces, stand: Stand, state: State) -> Values:
     return {"V_dot": V_dot, "phi_ddot": phi_ddot}
 
 
-def want_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = Cuts()) -> Values:
+def want_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     """phi_ddot (N), status, residual (6), sigma (min(6, N)), rank: (12)."""
     return dict(vars(inverse(at, vector(state.V_dot), cuts)))
 
@@ -114,9 +114,7 @@ def finite(value: Any) -> bool:
     return isinstance(value, str) or bool(np.all(np.isfinite(value)))
 
 
-def evaluate(
-    stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None, cuts: Cuts = Cuts()
-) -> Values:
+def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None, cuts: Cuts = CUTS) -> Values:
     """What `want` names, under the names of the contract: arrays, floats; status a string, rank an int.
 
     `at`: the pieces of this stand and state, where the caller has them already. `cuts`: thresholds of `inverse`.

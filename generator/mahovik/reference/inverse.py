@@ -25,6 +25,10 @@ class Cuts:
     reached: float = 1e-9
 
 
+CUTS = Cuts()
+"""Those of stand.md for double."""
+
+
 @dataclass(frozen=True, eq=False)
 class Inverse:
     """phi_ddot (N, rad/s2), status (names joined by |), residual (6; N, N m), sigma (min(6, N)), rank."""
@@ -49,7 +53,7 @@ def demand(at: Pieces, V_dot: Array) -> Array:
     return at.F - at.K @ at.V_r_dot(V_dot) - bias(at)
 
 
-def inverse(at: Pieces, V_dot: Array, cuts: Cuts = Cuts()) -> Inverse:
+def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS) -> Inverse:
     """Least residual of (12) in the K^-1 norm, then least phi'' in the Theta_ff norm; no limits, no damping.
 
     By the singular values of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes.

@@ -172,14 +172,17 @@ def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, floa
         at = reference.pieces(stand, state)
     except StateError:
         return  # a leg without length: no state of the stand
-    without = [reference.pieces(_with(stand, s, balanced(w)), state) for s, w in enumerate(stand.flywheels)]
-    for want, quantity in QUANTITIES.items():
-        value = _value(stand, state, want, at)
-        terms = quantity.terms(at, state)
-        for number, other in enumerate(without):
-            effect, size = np.abs(value - _value(stand, state, want, other)), terms
+    values = {want: _value(stand, state, want, at) for want in QUANTITIES}
+    terms = {want: quantity.terms(at, state) for want, quantity in QUANTITIES.items()}
+    for number in range(len(stand.flywheels)):
+        alone, own = _balanced_alone(stand, state, number)
+        whole = _without_unbalance(stand, state, at, number, own)
+        for want, quantity in QUANTITIES.items():
             if quantity.by_flywheel:
-                effect, size = effect[number], size[number]
+                value, without, size = values[want][number], _value(stand, alone, want, own)[0], terms[want][number]
+            else:
+                value, without, size = values[want], _value(stand, state, want, whole), terms[want]
+            effect = np.abs(value - without)
             seen = effect > DOUBLE_NOISE * size
             if np.any(seen):
                 effect, size = effect[seen], size[seen]
@@ -191,14 +194,43 @@ def _value(stand: Stand, state: State, want: str, at: reference.Pieces) -> Array
     return np.asarray(reference.evaluate(stand, state, [want], at)[QUANTITIES[want].key])
 
 
+def _alone(stand: Stand, state: State, number: int, flywheel: Flywheel) -> tuple[State, reference.Pieces]:
+    """State and pieces of the carrier with one flywheel in place of `number`, and no other."""
+    own = slice(number, number + 1)
+    alone = replace(state, phi=state.phi[own], phi_dot=state.phi_dot[own], phi_ddot=state.phi_ddot[own])
+    return alone, reference.pieces(replace(stand, flywheels=(flywheel,)), alone)
+
+
+def _balanced_alone(stand: Stand, state: State, number: int) -> tuple[State, reference.Pieces]:
+    return _alone(stand, state, number, balanced(stand.flywheels[number]))
+
+
+def _without_unbalance(
+    stand: Stand, state: State, at: reference.Pieces, number: int, now: reference.Pieces
+) -> reference.Pieces:
+    """The pieces with one flywheel balanced (`now`: it alone), for all pieces are sums over bodies."""
+    flywheel = stand.flywheels[number]
+    _, was = _alone(stand, state, number, flywheel)
+    own = slice(number, number + 1)
+    I, J, Theta_ff = at.I.copy(), at.J.copy(), at.Theta_ff.copy()
+    I[:, own], J[:, own], Theta_ff[own, own] = now.I, now.J, now.Theta_ff
+    return replace(
+        at,
+        flywheels=(*at.flywheels[:number], *now.flywheels, *at.flywheels[number + 1 :]),
+        K=at.K + (now.K - was.K),
+        K_dot=at.K_dot + (now.K_dot - was.K_dot),
+        M=at.M + (now.M - was.M),
+        I=I,
+        J=J,
+        Theta_ff=Theta_ff,
+        P={**at.P, flywheel.name: now.P[flywheel.name]},
+        F=at.F + (now.F - was.F),
+    )
+
+
 def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:
     """At some phases; neighbours are a tenth of a radian apart, so that they do not cancel."""
     count = len(stand.flywheels)
     for k in range(PHASES):
         phases = tuple(0.3 + 0.1 * s + k * math.pi / 2 for s in range(count))
         yield replace(rest_state(stand), phi=phases, phi_dot=tuple(speeds), V=MOTIONS[motion])
-
-
-def _with(stand: Stand, number: int, flywheel: Flywheel) -> Stand:
-    flywheels = stand.flywheels
-    return replace(stand, flywheels=(*flywheels[:number], flywheel, *flywheels[number + 1 :]))

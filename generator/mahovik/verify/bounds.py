@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from mahovik.lower.thresholds import THRESHOLDS
-from mahovik.reference.inverse import Cuts
+from mahovik.reference.inverse import CUTS, Cuts
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Bounds:
     special: Mapping[tuple[str, str], float] = field(default_factory=dict)
     derivations: float = 1e-12
     floor: float = 1e-290
-    cuts: Cuts = Cuts()
+    cuts: Cuts = CUTS
 
     def of(self, want: str, quantity: str) -> float:
         """Accepted difference of one quantity."""

@@ -10,8 +10,8 @@ import numpy as np
 from mahovik.second import Second
 from mahovik.stand.model import Stand
 from mahovik.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
-from mahovik.verify.c_backend import CBackend, with_all_inputs
 from mahovik.verify.bounds import BOUNDS
+from mahovik.verify.c_backend import CBackend, with_all_inputs
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import judge, report
 from mahovik.verify.report import Report

@@ -14,8 +14,8 @@ from mahovik import reference
 from mahovik.errors import UsageError
 from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.state import State
-from mahovik.verify.c_backend import CBackend
 from mahovik.verify.bounds import DOUBLE
+from mahovik.verify.c_backend import CBackend
 from mahovik.verify.compare import Row, difference
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import report

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from mahovik.reference import Pieces
-from mahovik.reference.inverse import Cuts
+from mahovik.reference.inverse import CUTS, Cuts
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.scales.direct import forward, generalized, matrices, momentum
@@ -35,6 +35,6 @@ WANT_SCALES: Mapping[str, Callable[[Magnitudes], Scales]] = {
 }
 
 
-def scales(stand: Stand, state: State, at: Pieces, want: str, cuts: Cuts = Cuts()) -> Scales:
+def scales(stand: Stand, state: State, at: Pieces, want: str, cuts: Cuts = CUTS) -> Scales:
     """Scales of what `want` gives, in the same shapes; None for what must be equal (a status, a rank)."""
     return WANT_SCALES[want](Magnitudes(stand, state, at, cuts))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.reference import Pieces
-from mahovik.reference.inverse import Cuts
+from mahovik.reference.inverse import CUTS, Cuts
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.scales.wrenches import length, wrench_scale
@@ -49,7 +49,7 @@ def inverse_magnitude(S: Array) -> Array:
 class Magnitudes:
     """The magnitudes at a state; every attribute S_x belongs to the x of `Pieces`, in the same shape."""
 
-    def __init__(self, stand: Stand, state: State, at: Pieces, cuts: Cuts = Cuts()) -> None:
+    def __init__(self, stand: Stand, state: State, at: Pieces, cuts: Cuts = CUTS) -> None:
         self.stand = stand
         self.state = state
         self.at = at
