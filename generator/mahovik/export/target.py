@@ -33,7 +33,9 @@ def exportable(name: str) -> Target:
 
 def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
     """The project's files, text by file name. Raises StandError."""
-    files = {**delivery(stand, real), **board_files(target), "main.c": selftest_main(stand.name, SWEEP)}
+    delivered = delivery(stand, real)
+    known = {"README.md", *(f"{stand.name}{end}" for end in (".h", ".c", "_selftest.c"))}
+    files = {**delivered, **board_files(target), "main.c": selftest_main(stand.name, SWEEP)}
     hosted = target.family == "hosted"
     sources = sorted(name for name in files if name.endswith((".c", ".S")))
     flags = target.compiler[1:]
@@ -63,6 +65,7 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
         generator=f"mahovik {__version__}",
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
         startup="startup.S" if "startup.S" in files else "startup.c",
+        others=sorted(delivered.keys() - known),
         fpu=bool(target.real),
         vector="-fno-tree-vectorize" in flags and not hosted,
         ticks="ticks of the processor's clock; compile with -DBOARD_MHZ=1000u"

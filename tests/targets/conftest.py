@@ -1,0 +1,30 @@
+"""Golden vectors take seconds: the files of one stand are made once."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from mahovik.emit.delivery import delivery
+from mahovik.export import target as project
+from mahovik.stand import load
+from mahovik.stand.model import Stand
+from mahovik.stands import path
+from mahovik.verify import targets
+
+
+@cache
+def _delivered(name: str, real: str) -> dict[str, str]:
+    return delivery(load(path(name)), real)
+
+
+@pytest.fixture(autouse=True)
+def delivered_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For example stands only: the name says which it is."""
+
+    def once(stand: Stand, real: str) -> dict[str, str]:
+        return dict(_delivered(stand.name, real))
+
+    monkeypatch.setattr(targets, "delivery", once)
+    monkeypatch.setattr(project, "delivery", once)

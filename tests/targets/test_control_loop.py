@@ -1,0 +1,36 @@
+"""The control loop on emulated boards: it follows, nothing is refused, and the bits are those of this machine."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from mahovik.stand import load
+from mahovik.stands import path
+from mahovik.toolchain.board import build, run
+from mahovik.toolchain.loop import BENCH8, Counts, control_loop, read_counts
+from targets.boards import target
+
+TICKS = 1000
+
+
+def counted(name: str, real: str, folder: Path) -> Counts:
+    """A run on a target."""
+    texts = control_loop(load(path("bench8")), BENCH8, real, TICKS)
+    folder.mkdir()
+    chosen = target(name)
+    return read_counts(run(chosen, build(chosen, texts, folder)))
+
+
+@pytest.mark.parametrize(("board", "real"), [("m7", "double"), ("m4", "float")])
+def test_the_loop_on_a_board(board: str, real: str, tmp_path: Path) -> None:
+    here, there = counted("host", real, tmp_path / "host"), counted(board, real, tmp_path / board)
+    assert here.hash == there.hash
+    assert (here.followed, here.strayed, here.observed) == (there.followed, there.strayed, there.observed)
+    assert there.followed < 0.5 * BENCH8.linear[0]
+    assert there.strayed < 3 * BENCH8.linear[0]
+    assert there.observed < 1e-3  # m/s
+    whole = there.ticks["inverse_fast, step of order 2"]
+    parts = [n for name, n in there.stages.items() if name not in ("inverse", "step, order 4")]
+    assert max(parts) < whole <= sum(parts)

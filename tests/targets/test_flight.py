@@ -1,0 +1,31 @@
+"""The flight recorder on emulated boards: what they log is replayed here, bit for bit."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from mahovik.simulate.flight_log import Start, load, records
+from mahovik.simulate.replay import CMachine, Outcome, replay
+from mahovik.stand import load as load_stand
+from mahovik.stands import path
+from mahovik.toolchain.board import build, run
+from mahovik.toolchain.flight import flight
+from targets.boards import target
+
+
+@pytest.mark.parametrize(("board", "name", "real"), [("m4", "bench8", "float"), ("m7", "sat4", "double")])
+def test_a_flight_of_two_thousand_steps(board: str, name: str, real: str, tmp_path: Path) -> None:
+    stand = load_stand(path(name))
+    chosen = target(board)
+    log = tmp_path / "flight.log"
+    log.write_text(run(chosen, build(chosen, flight(stand, real, 2000), tmp_path)))
+    data, notes = load(log)
+    assert notes == []
+    assert sum(isinstance(r, Start) for r in records(data)) == 2
+    found = list(replay(CMachine(stand, real), records(data)))
+    assert len(found) == 2002  # two of them refused
+    assert all(isinstance(o, Outcome) and o.equal for o in found)
+    assert sum(o.status < 0 for o in found) == 2
+    assert abs(found[-1].after["phi_dot"]).max() > 0.1  # it moved

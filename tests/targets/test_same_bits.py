@@ -1,0 +1,119 @@
+"""The same bits on the quick targets; and the comparison can fail."""
+
+from __future__ import annotations
+
+import json
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from cli.run import DEMO3, refused, run
+from mahovik.errors import UsageError
+from mahovik.stand import load
+from mahovik.toolchain import board
+from mahovik.toolchain.targets import TARGETS
+from mahovik.verify.targets import QUICK, TargetRow, TargetsReport, asked, verify_targets
+from mahovik.verify.targets_report import as_json, as_junit
+from targets.boards import target
+
+
+def test_quick_targets_have_the_bits_of_the_interpreter() -> None:
+    """Every public function, in the element type of the FPU, on golden vectors and a sweep."""
+    for name, _ in QUICK:
+        target(name)
+    found = verify_targets(load(DEMO3), asked("quick"), sweep=5)
+    assert [(row.target, row.real, row.verdict, row.reason) for row in found.rows] == [(*p, "ok", "") for p in QUICK]
+    assert len({row.functions for row in found.rows}) == 1
+    assert found.rows[0].functions >= 18
+    assert found.passed
+
+
+def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The one flag that the bits rest on, turned round, where the processor can fuse."""
+    monkeypatch.setattr(board, "BITS", ("-ffp-contract=fast",))
+    found = verify_targets(load(DEMO3), [(target("rv64gc"), "double")], sweep=2)
+    (row,) = found.rows
+    assert row.verdict == "FAILED"
+    assert row.reason.startswith("not the interpreter's bits: ")
+    assert found.conclusion == "FAILED: rv64gc double"
+    assert not found.passed
+
+
+def test_c_that_does_not_compile_is_a_failure() -> None:
+    good = target("m7")
+    bad = replace(good, compiler=(*good.compiler, "-DDEMO3_MAX_PHASE=1"))
+    (row,) = verify_targets(load(DEMO3), [(bad, "double")], sweep=2).rows
+    assert row.verdict == "FAILED"
+    assert row.reason.startswith("arm-none-eabi-gcc refused demo3")
+
+
+def row(verdict: str, reason: str = "") -> TargetRow:
+    return TargetRow("m7", "Cortex-M7", "gcc 1.2.3 -O2", "double", 20, 5, verdict, reason)
+
+
+def report(*rows: TargetRow) -> TargetsReport:
+    return TargetsReport("demo3", "0", "1", 5, rows)
+
+
+def test_verdicts() -> None:
+    """What is not installed is not passed; what this processor cannot run is no failure, but alone it is nothing."""
+    assert report(row("ok"), row("not here", "no avx")).passed
+    assert not report(row("ok"), row("not installed", "no qemu")).passed
+    assert not report(row("not here")).passed
+    assert not report().passed
+    assert report(row("FAILED", "bits"), row("not installed")).conclusion == "FAILED: m7 double"
+    assert "make targets" in report(row("ok"), row("not installed")).conclusion
+
+
+def test_json_and_junit() -> None:
+    found = report(row("ok"), row("FAILED", "<bits>"), row("not here", "no avx"), row("not installed", "no qemu"))
+    suite = ET.fromstring(as_junit(found))
+    assert [suite.get(key) for key in ("tests", "failures", "errors", "skipped")] == ["4", "1", "1", "1"]
+    data = json.loads(as_json(found))
+    assert data["passed"] is False
+    assert [each["verdict"] for each in data["rows"]] == ["ok", "FAILED", "not here", "not installed"]
+
+
+def test_names_of_targets() -> None:
+    assert asked("quick") == [(TARGETS[name], real) for name, real in QUICK]
+    assert len(asked("all")) == 2 * len(TARGETS)
+    assert asked("m7, m7,m4", ("float",)) == [(TARGETS["m7"], "float"), (TARGETS["m4"], "float")]
+    with pytest.raises(UsageError, match='unknown "m8", did you mean "m3"'):
+        asked("m7,m8")
+
+
+def test_command_prints_a_table_and_writes_junit(tmp_path: Path) -> None:
+    target("m7")
+    result = run(
+        *("verify", DEMO3, "--targets", "m7", "--real", "double", "--states", "2"),
+        *("--junit", str(tmp_path / "report.xml")),
+    )
+    assert result.exit_code == 0, result.output
+    assert "arm-none-eabi-gcc" in result.stdout
+    assert "passed: the same bits on 1 pair" in result.stdout
+    assert ET.parse(tmp_path / "report.xml").getroot().get("tests") == "1"
+
+
+def test_a_missing_emulator_is_told_and_is_no_pass(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With gcc alone on the path, as on a user's machine."""
+    for command in ("gcc", "cc", "as", "ld"):
+        (tmp_path / command).symlink_to(Path(_which(command)))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    result = run("verify", DEMO3, "--targets", "m7,host", "--real", "double", "--states", "2")
+    assert result.exit_code == 2
+    assert "not installed  no arm-none-eabi-gcc, qemu-system-arm: make targets" in result.stdout
+
+
+def _which(command: str) -> str:
+    import shutil
+
+    found = shutil.which(command)
+    assert found is not None
+    return found
+
+
+def test_options_that_do_not_go_together() -> None:
+    assert "--targets" in refused("verify", DEMO3, "--targets", "m7", "--judges")
+    assert "unknown" in refused("verify", DEMO3, "--targets", "M7x")
