@@ -1,0 +1,162 @@
+"""mahovik cost: figures that repeat, agree with one another, and hold the limits that are promised."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8, DEMO3, refused, run
+from mahovik.errors import UsageError
+from mahovik.stand import load
+from mahovik.study.cost.check import compare
+from mahovik.study.cost.measure import Costs, FunctionCost, TargetCost, asked, measure
+from mahovik.study.cost.page import accepted, as_json, page
+from targets.boards import target
+from toolchain.tools import require
+
+
+@pytest.fixture(scope="module")
+def bench8() -> dict[tuple[str, str], TargetCost]:
+    """Measured once for all tests of this file."""
+    pairs = [(target("m4"), "float"), (target("m7"), "double")]
+    return {(t.target, t.real): t for t in measure(load(BENCH8), pairs).targets}
+
+
+def cost_of(found: TargetCost, function: str) -> FunctionCost:
+    return next(f for f in found.functions if f.function == function)
+
+
+LIMITS = [
+    ("m7", "double", "forward", "instructions", 9000),
+    ("m7", "double", "coupled", "instructions", 14000),
+    ("m7", "double", "inverse_fast", "instructions", 20000),
+    ("m7", "double", "forward", "code", 7 * 1024),
+    ("m7", "double", "forward", "stack", 1331),
+    ("m4", "float", "forward", "instructions", 9000),
+    ("m4", "float", "forward", "stack", 800),
+]
+
+
+@pytest.mark.parametrize(("name", "real", "function", "what", "limit"), LIMITS)
+def test_promised_limits(
+    bench8: dict[tuple[str, str], TargetCost], name: str, real: str, function: str, what: str, limit: int
+) -> None:
+    """Of bench8 at -O2: firmware for a control loop was planned with these."""
+    assert 0 < getattr(cost_of(bench8[name, real], function), what) <= limit
+
+
+def test_a_row_of_the_table_is_small(bench8: dict[tuple[str, str], TargetCost]) -> None:
+    """340 bytes a flywheel in double, half of that in float."""
+    assert bench8["m7", "double"].flywheel["default"] <= 340
+    assert bench8["m4", "float"].flywheel["default"] * 2 == bench8["m7", "double"].flywheel["default"]
+
+
+def test_painted_stack_confirms_the_frames(bench8: dict[tuple[str, str], TargetCost]) -> None:
+    """A call never uses more than the deepest chain, routines of the library aside, and mostly just that."""
+    for found in bench8.values():
+        for f in found.functions:
+            assert f.routines or f.painted <= f.stack, f.function
+        assert sum(f.painted >= 0.9 * f.stack - 16 for f in found.functions) >= len(found.functions) - 2
+
+
+def test_functions_that_contain_others_cost_more(bench8: dict[tuple[str, str], TargetCost]) -> None:
+    """Four evaluations in `step`, two in the midpoint rule; the Jacobian of `forward` more than `forward`."""
+    for found in bench8.values():
+        coupled, fourth, second = (cost_of(found, n).instructions for n in ("coupled", "step", "step(order=2)"))
+        assert 4 * coupled < fourth < 6 * coupled
+        assert 2 * coupled < second < 3 * coupled
+        assert cost_of(found, "forward_jacobian").instructions > 2 * cost_of(found, "forward").instructions
+
+
+def test_emulator_and_valgrind_agree_about_the_host() -> None:
+    """Two counters that know nothing of one another, on two instruction sets: within a factor of 1.5."""
+    require("valgrind", "valgrind")
+    host, riscv = measure(load(DEMO3), [(target("host"), "double"), (target("rv64gc"), "double")]).targets
+    for f in host.functions:
+        other = cost_of(riscv, f.function).instructions
+        assert 2 / 3 < f.instructions / other < 1.5 or abs(f.instructions - other) < 200, f.function
+
+
+def test_figures_and_text_repeat(tmp_path: Path) -> None:
+    """Written twice, the same bytes; then the check passes; a rise above 2 % fails and can be accepted."""
+    target("m7")
+    arguments = ("cost", DEMO3, "--targets", "m7", "--real", "float", "-o", str(tmp_path))
+    assert run(*arguments).exit_code == 0
+    first = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
+    assert set(first) == {"COST.md", "cost.json"}
+    assert "no rise on m7, float" in run(*arguments).stdout
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == first
+    assert run(*arguments, "--check").exit_code == 0
+    data = json.loads(first["cost.json"])
+    forward = data["targets"][0]["functions"][0]
+    forward["instructions"] = int(forward["instructions"] / 1.03)
+    (tmp_path / "cost.json").write_text(json.dumps(data))
+    failed = run(*arguments, "--check")
+    assert failed.exit_code == 1
+    assert "rise: m7, float: forward, instructions: " in failed.stdout
+    assert "accept" in failed.stderr
+    assert run(*arguments, "--accept").exit_code == 0
+    assert (tmp_path / "cost.json").read_bytes() == first["cost.json"]
+
+
+def costs(**changes: object) -> Costs:
+    one = FunctionCost("forward", 1000, 500, 490, 3000, ())
+    found = TargetCost(
+        *("m7", "Cortex-M7", "double", "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
+        *((one,), 5000, {"demo3_forward": 300}, {"demo3_default": 400}, 8, {"default": 328}),
+    )
+    return Costs("demo3", "0", "1", 3, (replace(found, **changes),))  # type: ignore[arg-type]
+
+
+def rises(**changes: object) -> tuple[str, ...]:
+    return compare(costs(**changes), accepted(as_json(costs()), "cost.json")).rises
+
+
+@pytest.mark.parametrize(("what", "old"), [("instructions", 1000), ("stack", 500), ("code", 3000)])
+def test_a_rise_is_more_than_two_percent(what: str, old: int) -> None:
+    one = costs().targets[0].functions[0]
+    assert rises(functions=(replace(one, **{what: old + old // 50}),)) == ()
+    (line,) = rises(functions=(replace(one, **{what: old + old // 50 + 1}),))
+    assert line.startswith(f"m7, double: forward, {what}: {old} accepted, now {old + old // 50 + 1}, 2.")
+
+
+def test_whole_file_and_tables_are_compared_too() -> None:
+    assert len(rises(text=5200)) == 1
+    assert len(rises(constants={"demo3_default": 500, "demo3_new": 100})) == 1
+    assert rises(text=4000, constants={}) == ()
+
+
+def test_another_compiler_is_not_compared() -> None:
+    found = compare(costs(compiler="gcc 9.9.9", text=9999), accepted(as_json(costs()), "cost.json"))
+    assert (found.rises, found.compared) == ((), ())
+    assert found.other == ("m7, double: accepted figures are of gcc 1.2.3, this is gcc 9.9.9",)
+
+
+def test_the_page_names_what_was_measured() -> None:
+    text = page(costs())
+    for words in (
+        "Instructions, not cycles",
+        "0" * 64,
+        "gcc 1.2.3 `-O2`",
+        "counted by qemu 7.2.0",
+        "| `forward` | 1,000 |",
+    ):
+        assert words in text
+
+
+def test_usage() -> None:
+    with pytest.raises(UsageError, match='unknown "m8"'):
+        asked("m8", None)
+    assert [(t.name, real) for t, real in asked("m3,m4", None)] == [("m3", "double"), ("m3", "float"), ("m4", "float")]
+    assert "frames of the stack are known of gcc only" in refused("cost", DEMO3, "--targets", "m7-clang")
+    assert "one of them" in refused("cost", DEMO3, "--check", "--accept")
+    assert "no such file" in refused("cost", DEMO3, "--check", "-o", "nowhere")
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"targets": [{}]}', '{"targets": 3}'])
+def test_other_files_are_refused(text: str, tmp_path: Path) -> None:
+    (tmp_path / "cost.json").write_text(text)
+    assert "no figures of `mahovik cost`" in refused("cost", DEMO3, "--check", "-o", str(tmp_path))
