@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
-.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign lint clean
+.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign math-campaign lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -18,6 +18,7 @@ help:
 	@echo "make cost       measure the example stands, COST.md in generated/; ACCEPT=--accept accepts what has risen"
 	@echo "make cost-check fails where the cost of an example stand has risen"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
+	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -62,6 +63,9 @@ cost-check: setup
 
 verify-campaign: setup
 	$(BIN)/python tools/verify_campaign.py --stands 50
+
+math-campaign: setup
+	$(BIN)/python tools/math_campaign.py
 
 lint: setup
 	$(BIN)/ruff check generator tests tools

@@ -1,0 +1,122 @@
+"""tools/math_campaign.py and tools/math_proof.py: small campaign, proofs that can fail, and the page they write."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from dataclasses import replace
+from types import ModuleType
+
+import numpy as np
+import pytest
+from flint import arb
+
+from docs.pages import ROOT, cells
+from mahovik.program.types import DOUBLE, FLOAT, Precision
+from toolchain.tools import require
+
+PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
+
+
+def tool(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, ROOT / "tools" / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    found = importlib.util.module_from_spec(spec)
+    sys.modules[name] = found  # its dataclasses look their module up
+    spec.loader.exec_module(found)
+    return found
+
+
+proof = tool("math_proof")
+campaign = tool("math_campaign")
+
+
+@pytest.fixture(autouse=True)
+def compiler() -> None:
+    require("gcc", "gcc")
+
+
+def test_a_small_campaign_keeps_every_bound() -> None:
+    found = list(campaign.rows(4000))
+    assert {(r.routine, r.precision) for r in found} == {
+        (name, p) for name in ("sin", "cos", "sqrt", "atan2", "wrap") for p in ("double", "float")
+    }
+    assert [row for row in found if not row.good] == []
+    # an ulp that was measured ten times too small or too large would be seen
+    assert all(0.3 < row.worst for row in found if row.unit == "ulp")
+
+
+def test_every_float_from_a_half_to_eight_pi() -> None:
+    """Every binade in which a multiple of pi/2 is taken off; make math-campaign takes the smaller ones as well."""
+    found = [*campaign.every_float(0.5, campaign.LAST_NEAR), campaign.every_root(1.0, 4.0)]
+    assert [row.unit for row in found] == ["ulp", "", "wrong"]
+    assert [row for row in found if not row.good] == []
+    assert found[0].count > 46_000_000
+
+
+@PRECISIONS
+def test_the_judge_sees_an_error(precision: Precision) -> None:
+    """Results one unit off are judged one unit off, give or take the half that rounding takes."""
+    x = campaign.angles(precision, campaign.NEAR, 300, 1)
+    x = x[x != 0]
+    sine, _ = campaign.run(precision, "sincos", x, results=2)
+    off = np.nextafter(sine, precision.scalar(9))
+    worst, _ = campaign.judged(precision, [x], off, arb.sin)
+    assert 1.0 < worst < 2.0
+
+
+def test_all_that_is_proven_holds() -> None:
+    found = list(proof.rows())
+    assert len(found) == 14
+    assert [row for row in found if not row.good] == []
+
+
+@PRECISIONS
+def test_a_proven_bound_of_a_polynomial_is_above_what_is_found_and_near_it(precision: Precision) -> None:
+    """tools/minimax.py found these by samples."""
+    fits, arcs = proof.SINCOS[precision.name], proof.ARC_TANGENT[precision.name]
+    for what, found in (("sine", fits.sine_error), ("cosine", fits.cosine_error), ("arc tangent", arcs.error)):
+        assert 0.98 * found < proof.approximation(what, precision) < 1.3 * found
+
+
+@pytest.mark.parametrize("part", ["sine", "cosine"])
+def test_a_coefficient_that_is_off_is_no_longer_proven(part: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    fits = proof.SINCOS["double"]
+    spoiled = list(getattr(fits, part))
+    spoiled[2] *= 1 + 1e-9
+    monkeypatch.setitem(proof.SINCOS, "double", replace(fits, **{part: tuple(spoiled)}))
+    for cached in (proof.approximation, proof.near, proof.anywhere):
+        cached.cache_clear()
+    try:
+        assert any(not row.good for row in proof.rows())
+    finally:
+        for cached in (proof.approximation, proof.near, proof.anywhere):
+            cached.cache_clear()
+
+
+@PRECISIONS
+def test_no_sample_is_closer_to_a_quarter_turn_than_the_least_that_is_proven(precision: Precision) -> None:
+    least = proof.least_reduced(precision)
+    x = campaign.closest_to_quarter_turns(precision, campaign.NEAR)
+    distances = []
+    for value in x[x > 0.7].tolist():
+        turns = round(value / (np.pi / 2))
+        distances.append(float(abs(arb(value) - arb.pi() / 2 * turns)))
+    assert least <= min(distances) < 1.01 * least
+
+
+def lines_between(markers: tuple[str, str]) -> list[list[str]]:
+    text = campaign.PAGE.read_text(encoding="utf-8").partition(markers[0])[2].partition(markers[1])[0]
+    return [cells(line) for line in text.splitlines() if line.startswith("|")]
+
+
+def test_the_page_has_the_tables_that_the_tool_writes() -> None:
+    head, _, *rows = lines_between(campaign.MEASURED)
+    assert tuple(head) == campaign.MEASURED_HEAD
+    assert {(row[0], row[1]) for row in rows} >= {(n, p) for n in ("sin", "sqrt", "atan2") for p in ("double", "float")}
+    for row in rows:
+        assert float(row[4].split()[0]) <= float(row[6].split()[0]), row
+    head, _, *rows = lines_between(campaign.PROVEN)
+    assert tuple(head) == campaign.PROVEN_HEAD
+    assert rows == [row.cells() for row in proof.rows()]
