@@ -1,11 +1,9 @@
-"""new, check, generate, derive, and the group itself."""
+"""new, check, derive, and the group itself."""
 
 from __future__ import annotations
 
 import json
 import math
-import os
-import stat
 import time
 from pathlib import Path
 
@@ -13,7 +11,6 @@ import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, process, refused, run
 from mahovik import __version__, stands
-from mahovik.emit.generate import generate
 from mahovik.stand import identities, load
 
 COMMANDS = ("new", "check", "derive", "generate", "verify", "eval")
@@ -133,56 +130,6 @@ def test_tables_are_not_cut_when_piped() -> None:
     assert "…" not in done.stdout
     assert max(map(len, done.stdout.splitlines())) > 100
     assert "\x1b" not in done.stdout
-
-
-def test_generate_writes_a_header_and_a_source_and_needs_no_compiler(tmp_path: Path) -> None:
-    done = process("generate", DEMO3, cwd=tmp_path, PATH="")
-    assert done.returncode == 0
-    assert sorted(p.name for p in (tmp_path / "demo3").iterdir()) == ["demo3.c", "demo3.h"]
-    for name, text in generate(load(DEMO3)).items():
-        assert (tmp_path / "demo3" / name).read_bytes() == text.encode()
-        assert f"{name}   {text.count(chr(10))} lines" in done.stdout
-
-
-def test_generate_again_touches_nothing_that_is_the_same(tmp_path: Path) -> None:
-    run("generate", DEMO3, "-o", str(tmp_path))
-    before = {p.name: p.stat().st_mtime_ns for p in tmp_path.iterdir()}
-    (tmp_path / "demo3.h").write_text("old")
-    run("generate", DEMO3, "-o", str(tmp_path))
-    after = {p.name: p.stat().st_mtime_ns for p in tmp_path.iterdir()}
-    assert after["demo3.c"] == before["demo3.c"]
-    assert after["demo3.h"] != before["demo3.h"]
-    assert set(after) == {"demo3.c", "demo3.h"}
-    assert stat.S_IMODE((tmp_path / "demo3.h").stat().st_mode) & stat.S_IRUSR
-
-
-def test_generate_writes_all_or_nothing(tmp_path: Path) -> None:
-    (tmp_path / "demo3.h").mkdir()
-    assert "demo3.h: is a directory" in refused("generate", DEMO3, "-o", str(tmp_path))
-    assert [p.name for p in tmp_path.iterdir()] == ["demo3.h"]
-
-
-def test_generate_into_what_is_no_folder(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    assert "is a file, expected a folder" in refused("generate", DEMO3, "-o", str(tmp_path / "file"))
-    assert "error: " in refused("generate", DEMO3, "-o", str(tmp_path / "file" / "deeper"))
-
-
-def test_generate_into_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
-    tmp_path.chmod(0o500)
-    folder = str(tmp_path) if os.geteuid() else "/sys"  # root may write anywhere but there
-    words = refused("generate", DEMO3, "-o", folder)
-    assert any(reason in words for reason in ("Permission denied", "Read-only file system", "not permitted")), words
-
-
-def test_generate_into_a_folder_that_cannot_be() -> None:
-    assert refused("generate", DEMO3, "-o", "/proc/none/here").startswith("error: /proc/none/here: cannot be made")
-
-
-def test_float_is_not_there_yet() -> None:
-    assert (
-        refused("generate", DEMO3, "--real", "float") == "error: --real float: float C is not there yet, only double\n"
-    )
 
 
 def test_derive_refuses_other_kinds_of_file() -> None:

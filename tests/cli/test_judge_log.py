@@ -1,0 +1,149 @@
+"""judge-log: a good log passes whatever a serial terminal did to it, and nothing else does."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8, DEMO3, process, refused, run
+from mahovik.emit.generate import generate_all
+from mahovik.stand import identities, load
+from mahovik.toolchain.board import build
+from mahovik.toolchain.board import run as run_on
+from mahovik.toolchain.targets import TARGETS
+from mahovik.verify.targets import selftest_sources
+
+SWEEP = 20
+FUNCTIONS = [f.name for f in generate_all(load(DEMO3)).program.functions if f.public]
+
+
+@pytest.fixture(scope="module")
+def printed(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """What a board with the C of demo3 prints."""
+    folder = tmp_path_factory.mktemp("board")
+    return run_on(TARGETS["host"], build(TARGETS["host"], selftest_sources(load(DEMO3), "double", SWEEP), folder))
+
+
+@pytest.fixture
+def log(printed: str, tmp_path: Path) -> Path:
+    path = tmp_path / "board.log"
+    path.write_text(printed)
+    return path
+
+
+def rewritten(path: Path, text: str | bytes) -> str:
+    """The path of the log with another text."""
+    path.write_bytes(text.encode() if isinstance(text, str) else text)
+    return str(path)
+
+
+def test_a_good_log(log: Path) -> None:
+    result = run("judge-log", str(log), DEMO3)
+    found = identities(load(DEMO3))
+    head = f"PASS   demo3 double, structure {found.structure}, physics {found.physics}"
+    assert result.exit_code == 0
+    assert result.output.startswith(f"{head}: {len(FUNCTIONS)} functions, {SWEEP} states\nchecked: identities; ")
+    assert f"sweep of {SWEEP} states, double, by gcc" in result.output
+    assert "not checked" not in result.output
+
+
+def test_float(tmp_path: Path) -> None:
+    given = load(DEMO3)
+    text = run_on(TARGETS["host"], build(TARGETS["host"], selftest_sources(given, "float", 3), tmp_path))
+    result = run("judge-log", rewritten(tmp_path / "log", text), DEMO3)
+    assert result.exit_code == 0
+    assert "demo3 float" in result.output
+
+
+def test_without_the_stand_file(log: Path) -> None:
+    result = run("judge-log", str(log))
+    assert result.exit_code == 0
+    assert "not checked: identities, the list of functions, and the sweep: give the stand file" in result.output
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda text: text.replace("\n", "\r\n"),
+        lambda text: text.replace("\n", "\r"),
+        lambda text: f"\x00\xffU-Boot 2024\n~ boot: ok\n>>> run\n{text}>>> \nfailures 3\n\x1b[0m",
+        lambda text: re.sub("^", "[00:00:01.250] ", text, flags=re.MULTILINE),
+        lambda text: text.replace("sweep", "heap 1200\n  \nsweep"),
+        lambda text: text.replace("\n", "  \t\n"),
+        lambda text: text.rstrip("\n"),
+        lambda text: text + text,
+    ],
+    ids=["CRLF", "CR", "junk around", "time stamps", "junk within", "spaces", "no last line end", "reset"],
+)
+def test_what_a_terminal_does_is_no_fault(spoil, printed: str, log: Path) -> None:  # type: ignore[no-untyped-def]
+    result = run("judge-log", rewritten(log, spoil(printed).encode("latin-1")), DEMO3)
+    assert result.exit_code == 0, result.output
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        (r"structure \w+", "structure 00000000", "structure 00000000, the stand file has "),
+        (r"physics \w+", "physics 00000000", "physics 00000000, the stand file has "),
+        (r"selftest demo3", "selftest demo4", "stand demo4, the stand file has demo3"),
+        (r"generator mahovik \S+", "generator mahovik 0.0.1", "made by mahovik 0.0.1, this is "),
+        (r"real double", "real float", "other bits in the sweep of 20 states: forward"),
+        (r"coupled PASS cases 4 worst 0", "coupled FAIL cases 4 wrong 1 worst 9", "FAIL: coupled (worst 9 ulp)"),
+        (r"torque PASS.*\n", "", "no line PASS or FAIL of: torque"),
+        (r"torque PASS", "torqqe PASS", "no line PASS or FAIL of: torque"),
+        (r"torque PASS cases 4", "torque PASS cases 3", "not 4 cases, as this version has: torque"),
+        (r"(torque PASS.*\n)", r"\1torque PASS cases 4 worst 1 ulp\n", "two lines that differ: torque"),
+        (r"sweep 20\n", "", 'no line "sweep"'),
+        (r"sweep 20\n", "sweep 21\n", "other bits in the sweep of 21 states: forward"),
+        (r"\nmomentum \w{8}\n", "\n", "no hash of the sweep of: momentum"),
+        (r"\nmomentum \w{8}\n", "\nmomentum 00000000\n", "momentum: 00000000 on the board, "),
+        (r"failures 0", "failures 2", "failures 2, but no line says FAIL"),
+        (r"failures 0\n", "", 'no line "failures": the log is not whole'),
+    ],
+)
+def test_what_was_tampered_with_is_found(old: str, new: str, words: str, printed: str, log: Path) -> None:
+    text, count = re.subn(old, new, printed, count=1)
+    assert count == 1
+    said = refused("judge-log", rewritten(log, text), DEMO3, status=1)
+    assert words in said
+    assert said.startswith(f"error: {log}: ")
+
+
+def test_every_truncated_end_is_found(printed: str, log: Path) -> None:
+    lines = printed.splitlines(keepends=True)
+    for count in range(1, len(lines)):
+        assert run("judge-log", rewritten(log, "".join(lines[:count]))).exit_code == 1, lines[count - 1]
+
+
+def test_each_run_of_a_board_that_was_reset_counts(printed: str, log: Path) -> None:
+    bad = printed.replace("forward PASS cases 4", "forward FAIL cases 4 wrong 4")
+    assert "run 1 of 2: FAIL: forward" in refused("judge-log", rewritten(log, bad + printed), DEMO3, status=1)
+    words = refused("judge-log", rewritten(log, printed + printed[:300]), DEMO3, status=1)
+    assert "run 2 of 2: " in words
+    assert "run 1 of 2: " not in words
+
+
+def test_the_log_of_another_stand(log: Path) -> None:
+    assert "stand demo3, the stand file has bench8" in refused("judge-log", str(log), BENCH8, status=1)
+
+
+def test_without_a_compiler_the_interpreter_judges(log: Path, printed: str) -> None:
+    done = process("judge-log", str(log), DEMO3, PATH="")
+    assert done.returncode == 0
+    assert f"sweep of {SWEEP} states, double, by the interpreter" in done.stdout
+    log.write_text(printed.replace("sweep 20\n", "sweep 100000\n"))
+    done = process("judge-log", str(log), DEMO3, PATH="")
+    assert done.returncode == 1  # not everything that was asked for was checked
+    assert "not checked: sweep of 100000 states, double: no C compiler here" in done.stdout
+
+
+def test_what_is_no_log(tmp_path: Path) -> None:
+    words = 'no line "mahovik selftest ..."'
+    assert words in refused("judge-log", DEMO3)
+    assert words in refused("judge-log", rewritten(tmp_path / "empty", ""))
+    assert words in refused("judge-log", rewritten(tmp_path / "binary", bytes(range(256)) * 9))
+    assert "No such file" in refused("judge-log", str(tmp_path / "none"))
+    assert "error: " in refused("judge-log", str(tmp_path))
+    assert "no such file" in refused("judge-log", DEMO3, str(tmp_path / "none.toml"))

@@ -1,0 +1,53 @@
+"""Self-tests of stands: delivered, tampered with, compiled and run on this machine."""
+
+import re
+import subprocess
+from functools import cache
+
+from emit.stands import stand, write
+from mahovik.emit.delivery import selftest_files
+from mahovik.emit.generate import generate_all
+from mahovik.verify.selftest_log import read_log
+from toolchain.tools import compile_c
+
+
+@cache
+def made(name, real="double"):
+    """Program and numbers of a stand, and its files with the self-test."""
+    generated = generate_all(stand(name), real)
+    return generated, {**generated.files, **selftest_files(stand(name), generated)}
+
+
+def run_selftest(files, name, folder, compiler="gcc", optimisation="-O0", *flags):
+    """Compiles header, source and self-test with the strict warnings; returns exit status and what is printed."""
+    write(files, folder)
+    program = folder / "selftest"
+    sources = (folder / f"{name}_selftest.c", folder / f"{name}.c")
+    compile_c(compiler, sources[0], optimisation, *flags, sources[1], "-o", program)
+    done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=120)
+    return done.returncode, done.stdout
+
+
+def failed(files, name, folder):
+    """Names of the functions that a self-test finds wrong; its exit status must agree."""
+    status, printed = run_selftest(files, name, folder)
+    (run,) = read_log(printed, "selftest")
+    names = {f for f, line in run.functions.items() if not line.passed}
+    assert run.failures == len(names)
+    assert status == (1 if names else 0)
+    return names, run
+
+
+def replaced(text, old, new):
+    """The text with its first `old` replaced: it must be there."""
+    assert old in text
+    return text.replace(old, new, 1)
+
+
+def in_function(source, name, function, pattern, new):
+    """The source with the first match of a pattern in the body of one function replaced."""
+    body = re.search(rf"^\w+ {name}_{function}\(.*?\n}}\n", source, re.DOTALL | re.MULTILINE)
+    assert body is not None
+    edited, count = re.subn(pattern, new, body[0], count=1)
+    assert count == 1, body[0]
+    return source[: body.start()] + edited + source[body.end() :]

@@ -1,0 +1,222 @@
+"""The self-test: good C passes under any compiler, and each planted fault is found and named."""
+
+import math
+import re
+from dataclasses import replace
+
+import pytest
+
+from emit.selftests import failed, in_function, made, replaced, run_selftest
+from emit.stands import NAMES, stand, write
+from mahovik.emit.delivery import selftest_files
+from mahovik.emit.generate import generate_all
+from mahovik.emit.hexadecimal import hex_literal
+from mahovik.lower.golden import CASES, LISTED, golden, sweep_hashes
+from mahovik.program.types import DOUBLE, FLOAT
+from mahovik.verify.selftest_log import problems, read_log
+from toolchain.tools import compile_c, require, require_32_bit, run
+
+TRIED = ("auv6", "bench8", "demo3", "everything0", "everything6", "bare0", "drawn12")
+SWEEP_OF_MAIN = 100
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("name", TRIED)
+def test_good_c_has_the_interpreters_bits(name, real, tmp_path):
+    generated, files = made(name, real)
+    status, printed = run_selftest(files, name, tmp_path)
+    (log,) = read_log(printed, name)
+    assert (status, problems(log)) == (0, [])
+    assert list(log.functions) == [f.name for f in generated.program.functions if f.public]
+    assert {line.worst for line in log.functions.values()} == {0}
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_compilers_print_the_same(real, tmp_path):
+    require("clang", "clang")
+    _, files = made("demo3", real)
+    found = []
+    for compiler, optimisation in (("gcc", "-O2"), ("clang", "-O1")):
+        folder = tmp_path / f"{compiler}{optimisation}"
+        folder.mkdir()
+        found.append(run_selftest(files, "demo3", folder, compiler, optimisation))
+    assert found[0] == found[1]
+    assert found[0][0] == 0
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_32_bits_print_the_same(real, tmp_path):
+    require_32_bit()
+    _, files = made("demo3", real)
+    found = []
+    for number, flags in enumerate(((), ("-m32", "-msse2", "-mfpmath=sse"))):
+        (tmp_path / str(number)).mkdir()
+        found.append(run_selftest(files, "demo3", tmp_path / str(number), "gcc", "-O1", *flags))
+    assert found[0] == found[1]
+    assert found[0][0] == 0
+
+
+@pytest.mark.parametrize(("name", "real"), [("demo3", "double"), ("bare5", "float")])
+def test_the_sweep_is_that_of_the_interpreter(name, real, tmp_path):
+    # the C draws its own states: integers, scaling and quaternions must be those of Python, refused states included
+    generated, files = made(name, real)
+    states = 20
+    _, printed = run_selftest(files, name, tmp_path, "gcc", "-O1", f"-D{name.upper()}_SELFTEST_SWEEP={states}ul")
+    (log,) = read_log(printed, name)
+    expected = sweep_hashes(generated.program, generated.values, states)
+    assert log.sweep == states
+    assert log.hashes == {f: f"{value:08x}" for f, value in expected.items()}
+
+
+def test_an_own_main_takes_what_is_printed(tmp_path):
+    _, files = made("demo3")
+    main = """#define DEMO3_SELFTEST_NO_MAIN
+#include "demo3_selftest.c"
+#include <stdio.h>
+static int lines;
+static void count(const char *text)
+{
+    while (*text != '\\0') { lines += *text == '\\n' ? 1 : 0; ++text; }
+}
+int main(void)
+{
+    const int failures = demo3_selftest(count, 3ul);
+    printf("%d %d\\n", failures, lines);
+    return 0;
+}
+"""
+    write({**files, "demo3_own.c": main}, tmp_path)
+    compile_c("gcc", tmp_path / "demo3_own.c", tmp_path / "demo3.c", "-o", tmp_path / "own")
+    functions = sum(f.public for f in made("demo3")[0].program.functions)
+    assert run(tmp_path / "own") == f"0 {4 + 2 * functions}\n"
+
+
+# ---- planted faults ----
+
+
+def test_a_digit_of_the_table_is_found(tmp_path):
+    _, files = made("bench8")
+    (row,) = re.findall(r"^.*/\* w1 \*/$", files["bench8.c"].split("bench8_default =")[1], re.MULTILINE)
+    numbers = re.findall(r"\d+\.\d{6,}", row)
+    digit = numbers[-1][-1]
+    worse = row.replace(numbers[-1], numbers[-1][:-1] + ("7" if digit != "7" else "3"))  # 1/Theta_ff, its last digit
+    names, log = failed({**files, "bench8.c": replaced(files["bench8.c"], row, worse)}, "bench8", tmp_path)
+    assert "coupled" in names
+    assert not names & {"forward", "quaternion", "torque", "momentum"}  # they do not read it
+    assert log.functions["coupled"].worst > 0
+
+
+@pytest.mark.parametrize(
+    ("function", "others"),
+    [
+        ("torque", {"forward", "coupled", "mounts", "momentum"}),
+        ("mounts", {"forward", "torque", "prepare_mounts"}),
+        ("momentum", {"forward", "matrices"}),
+        ("quaternion", {"forward", "prepare"}),
+        ("inverse_fast", {"inverse", "forward"}),
+    ],
+)
+def test_a_sign_in_a_function_is_found_and_named(function, others, tmp_path):
+    _, files = made("bench8")
+    source = in_function(files["bench8.c"], "bench8", function, r"\n( +[^/\n]*?[\w\])]) \+ (\w)", r"\n\1 - \2")
+    names, _ = failed({**files, "bench8.c": source}, "bench8", tmp_path)
+    assert function in names
+    assert not names & others
+
+
+def test_a_lost_check_is_found(tmp_path):
+    # the quaternion of angles that are out of range: another status, and outputs that should not be written
+    _, files = made("bench8")
+    source = in_function(
+        files["bench8.c"], "bench8", "quaternion", r"if \(status != BENCH8_OK\) \{", "if (status == BENCH8_OK + 77) {"
+    )
+    names, log = failed({**files, "bench8.c": source}, "bench8", tmp_path)
+    assert names == {"quaternion"}
+    assert log.functions["quaternion"].wrong == 1
+
+
+def test_an_output_written_before_a_refusal_is_found(tmp_path):
+    _, files = made("bench8")
+    source = in_function(files["bench8.c"], "bench8", "torque", r"\{\n(    if [^\n]*NULL)", r"{\n    tau[0] = 0.0;\n\1")
+    names, log = failed({**files, "bench8.c": source}, "bench8", tmp_path)
+    assert names == {"torque"}
+    assert log.functions["torque"].wrong == 1
+    assert log.functions["torque"].worst == 0
+
+
+@pytest.mark.parametrize(("real", "precision"), [("double", DOUBLE), ("float", FLOAT)])
+@pytest.mark.parametrize("ulp", [1, 3])
+def test_the_distance_is_in_units_in_the_last_place(real, precision, ulp, tmp_path):
+    generated, files = made("demo3", real)
+    text = files["demo3_selftest.c"]
+    answer = golden(generated.program, generated.values).answers["forward"][0].listed[0]
+    other = answer
+    for _ in range(ulp):
+        other = precision.scalar(other) + precision.scalar(0)
+        bits = int(other.view(precision.word)) + 1
+        other = precision.word(bits).view(precision.scalar)
+    tampered = replaced(
+        text, f"    {hex_literal(float(answer), precision)},", f"    {hex_literal(float(other), precision)},"
+    )
+    names, log = failed({**files, "demo3_selftest.c": tampered}, "demo3", tmp_path)
+    assert names == {"forward"}
+    assert log.functions["forward"].worst == ulp
+
+
+# ---- what is in it ----
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("name", NAMES)
+def test_every_function_has_a_good_and_a_refused_case(name, real):
+    generated, _ = made(name, real)
+    for function, answers in golden(generated.program, generated.values).answers.items():
+        statuses = [a.status for a in answers]
+        assert statuses[-1] < 0, (function, statuses)
+        if (function, real) != ("inverse_fast", "float"):  # squares the condition: a float has few digits for that
+            assert max(statuses) >= 0, (function, statuses)
+
+
+def test_its_size_hardly_grows():
+    def size(flywheels):
+        wheels = stand("bench8").flywheels
+        many = tuple(replace(wheels[i % 8], name=f"w{i + 1}") for i in range(flywheels))
+        given = replace(stand("bench8"), flywheels=many)
+        (text,) = selftest_files(given, generate_all(given)).values()
+        return len(text)
+
+    assert size(8) < 70_000
+    assert size(64) < 90_000
+
+
+def test_it_names_its_cases_and_stand():
+    text = made("bench8")[1]["bench8_selftest.c"]
+    for case in CASES:
+        assert f"/* {case} */" in text
+    assert f"at most {LISTED} " in text
+    assert "malloc" not in text
+    assert max(map(len, text.splitlines())) <= 120
+
+
+@pytest.mark.parametrize(
+    ("value", "precision", "text"),
+    [
+        (12.0, DOUBLE, "0x1.8p+3"),
+        (0.1, DOUBLE, "0x1.999999999999ap-4"),
+        (0.1, FLOAT, "0x1.99999ap-4F"),
+        (-0.0, DOUBLE, "-0x0p+0"),
+        (5e-324, DOUBLE, "0x0.0000000000001p-1022"),
+        (1.0, FLOAT, "0x1p+0F"),
+    ],
+)
+def test_hexadecimal_literals_are_exact(value, precision, text):
+    assert hex_literal(value, precision) == text
+    back = float.fromhex(text.rstrip("F"))
+    assert back == float(precision.scalar(value))
+    assert math.copysign(1, back) == math.copysign(1, value)
+
+
+@pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan])
+def test_what_has_no_literal_is_refused(value):
+    with pytest.raises(ValueError, match="no literal"):
+        hex_literal(value, DOUBLE)
