@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
-.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign math-campaign lint clean
+.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign math-campaign flight control-loop lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -19,6 +19,8 @@ help:
 	@echo "make cost-check fails where the cost of an example stand has risen"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
+	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
+	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -66,6 +68,12 @@ verify-campaign: setup
 
 math-campaign: setup
 	$(BIN)/python tools/math_campaign.py
+
+flight: setup
+	$(BIN)/python tools/flight.py
+
+control-loop: setup
+	$(BIN)/python tools/control_loop.py
 
 lint: setup
 	$(BIN)/ruff check generator tests tools

@@ -66,8 +66,8 @@ def figures(results: Sequence[tuple[Silicon, Counts]], ticks: int) -> str:
     head = [f"{b.name}: {TARGETS[b.target].title.split(',')[0]}, {b.real}" for b, _ in results]
     stages = [[name, *(f"{c.stages[name]:,}" for _, c in results)] for name in results[0][1].stages]
     text = (
-        f"Most instructions of a stage in {ticks:,} ticks at -O2, {version(TARGETS['m7'].compiler[0])}, counted by QEMU "
-        "to 40 instructions:\n\n" + table(["stage", *head], stages)
+        f"Most instructions of a stage in {ticks:,} ticks, at -O2 by {version(TARGETS['m7'].compiler[0])}. QEMU counts "
+        "them in steps of 40.\n\n" + table(["stage", *head], stages)
     )
     rows = []
     for name in results[0][1].ticks:
@@ -77,8 +77,8 @@ def figures(results: Sequence[tuple[Silicon, Counts]], ticks: int) -> str:
             cells = [f"{share:.0%}{' no' if share > 1 else '' if share <= ROOM else ' tight'}" for share in shares]
             rows.append([name, f"{board.name} at {board.mhz} MHz", f"{counts.ticks[name]:,}", f"{time:.0f}", *cells])
     text += (
-        f"\nMost instructions of a whole tick, and an **estimate** of time: {CYCLES:g} cycles an instruction are assumed, "
-        "not measured.\nThe last columns are the share of the period.\n\n"
+        "\nMost instructions of a whole tick, and an **estimate** of time. It rests on an assumption, cycles an "
+        f"instruction:\n{CYCLES:g}; time is not measured. The last columns are the share of the period.\n\n"
         + table(["tick", "processor", "instructions", "estimate, us", *(f"{r / 1000:g} kHz" for r in RATES)], rows, 2)
     )
     for board, counts in results:

@@ -15,12 +15,14 @@ from mahovik.toolchain.flight import flight
 from targets.boards import target
 
 
-@pytest.mark.parametrize(("board", "name", "real"), [("m4", "bench8", "float"), ("m7", "sat4", "double")])
-def test_a_flight_of_two_thousand_steps(board: str, name: str, real: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("board", "name", "real", "torque"), [("m4", "bench8", "float", 0.02), ("m7", "sat4", "double", 0.2)]
+)
+def test_a_flight_of_two_thousand_steps(board: str, name: str, real: str, torque: float, tmp_path: Path) -> None:
     stand = load_stand(path(name))
     chosen = target(board)
     log = tmp_path / "flight.log"
-    log.write_text(run(chosen, build(chosen, flight(stand, real, 2000), tmp_path)))
+    log.write_text(run(chosen, build(chosen, flight(stand, real, 2000, torque=torque), tmp_path)))
     data, notes = load(log)
     assert notes == []
     assert sum(isinstance(r, Start) for r in records(data)) == 2

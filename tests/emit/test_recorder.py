@@ -1,0 +1,82 @@
+"""The emitted recorder under strict compilers: no warning, no library, little stack, a header for C++ as well."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from emit.stands import stand
+from mahovik.emit.generate import generate_all
+from mahovik.emit.recorder import recorder_files
+from toolchain.tools import compile_c, require, require_32_bit, run
+
+CASES = [
+    ("bench8", "double"),
+    ("everything6", "float"),
+    ("everything0", "double"),
+    ("bare5", "float"),
+    ("auv6", "double"),
+]
+
+
+@pytest.fixture(scope="module", params=CASES, ids="-".join)
+def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The recorder's C file, all that it includes beside it."""
+    name, real = request.param
+    folder = tmp_path_factory.mktemp(name)
+    generated = generate_all(stand(name), real)
+    for file, text in (generated.files | recorder_files(stand(name), generated)).items():
+        (folder / file).write_text(text, encoding="ascii")
+    return folder / f"{name}_recorder.c"
+
+
+def test_strict_warnings_and_bare_objects(source: Path, tmp_path: Path) -> None:
+    thing = tmp_path / "recorder.o"
+    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
+    name = source.stem.removesuffix("_recorder")
+    listed = [line.split()[-2:] for line in run(require("nm", "binutils"), thing).splitlines()]
+    wanted = {symbol for kind, symbol in listed if kind == "U"}
+    assert wanted <= {f"{name}_step", f"{name}_step_driven", "memcpy", "memset"}
+    assert {kind for kind, _ in listed} <= set("UTtRr")  # no data that could change
+    assert {symbol for kind, symbol in listed if kind == "T"} >= {f"{name}_recorder_start", f"{name}_recorder_step"}
+
+
+def test_clang_and_32_bits(source: Path) -> None:
+    compile_c(require("clang", "clang"), source, "-fsyntax-only")
+    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
+
+
+def test_header_in_cpp(source: Path, tmp_path: Path) -> None:
+    user = tmp_path / "user.cpp"
+    user.write_text(f'#include "{source.stem}.h"\n' * 2)
+    flags = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror", f"-I{source.parent}")
+    run(require("g++", "g++"), *flags, "-fsyntax-only", user)
+
+
+def test_stack_is_as_the_header_says(source: Path, tmp_path: Path) -> None:
+    """The frames of the recorder, deepest chain, beside those of the step."""
+    compile_c(require("gcc", "gcc"), source, "-O2", "-fstack-usage", "-c", "-o", tmp_path / "recorder.o")
+    frames = {}
+    for line in (tmp_path / "recorder.su").read_text().splitlines():
+        place, size, _ = line.split("\t")
+        frames[place.split(":")[-1]] = int(size)
+    text = source.with_suffix(".h").read_text()
+    record = int(re.findall(r"_RECORD_BYTES +(\d+)", text)[0])
+    steps = {n: s for n, s in frames.items() if re.search(r"_recorder_step(_driven)?$", n)}
+    assert steps
+    assert max(steps.values()) < record + 200
+
+
+def test_the_real_must_be_that_of_the_header(source: Path, tmp_path: Path) -> None:
+    """A recorder for double beside a header for float is refused by the compiler."""
+    name = source.stem.removesuffix("_recorder")
+    for file in source.parent.iterdir():
+        if file.suffix in (".c", ".h"):
+            text = file.read_text()
+            if file.name == f"{name}.h":
+                text = re.sub(rf"typedef \w+ {name}_real", f"typedef char {name}_real", text)
+            (tmp_path / file.name).write_text(text)
+    with pytest.raises(AssertionError, match="negative"):
+        run(require("gcc", "gcc"), "-std=c99", "-fsyntax-only", tmp_path / source.name)

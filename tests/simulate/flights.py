@@ -1,0 +1,86 @@
+"""Flights under the emitted recorder on this machine: random inputs through all that a log can hold."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import cffi
+import numpy as np
+
+from emit.stands import stand as known_stand
+from mahovik.emit.generate import generate_all
+from mahovik.emit.recorder import recorder_files
+from mahovik.toolchain.compiler import BITS, WARNINGS, preprocess, run_compiler
+
+
+class Recorder:
+    """The compiled recorder of a stand of `emit.stands`. `log` grows by what it writes, `calls` has each piece."""
+
+    def __init__(self, name: str, real: str, folder: Path, edit: tuple[str, str] | None = None) -> None:
+        self.name, self.real, self.stand = name, real, known_stand(name)
+        self.generated = generate_all(self.stand, real)
+        texts = self.generated.files | recorder_files(self.stand, self.generated)
+        if edit is not None:
+            assert edit[0] in texts[f"{name}.c"]
+            texts[f"{name}.c"] = texts[f"{name}.c"].replace(*edit, 1)
+        for file, text in texts.items():
+            (folder / file).write_text(text, encoding="ascii")
+        sources = [str(folder / f"{name}.c"), str(folder / f"{name}_recorder.c")]
+        library = str(folder / "recorder.so")
+        run_compiler([*WARNINGS, *BITS, "-O1", "-shared", "-fPIC", *sources, "-o", library], name)
+        self.ffi = cffi.FFI()
+        declarations = preprocess(folder / f"{name}_recorder.h").replace("extern const ", "extern ")
+        own = declarations[declarations.index(f"typedef {real} {name}_real;") :]  # the system's headers left out
+        self.ffi.cdef(own)
+        self.library: Any = self.ffi.dlopen(library)
+        self.calls: list[bytes] = []
+        self._write = self.ffi.callback("void(void *, const unsigned char *, size_t)", self._take)
+        self.new("recorder")
+
+    def _take(self, context: Any, data: Any, count: int) -> None:
+        self.calls.append(bytes(self.ffi.buffer(data, count)))
+
+    @property
+    def log(self) -> bytes:
+        return b"".join(self.calls)
+
+    def new(self, kind: str) -> None:
+        """A log that begins anew, with a state at rest and the default table."""
+        ffi, name = self.ffi, self.name
+        self.recorder = ffi.new(f"{name}_recorder *", {"write": self._write})
+        self.x = ffi.new(f"{name}_state *", {"attitude": [1.0, 0.0, 0.0, 0.0]})
+        self.table = ffi.new(f"{name}_table *", ffi.addressof(self.library, f"{name}_default")[0])
+        self.calls.clear()
+
+    def call(self, function: str, *arguments: Any) -> int:
+        """A function of the recorder with log, table and state, and more arguments."""
+        found = getattr(self.library, f"{self.name}_recorder_{function}")
+        return int(found(self.recorder, self.table, self.x, *arguments))
+
+    def fly(self, steps: int, seed: int = 1, every: int = 7) -> list[int]:
+        """Steps of all kinds; a start before every `every`th. Returns their statuses."""
+        rng = np.random.default_rng(seed)
+        layout, count = self.generated.layout, len(self.stand.flywheels)
+        statuses = []
+        for k in range(steps):
+            if layout.stream and k % 3 == 2:
+                self.table.stream = rng.normal(size=3).tolist()
+            if k % every == 0:
+                assert self.call("start") == 0
+            if k % 4 == 1:
+                self.x.position[0] += 1e-3
+            if k % 5 == 1 and count:
+                self.x.phi[count - 1] = rng.uniform(-3, 3)
+            drive = [rng.normal(scale=1e-3, size=count).tolist()] if count else []
+            if k == 10 and count:
+                drive[0][0] = float("nan")
+            locked = [[int(v) for v in rng.integers(0, 2, size=count)] if k % 2 else [0] * count] if count else []
+            wrench = [rng.normal(size=6 * len(layout.inputs)) * (k % 3 > 0)] if layout.inputs else []
+            settings = [1e-3 if k < 5 else 2e-3, 4 if k % 2 else 2]
+            if k == 12:
+                settings[1] = 3  # no such order
+            driven = bool(count) and k % 6 == 5
+            taken = [*drive, *([] if driven else locked), *(w.tolist() for w in wrench), *settings]
+            statuses.append(self.call("step_driven" if driven else "step", *taken))
+        return statuses

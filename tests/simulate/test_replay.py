@@ -1,0 +1,327 @@
+"""A flight log is replayed bit for bit, and whatever is wrong with it is named."""
+
+from __future__ import annotations
+
+import random
+import re
+import struct
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from emit.stands import stand as known_stand
+from mahovik.emit.log_format import MAGIC, RESERVED, fnv1a
+from mahovik.emit.recorder import recorder_files
+from mahovik.errors import CheckError, UsageError
+from mahovik.simulate.flight_log import Damage, Start, Step, load, records
+from mahovik.simulate.replay import CMachine, InterpreterMachine, Outcome, check_stand, explain, replay
+from simulate.flights import Recorder
+
+CASES = [("bench8", "double"), ("demo3", "float"), ("everything6", "double"), ("everything0", "float")]
+STEPS = 20
+
+
+@pytest.fixture(scope="module", params=CASES, ids="-".join)
+def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Recorder:
+    name, real = request.param
+    recorder = Recorder(name, real, tmp_path_factory.mktemp(name))
+    recorder.fly(STEPS)
+    return recorder
+
+
+@pytest.fixture(scope="module")
+def bench8(tmp_path_factory: pytest.TempPathFactory) -> Recorder:
+    return Recorder("bench8", "double", tmp_path_factory.mktemp("bench8"))
+
+
+@cache
+def machine_of(name: str, real: str) -> CMachine:
+    """Freshly generated C, compiled once."""
+    return CMachine(known_stand(name), real)
+
+
+def steps_of(recorder: Recorder, data: bytes | None = None) -> list[Outcome | Damage]:
+    """What a replay by that C finds."""
+    machine = machine_of(recorder.name, recorder.real)
+    return list(replay(machine, records(recorder.log if data is None else data)))
+
+
+def damages(data: bytes) -> list[str]:
+    """Messages of what cannot be read."""
+    return [r.message for r in records(data) if isinstance(r, Damage)]
+
+
+# ---- a log as it was written ----
+
+
+def test_every_step_has_the_bits_of_the_flight(flown: Recorder) -> None:
+    """Through locks, wrenches, a stream, written states, changing steps, restarts and refusals; to the very end."""
+    flown.new("recorder")
+    statuses = flown.fly(STEPS)
+    found = steps_of(flown)
+    assert all(isinstance(o, Outcome) and o.equal for o in found)
+    assert [o.step.count for o in found] == list(range(STEPS))
+    assert [o.status for o in found] == statuses
+    assert -5 in statuses  # an order that is none
+    assert found[-1].after["position"].tolist() == list(flown.x.position)
+    assert found[-1].after["V"].tolist() == list(flown.x.V)
+    assert np.any(found[-1].after["V"])
+
+
+def test_the_interpreter_needs_no_compiler(flown: Recorder) -> None:
+    machine = InterpreterMachine(flown.stand, flown.real)
+    found = list(replay(machine, records(flown.log)))
+    assert len(found) == STEPS
+    assert all(isinstance(o, Outcome) and o.equal for o in found)
+
+
+def test_all_kinds_of_input_were_there(flown: Recorder) -> None:
+    """The flights above are worth something."""
+    steps = [r for r in records(flown.log) if isinstance(r, Step)]
+    layout = flown.generated.layout
+    assert {name for s in steps for name in s.written} >= ({"position", "phi"} if layout.flywheels else {"position"})
+    assert len({s.dt for s in steps}) == 2
+    assert any(s.stream is not None for s in steps) == layout.stream
+    assert any(s.wrench.any() for s in steps) == bool(layout.inputs)
+    if layout.flywheels:
+        assert any(s.driven for s in steps)
+        assert any(any(s.locked) for s in steps)
+        assert any(s.status == -1 for s in steps)
+
+
+def test_a_step_is_one_call_of_the_stated_size(flown: Recorder) -> None:
+    flown.new("recorder")
+    flown.call("start")
+    starts = len(flown.calls)
+    text = recorder_files(flown.stand, flown.generated)[f"{flown.name}_recorder.h"]
+    longest = int(text.split("_RECORD_BYTES ")[1].split()[0])
+    shortest = int(text.split("most have ")[1].split()[0])
+    flown.fly(STEPS, every=10**9)
+    sizes = [len(c) for c in flown.calls[2 * starts :]]
+    assert len(sizes) == STEPS
+    assert min(sizes) >= shortest
+    assert max(sizes) <= longest
+
+
+def test_a_table_that_is_not_the_default_is_in_the_log(flown: Recorder) -> None:
+    flown.new("recorder")
+    flown.table.mass *= 1.25
+    flown.table.mass_inverse /= 1.25
+    flown.fly(STEPS)
+    start = next(r for r in records(flown.log) if isinstance(r, Start))
+    assert start.table
+    found = steps_of(flown)
+    assert len(found) == STEPS
+    assert all(isinstance(o, Outcome) and o.equal and o.table is not None for o in found)
+    flown.new("recorder")
+    flown.fly(STEPS)
+
+
+def test_a_log_can_be_replayed_from_any_start(bench8: Recorder) -> None:
+    """What a ring buffer keeps: the first records are gone, up to the middle of one."""
+    bench8.new("recorder")
+    bench8.fly(STEPS, every=7)
+    second = bench8.log.index(MAGIC, 1)
+    found = steps_of(bench8, bench8.log[second - 30 :])
+    assert isinstance(found[0], Damage)
+    assert "30 bytes before the first start" in found[0].message
+    assert [o.step.count for o in found[1:]] == list(range(7, STEPS))
+    assert all(o.equal for o in found[1:])
+
+
+# ---- C that has other bits ----
+
+
+def test_other_c_is_found_at_its_first_step(tmp_path: Path) -> None:
+    """The C that flew had one constant in another bit."""
+    flew = Recorder("bench8", "double", tmp_path, edit=("half = 0.5 * dt", "half = 0.5000000000000001 * dt"))
+    flew.fly(6)
+    found = steps_of(flew)
+    assert len(found) == 1
+    assert not found[0].equal
+    assert "hash" in found[0].difference
+
+
+def test_the_text_that_flew_is_known(bench8: Recorder) -> None:
+    """A difference is blamed on another text only where the text is another."""
+    start = next(r for r in records(bench8.log) if isinstance(r, Start))
+    machine = machine_of("bench8", "double")
+    assert "-ffp-contract=off" in explain(machine, start)
+    other = Start(**{**vars(start), "source": start.source ^ 1})
+    assert "--against" in explain(machine, other)
+
+
+# ---- damage ----
+
+
+def test_any_flipped_bit_is_found(bench8: Recorder) -> None:
+    bench8.new("recorder")
+    bench8.fly(6)
+    whole = bench8.log
+    rng = random.Random(5)
+    machine = machine_of("bench8", "double")
+    for _ in range(150):
+        place, bit = rng.randrange(len(whole)), rng.randrange(8)
+        data = bytearray(whole)
+        data[place] ^= 1 << bit
+        found = list(replay(machine, records(bytes(data))))
+        good = [o for o in found if isinstance(o, Outcome)]
+        assert any(isinstance(o, Damage) for o in found) or place < len(MAGIC)
+        assert all(o.equal for o in good)
+        assert len(good) < 6
+
+
+@pytest.mark.parametrize("missing", [1, 3])
+def test_missing_steps_are_named(bench8: Recorder, missing: int) -> None:
+    bench8.new("recorder")
+    bench8.fly(6, every=10**9)
+    kept = [
+        c for i, c in enumerate(bench8.calls) if i not in range(len(bench8.calls) - 4, len(bench8.calls) - 4 + missing)
+    ]
+    words = "step 2 missing" if missing == 1 else "steps 2 to 4 missing"
+    (message,) = damages(b"".join(kept))
+    assert words in message
+    found = steps_of(bench8, b"".join(kept))
+    assert [o.step.count for o in found if isinstance(o, Outcome)] == [0, 1]
+
+
+def test_a_log_that_ends_early_is_replayed_to_there(bench8: Recorder) -> None:
+    bench8.new("recorder")
+    bench8.fly(6, every=10**9)
+    found = steps_of(bench8, bench8.log[:-9])
+    assert [o.equal for o in found[:-1]] == [True] * 5
+    assert isinstance(found[-1], Damage)
+    assert found[-1].end
+    assert "ends inside the record of step 5" in found[-1].message
+
+
+def test_damage_is_jumped_over_to_the_next_start(bench8: Recorder) -> None:
+    bench8.new("recorder")
+    bench8.fly(STEPS, every=5)
+    data = bytearray(bench8.log)
+    data[bench8.log.index(MAGIC, 1) - 40] ^= 4  # in the last step before the second start
+    found = steps_of(bench8, bytes(data))
+    assert sum(isinstance(o, Damage) for o in found) == 1
+    assert [o.step.count for o in found if isinstance(o, Outcome)] == [0, 1, 2, 3, *range(5, STEPS)]
+
+
+def test_another_format_is_named(bench8: Recorder) -> None:
+    data = bytearray(bench8.log)
+    data[len(MAGIC)] = 9
+    assert "format 9, this mahovik reads 1" in damages(bytes(data))[0]
+
+
+# ---- files ----
+
+
+def written(folder: Path, data: bytes) -> Path:
+    path = folder / "flight.log"
+    path.write_bytes(data)
+    return path
+
+
+def test_lines_of_a_console_are_the_log(bench8: Recorder, tmp_path: Path) -> None:
+    text = b"boot 12\r\n" + b"".join(b"@" + c.hex().encode() + b"\r\nnoise 7f\r\n" for c in bench8.calls)
+    assert load(written(tmp_path, text)) == (bench8.log, [])
+
+
+def test_a_spoiled_line_is_named(bench8: Recorder, tmp_path: Path) -> None:
+    bench8.new("recorder")
+    bench8.fly(6, every=10**9)
+    lines = [b"@" + c.hex().encode() for c in bench8.calls]
+    lines[-2] = lines[-2][:-1]
+    data, notes = load(written(tmp_path, b"\n".join(lines)))
+    assert len(notes) == 1
+    assert f"line {len(lines) - 1}" in notes[0]
+    assert "step 4 missing" in damages(data)[0]
+
+
+@pytest.mark.parametrize("width", [2, 4, 8])
+def test_swapped_bytes_are_recognised(bench8: Recorder, tmp_path: Path, width: int) -> None:
+    data = bench8.log + bytes(-len(bench8.log) % 8)
+    swapped = b"".join(data[i : i + width][::-1] for i in range(0, len(data), width))
+    with pytest.raises(UsageError, match=f"swapped in words of {width}"):
+        load(written(tmp_path, swapped))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "words"),
+    [
+        (lambda data: data.replace(b"\r\n", b"\n"), "moved as text"),
+        (lambda data: data.replace(b"\n", b"\r\n"), "moved as text"),
+        (lambda data: bytes(b & 127 for b in data), "eighth bits"),
+        (lambda data: b"", "is empty"),
+        (lambda data: b"{}", "no flight log"),
+        (lambda data: data[1:8], "no flight log"),
+    ],
+)
+def test_what_is_no_log_is_refused(bench8: Recorder, tmp_path: Path, spoil: object, words: str) -> None:
+    with pytest.raises(UsageError, match=words):
+        load(written(tmp_path, spoil(bench8.log)))  # type: ignore[operator]
+
+
+def test_no_such_file(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="cannot be read"):
+        load(tmp_path / "none.log")
+
+
+# ---- another stand ----
+
+
+def test_a_log_of_another_stand_or_physics_is_refused(bench8: Recorder) -> None:
+    start = next(r for r in records(bench8.log) if isinstance(r, Start))
+    check_stand(bench8.stand, start, "bench8.toml")
+    with pytest.raises(CheckError, match='stand "demo3", but the log is of "bench8"'):
+        check_stand(known_stand("demo3"), start, "demo3.toml")
+    heavier = Start(**{**vars(start), "physics": "00000000"})
+    with pytest.raises(CheckError, match=r"physics .* but the log is of 00000000"):
+        check_stand(bench8.stand, heavier, "bench8.toml")
+
+
+def test_another_default_table_is_refused(bench8: Recorder) -> None:
+    """C of another mahovik: the same physics, other constants."""
+    start = next(r for r in records(bench8.log) if isinstance(r, Start))
+    other = Start(**{**vars(start), "table_hash": start.table_hash ^ 1})
+    with pytest.raises(CheckError, match="--against DIR"):
+        list(replay(machine_of("bench8", "double"), [other]))
+
+
+# ---- the emitted text ----
+
+
+def test_the_hash_is_fnv() -> None:
+    """Published values of FNV-1a, 32 bits."""
+    assert fnv1a(b"") == 0x811C9DC5
+    assert fnv1a(b"a") == 0xE40C292C
+    assert fnv1a(b"foobar") == 0xBF9CF968
+
+
+def test_no_flywheel_takes_a_name_of_the_recorder(flown: Recorder) -> None:
+    """What the header defines in capitals is what generate keeps free."""
+    text = recorder_files(flown.stand, flown.generated)[f"{flown.name}_recorder.h"]
+    prefix = f"{flown.name.upper()}_"
+    defined = set(re.findall(rf"(?:#define {prefix}|^ +{prefix})(RECORD\w+)", text, re.MULTILINE))
+    assert len(defined) >= 10
+    assert defined <= RESERVED
+
+
+def test_null_pointers_are_refused_without_a_record(bench8: Recorder) -> None:
+    bench8.new("recorder")
+    null = bench8.ffi.NULL
+    assert bench8.call("step", null, [0] * 8, 1e-3, 4) == -5
+    assert bench8.call("step_driven", null, 1e-3, 4) == -5
+    assert bench8.library.bench8_recorder_start(bench8.recorder, null, bench8.x) == -5
+    bench8.recorder.write = null
+    assert bench8.call("start") == -5
+    assert bench8.log == b""
+
+
+def test_the_count_wraps(bench8: Recorder) -> None:
+    bench8.new("recorder")
+    bench8.recorder.count = 2**32 - 2
+    bench8.fly(4, every=10**9)
+    found = steps_of(bench8)
+    assert [struct.pack("<I", o.step.count) for o in found][2] == b"\0\0\0\0"
+    assert all(o.equal for o in found)
