@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
@@ -37,6 +38,9 @@ def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     (row,) = found.rows
     assert row.verdict == "FAILED"
     assert row.reason.startswith("not the interpreter's bits: ")
+    named = re.search(r'; first: (\w+), ([\w.\[\]]+), case "ordinary", \d+ ulp$', row.reason)
+    assert named is not None, row.reason
+    assert f" {named[1]} FAIL " in row.reason  # functions in the same order
     assert found.conclusion == "FAILED: rv64gc double"
     assert not found.passed
 

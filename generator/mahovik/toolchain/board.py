@@ -133,6 +133,11 @@ def selftest_main(name: str, sweep: int) -> str:
     return template("board/selftest_main.c.j2").render(name=name, sweep=sweep)
 
 
+def difference_main(name: str) -> str:
+    """C of a `main` that includes a stand's self-test and prints the first output of each case that differs."""
+    return template("board/difference_main.c.j2").render(name=name)
+
+
 def selftest_flags(name: str) -> tuple[str, ...]:
     """Flags that leave the `main` of a stand's self-test out, where `selftest_main` takes its place."""
     return (f"-D{name.upper()}_SELFTEST_NO_MAIN",)

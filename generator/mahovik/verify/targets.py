@@ -11,12 +11,15 @@ from functools import cached_property
 from pathlib import Path
 
 from mahovik.emit.delivery import delivery
+from mahovik.emit.generate import generate_all
 from mahovik.errors import ToolchainError, UsageError
+from mahovik.program.function import Program
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.names import nearest
 from mahovik.toolchain.board import build, build_version, run, selftest_flags, selftest_main
 from mahovik.toolchain.targets import TARGETS, Target
+from mahovik.verify.difference import first_difference
 
 REALS = ("double", "float")
 
@@ -117,10 +120,11 @@ def verify_targets(
     """
     names = identities(stand)
     sources = {real: selftest_sources(stand, real, sweep) for real in dict.fromkeys(real for _, real in pairs)}
+    programs = {real: generate_all(stand, real).program for real in sources}
     expected = {real: _printed(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
-        tasks = [pool.submit(_row, t, real, stand.name, sources[real], expected[real], sweep) for t, real in pairs]
+        tasks = [pool.submit(_row, t, real, programs[real], sources[real], expected[real], sweep) for t, real in pairs]
         for done, task in enumerate(tasks):
             rows.append(task.result())
             if progress is not None:
@@ -136,7 +140,7 @@ def selftest_sources(stand: Stand, real: str, sweep: int) -> dict[str, str]:
 
 
 def _row(
-    target: Target, real: str, name: str, files: Mapping[str, str], expected: Sequence[str], sweep: int
+    target: Target, real: str, program: Program, files: Mapping[str, str], expected: Sequence[str], sweep: int
 ) -> TargetRow:
     def row(verdict: str, reason: str = "", functions: int = 0) -> TargetRow:
         return TargetRow(target.name, target.title, built_with, real, functions, sweep, verdict, reason)
@@ -148,10 +152,13 @@ def _row(
     if unable := target.unable():
         return row(_ELSEWHERE, unable)
     try:
-        found = _printed(target, name, files).splitlines()
+        found = _printed(target, program.name, files).splitlines()
     except ToolchainError as error:
         return row("FAILED", str(error))
     problem = next(_problems(expected, found), "")
+    if " FAIL " in problem:
+        first = first_difference(target, program, files, TIMEOUT)
+        problem += f"; first: {first}" if first else ""
     return row("FAILED" if problem else "ok", problem, sum(" PASS " in line for line in found))
 
 
