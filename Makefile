@@ -13,7 +13,7 @@ help:
 	@echo "make setup      virtual environment with everything in .venv (run .venv/bin/mahovik)"
 	@echo "make generated  write generated/ anew from the example stands"
 	@echo "make targets    install compilers and emulators of the targets (Debian)"
-	@echo "make verify-targets  the same bits on every target: minutes"
+	@echo "make verify-targets  the same bits on every target, of the other stands on some: minutes"
 	@echo "make targets-table   the same, written into README.md and docs/targets.md"
 	@echo "make cost       measure the example stands, COST.md in generated/; ACCEPT=--accept accepts what has risen"
 	@echo "make cost-check fails where the cost of an example stand has risen"
@@ -51,6 +51,8 @@ targets:
 
 verify-targets: setup
 	$(BIN)/mahovik verify generator/mahovik/stands/bench8.toml --targets all
+	@for stand in $(filter-out bench8,$(EXAMPLES)); do \
+	  $(BIN)/mahovik verify generator/mahovik/stands/$$stand.toml --targets quick || exit 1; done
 
 targets-table: setup
 	$(BIN)/python tools/targets_table.py
