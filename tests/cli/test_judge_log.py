@@ -8,22 +8,26 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
-from mahovik.emit.generate import generate_all
+from emit.selftests import made, run_selftest
 from mahovik.stand import identities, load
-from mahovik.toolchain.board import build
-from mahovik.toolchain.board import run as run_on
-from mahovik.toolchain.targets import TARGETS
-from mahovik.verify.targets import selftest_sources
 
 SWEEP = 20
-FUNCTIONS = [f.name for f in generate_all(load(DEMO3)).program.functions if f.public]
+FUNCTIONS = [f.name for f in made("demo3")[0].program.functions if f.public]
 
 
 @pytest.fixture(scope="module")
 def printed(tmp_path_factory: pytest.TempPathFactory) -> str:
     """What a board with the C of demo3 prints."""
-    folder = tmp_path_factory.mktemp("board")
-    return run_on(TARGETS["host"], build(TARGETS["host"], selftest_sources(load(DEMO3), "double", SWEEP), folder))
+    return board("double", tmp_path_factory.mktemp("board"))
+
+
+def board(real: str, folder: Path) -> str:
+    """Builds and runs the self-test of demo3."""
+    status, text = run_selftest(
+        made("demo3", real)[1], "demo3", folder, "gcc", "-O2", f"-DDEMO3_SELFTEST_SWEEP={SWEEP}"
+    )
+    assert status == 0
+    return str(text)
 
 
 @pytest.fixture
@@ -50,9 +54,7 @@ def test_a_good_log(log: Path) -> None:
 
 
 def test_float(tmp_path: Path) -> None:
-    given = load(DEMO3)
-    text = run_on(TARGETS["host"], build(TARGETS["host"], selftest_sources(given, "float", 3), tmp_path))
-    result = run("judge-log", rewritten(tmp_path / "log", text), DEMO3)
+    result = run("judge-log", rewritten(tmp_path / "log", board("float", tmp_path)), DEMO3)
     assert result.exit_code == 0
     assert "demo3 float" in result.output
 

@@ -11,7 +11,7 @@ from mahovik.emit.generate import Generated, generate_all
 from mahovik.lower.golden import sweep_hashes
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
-from mahovik.toolchain.board import build, run
+from mahovik.toolchain.board import build, run, selftest_flags
 from mahovik.toolchain.targets import TARGETS
 from mahovik.verify.selftest_log import SelfTestLog, hash_problems, identity_problems, problems, read_log
 from mahovik.verify.targets import selftest_sources
@@ -81,7 +81,9 @@ def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str
     target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing()), None)
     if target is not None:
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-            printed = run(target, build(target, selftest_sources(stand, real, sweep), Path(scratch)), TIMEOUT)
+            sources = selftest_sources(stand, real, sweep)
+            program = build(target, sources, Path(scratch), extra=selftest_flags(stand.name))
+            printed = run(target, program, TIMEOUT)
         return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
     if sweep <= INTERPRETED:
         found = sweep_hashes(made.program, made.values, sweep)
