@@ -17,7 +17,7 @@ from mahovik.derive.symbols import SYMMETRIC
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import translate
 from mahovik.program.build import Body, call
-from mahovik.program.expression import Expr, Not, Status, both, either, magnitude, real, select
+from mahovik.program.expression import Expr, Not, Place, Status, both, either, magnitude, real, select
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind, Struct
 
@@ -144,7 +144,8 @@ def translation_block(lib: Library) -> Function:
     names = ("11", "22", "33", "12", "13", "23")
     cofactor = [body.let(f"c{n}", translate(e, {"A": A.place})) for n, e in zip(names, adjugate, strict=True)]
     d = body.let("det", translate(determinant, {"A": A.place, "cofactor": cofactor}))
-    positive = both(both(A.place[0] > 0, cofactor[2] > 0), d > 0)
+    whole = both(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
+    positive = both(both(A.place[0] > 0, cofactor[2] > 0), whole)
     lib.guard(body, Not(positive), "NOT_POSITIVE_DEFINITE")
     r = body.let("r", 1 / d)
     for k in range(6):
@@ -170,6 +171,7 @@ def check_parameters(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     total = body.local("mass")
+    size = body.local("size", comment="moment of inertia that no product of the equations may overflow")
     points = len(layout.structure.points)
     if layout.flywheels or points:
         O = body.local("O", (3,))
@@ -177,6 +179,7 @@ def check_parameters(lib: Library) -> Function:
         R = body.local("R", (9,))
     lib.check(body, "check_body", p.carrier)
     body.set(total, p.carrier.mass)
+    body.set(size, _trace(p.carrier.inertia))
     if layout.instruments:
         with body.loop("k", layout.instruments) as k:
             q = p.instrument[k]
@@ -184,6 +187,7 @@ def check_parameters(lib: Library) -> Function:
             lib.check(body, "within", q.position, 3, bound)
             lib.check(body, "frame_of_axes", q.axis, q.zero, R)
             body.add(total, q.body.mass)
+            body.add(size, _trace(q.body.inertia) + q.body.mass * _square(q.position))
     if layout.flywheels:
         with body.loop("s", layout.count) as s:
             w = p.flywheel[s]
@@ -192,11 +196,13 @@ def check_parameters(lib: Library) -> Function:
             named = {"parameters": p, "w": w, "O": O, "R": R}
             lib.check(body, "place_flywheel", *lib.passed("place_flywheel", **named))
             body.add(total, w.body.mass)
+            body.add(size, _trace(w.body.inertia) + w.body.mass * _square(O))
     if points:
         with body.loop("k", points) as k:
             named = {"parameters": p, "w": p.point[k], "O": O, "R": R}
             lib.check(body, "place_point", *lib.passed("place_point", **named))
     lib.guard(body, Not(total > 0), "NOT_POSITIVE_DEFINITE")
+    lib.guard(body, Not(size <= lib.thresholds.inertia), "RANGE")
     if layout.added_mass:
         A = body.local("A", (6,))
         inverse = body.local("A_inv", (6,))
@@ -212,3 +218,13 @@ def check_parameters(lib: Library) -> Function:
         returns=Kind.STATUS,
         statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE", *mounts),
     )
+
+
+def _trace(J: Place) -> Expr:
+    """J11 + J22 + J33."""
+    return J[0] + J[1] + J[2]
+
+
+def _square(a: Place) -> Expr:
+    """a . a."""
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]

@@ -27,6 +27,9 @@ class Thresholds:
                    second axis is; in double half of what the stand file takes
     unphysical     prepare: how far below zero an eigenvalue may be, relative to the largest element, of what no body
                    has negative; twice what the stand file takes, and what rounding the parameters to float costs
+    inertia        prepare: kg m2, largest sum of all moments of inertia about O1; times the squares of the largest
+                   speeds, 1e10, and the number of terms it is still far from the largest float, 3.4e38
+    table          generator: largest magnitude of any number of a table, for the same reason
     small_square   square of a length or of half an angle, below which its direction is taken from a series, or
                    refused; a float still has all its digits there (the smallest with all digits is 1.2e-38)
     """
@@ -40,6 +43,8 @@ class Thresholds:
     zero_length: float
     parallel: float
     unphysical: float
+    inertia: float
+    table: float
     small_square: float
 
 
@@ -54,6 +59,8 @@ THRESHOLDS = {
         zero_length=1e-9,
         parallel=5e-10,
         unphysical=1e-9,
+        inertia=1e60,
+        table=1e300,
         small_square=1e-30,
     ),
     "float": Thresholds(
@@ -66,6 +73,8 @@ THRESHOLDS = {
         zero_length=1e-6,
         parallel=1e-4,
         unphysical=1e-5,
+        inertia=1e20,
+        table=1e20,
         small_square=1e-30,
     ),
 }

@@ -75,6 +75,7 @@ class Values:
         self._conversions = Interpreter(conversions())
         self._program = Interpreter(program)
         self.parameters = self._parameters()
+        self._check_range("parameters", self.parameters)
         self.table = self._table()
         self.mounting = self._mounting() if layout.flywheels else None
         self.options = self._options() if layout.flywheels else None
@@ -140,7 +141,8 @@ class Values:
         status, outputs = self._program.run("prepare", inputs)
         if status != STATUS_VALUES["OK"]:
             name = next(n for n, v in STATUS_VALUES.items() if v == status)
-            raise StandError([f"stand {self._stand.name}: its masses and inertias are refused by prepare: {name}"])
+            where = f"stand {self._stand.name}: its masses and inertias are refused by prepare"
+            raise StandError([f"{where} in {self._layout.precision.name}: {name}"])
         table: dict[str, Any] = outputs["stand"]
         return table
 
@@ -160,6 +162,20 @@ class Values:
         found: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
         return found
 
+    def _check_range(self, name: str, value: Any) -> None:
+        """StandError where a number could make products overflow in the element type."""
+        largest, precision = thresholds(self._layout.precision).table, self._layout.precision.name
+        if isinstance(value, dict):
+            for key, each in value.items():
+                self._check_range(f"{name}.{key}", each)
+        elif isinstance(value, list | tuple):
+            for number, each in enumerate(value):
+                self._check_range(f"{name}[{number}]", each)
+        elif isinstance(value, float) and not abs(value) <= largest:
+            raise StandError(
+                [f"stand {self._stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"]
+            )
+
     def _laws(self) -> Any:
         """A table whose laws are filled in, the rest zero."""
         layout, stand = self._layout, self._stand
@@ -178,7 +194,10 @@ class Values:
                 if layout.frame.field(name) is not None:
                     setattr(frame, name, value)
             if layout.own_damped:
-                frame.damper = self._program.filled(layout.damper, self._damper(stand.bodies[own.index].damping, terms))
+                body = stand.bodies[own.index]
+                damper = self._damper(body.damping, terms)
+                self._check_range(f"{body.name}.damping", damper)
+                frame.damper = self._program.filled(layout.damper, damper)
         if layout.terms:
             laws["term"] = terms
         if stand.suspension is not None:
@@ -196,6 +215,7 @@ class Values:
         for name, value in laws.items():
             field = layout.table.field(name)
             assert field is not None
+            self._check_range(name, value)
             setattr(table, name, self._program.filled(field.type, value, field.shape))
         return table
 

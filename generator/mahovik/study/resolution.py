@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from mahovik import reference
 from mahovik.errors import StateError
+from mahovik.reference.bodies import Placed
 from mahovik.reference.forward import forward
 from mahovik.reference.screw import Phi, f, spin
 from mahovik.stand.model import Flywheel, Stand, Vec6
@@ -115,17 +116,21 @@ def mount_terms(at: reference.Pieces, state: State) -> Array:
     return found
 
 
+def _bodies(at: reference.Pieces) -> tuple[Placed, ...]:
+    return (*at.fixed, *at.flywheels)
+
+
 def _mass_terms(at: reference.Pieces) -> Array:
     """Of K (6x6), body by body."""
-    bodies = (*at.fixed, *at.flywheels)
-    total = sum((np.abs(k.L @ k.Theta @ k.L.T) for k in bodies), np.zeros((6, 6)))
+
+    total = sum((np.abs(k.L @ k.Theta @ k.L.T) for k in _bodies(at)), np.zeros((6, 6)))
     return np.asarray(total + sum(np.abs(p.Lambda) for p in at.fixed))
 
 
 def _wrench_terms(at: reference.Pieces) -> Array:
     """Of F (6), body by body and kind by kind."""
     total = np.zeros(6)
-    for k in (*at.fixed, *at.flywheels):
+    for k in _bodies(at):
         for P in at.terms[k.body.name].values():
             total += np.abs(k.L) @ np.abs(P)
     return total

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from types import MappingProxyType
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 
@@ -67,7 +67,7 @@ def rounded(state: State) -> State:
     """The state with every number but the quaternion rounded to the nearest float."""
     keys = ("position", "angles", "V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau")
     given = {key: getattr(state, key) for key in keys}
-    found = {key: None if value is None else tuple(map(_float, value)) for key, value in given.items()}
+    found: dict[str, Any] = {key: None if value is None else tuple(map(_float, value)) for key, value in given.items()}
     wrench = {name: cast(Vec6, tuple(map(_float, value))) for name, value in state.wrench.items()}
     return replace(state, **found, wrench=MappingProxyType(wrench))
 
