@@ -1,0 +1,112 @@
+"""What rounding to float costs: measures every quantity of verify over random and example stands, and writes the table
+of docs/verification.md; exit status 1 where a bound is not met.
+
+python tools/float_bounds.py [--stands 48] [--states 40] [--jobs 2]
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from mahovik import reference
+from mahovik.stand.model import Stand
+from mahovik.stand.summary import summarize
+from mahovik.stands import names, path
+from mahovik.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, states
+from mahovik.verify.bounds import FLOAT
+from mahovik.verify.c_backend import CBackend
+from mahovik.verify.campaign import random_stands, verify_random
+from mahovik.verify.draw import rounded
+
+ROOT = Path(__file__).resolve().parents[1]
+BEGIN, END = "<!-- float: tools/float_bounds.py -->", "<!-- end of float -->"
+Worst = dict[tuple[str, str], float]
+UNITS = "units of `check`"
+
+
+def stand_of(number: int) -> Stand:
+    """Example stands first, then random ones."""
+    if number < len(names()):
+        from mahovik.stand import load
+
+        return load(path(names()[number]))
+    *_, found = random_stands(number - len(names()) + 1)
+    return found
+
+
+def measured(number: int, count: int) -> tuple[int, Worst]:
+    """States, and the worst difference of every quantity over its scale; for `check` in units of its terms."""
+    stand = stand_of(number)
+    found: Worst = {}
+    for row in verify_random(stand, count, real="float").rows:
+        found[row.want, row.quantity] = max(row.worst, row.between or 0.0)
+    found[UNITS, ""] = max(units(stand), default=0.0)
+    return count, found
+
+
+def units(stand: Stand) -> Iterator[float]:
+    """Error of the C in float over 2^-24 times the terms of study.resolution, at its states."""
+    backend = CBackend(stand, "float")
+    speeds = [row.speed for row in summarize(stand).unbalance]
+    for motion in MOTIONS if speeds else ():
+        for state in map(rounded, states(stand, speeds, motion)):
+            at = reference.pieces(stand, state)
+            for want, quantity in QUANTITIES.items():
+                expected = reference.evaluate(stand, state, [want], at)[quantity.key]
+                off = np.abs(np.array(backend.evaluate(state, [want])[quantity.key]) - expected)
+                terms = quantity.terms(at, state)
+                yield float((off[terms > 0] / terms[terms > 0]).max(initial=0.0)) / UNIT
+
+
+def table(worst: Worst, stands: int, count: int) -> str:
+    """The block between the markers."""
+    rows = [
+        f"| `{want}` | `{quantity}` | {FLOAT.of(want, quantity):.0e} | {off:.0e} |"
+        for (want, quantity), off in worst.items()
+        if want != UNITS and quantity not in ("status", "rank")
+    ]
+    head = "| want | quantity | bound | worst measured |\n| --- | --- | ---: | ---: |"
+    words = (
+        f"Written by `python tools/float_bounds.py`: {stands} stands (the examples, then random ones of 0 to 64 "
+        f"flywheels), {count} states each.\nRounding in `check`: at most {worst[UNITS, '']:.1f} units of 2^-24 of the "
+        f"terms measured, {FACTOR:.0f} assumed."
+    )
+    return "\n".join([words, "", head, *rows])
+
+
+def main() -> None:
+    """Measure, write, judge."""
+    parser = argparse.ArgumentParser(description="What rounding to float costs.")
+    parser.add_argument("--stands", type=int, default=48, help="random ones, beside the examples")
+    parser.add_argument("--states", type=int, default=40)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    given = parser.parse_args()
+    total = given.stands + len(names())
+    worst: Worst = {}
+    with ProcessPoolExecutor(given.jobs) as pool:
+        for _, found in pool.map(measured, range(total), [given.states] * total):
+            for key, off in found.items():
+                worst[key] = max(worst.get(key, 0.0), off)
+    page = ROOT / "docs" / "verification.md"
+    before, rest = page.read_text(encoding="utf-8").split(BEGIN)
+    text = f"{before}{BEGIN}\n\n{table(worst, total, given.states)}\n\n{END}{rest.split(END)[1]}"
+    page.write_text(text, encoding="utf-8")
+    beyond = [
+        f"{want}: {quantity}"
+        for (want, quantity), off in worst.items()
+        if want != UNITS and off > FLOAT.of(want, quantity)
+    ]
+    if worst[UNITS, ""] > FACTOR:
+        beyond.append(UNITS)
+    print(f"beyond their bounds: {', '.join(beyond) or 'none'}")
+    raise SystemExit(1 if beyond else 0)
+
+
+if __name__ == "__main__":
+    main()
