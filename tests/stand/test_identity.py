@@ -55,6 +55,7 @@ def test_names_kinds_and_order_change_both() -> None:
         TEXT.replace('"w"', '"w2"'),
         TEXT.replace("schema = 1", 'schema = 1\nangles = "euler"'),
         TEXT.replace("schema = 1", "schema = 1\nstream = [0, 0, 0]"),
+        TEXT.replace("schema = 1", 'schema = 1\nphase_input = "sincos"'),
         TEXT.replace("[0, 0, -9.81]", "[0, 0, 0]"),
         TEXT.replace("mass = 2", "mass = 2\nwrench_input = true"),
         TEXT.replace("mass = 2", "mass = 2\nadded_mass = [1, 1, 1, 0, 0, 0]"),

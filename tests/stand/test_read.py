@@ -229,3 +229,14 @@ def test_line_ends_and_a_byte_order_mark_are_no_matter(tmp_path: Path) -> None:
     path.write_bytes(b"\xef\xbb\xbf" + FULL.replace("\n", "\r\n").encode())
     assert loads(FULL) == load(path)
     assert loads(FULL) == load(str(path))
+
+
+def test_phase_input_is_read_and_written_back() -> None:
+    text = (
+        'schema = 1\nname = "a"\nphase_input = "sincos"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n'
+        '[[flywheel]]\nname = "w"\nmass = 1\ninertia = [1, 1, 1]\n'
+    )
+    stand = loads(text)
+    assert stand.phase_input == "sincos"
+    assert loads(text.replace('phase_input = "sincos"\n', "")).phase_input == "angle"
+    assert loads(dumps(stand)) == stand

@@ -63,6 +63,14 @@ CASES = {
         HEAD + 'angles = "xyz"' + CARRIER,
         'angles: expected "ship" (or "zyx"), "aircraft" ("yzx") or "euler" ("zxz"), found "xyz"',
     ),
+    "phase_input unknown": (
+        BASE.replace("schema = 1", 'schema = 1\nphase_input = "resolver"', 1) + WHEEL,
+        'phase_input: expected "angle" or "sincos", found "resolver"',
+    ),
+    "phase_input without flywheels": (
+        BASE.replace("schema = 1", 'schema = 1\nphase_input = "sincos"', 1),
+        'phase_input: "sincos" says how phases are given, but there is no flywheel',
+    ),
     "wrench_input a number": (
         BASE + "wrench_input = 1",
         "carrier, wrench_input: expected true or false, found 1",
@@ -235,6 +243,11 @@ CASES = {
     "added mass negative": (
         BASE + "added_mass = [1, 1, 1, 1, -0.5, 1]",
         "carrier, added_mass: not positive semidefinite, [4][4] = -0.5",
+    ),
+    "added mass of a row without its diagonal": (
+        BASE
+        + f"added_mass = {[[float(i == j != 4) if {i, j} != {0, 4} else 1e-6 for j in range(6)] for i in range(6)]}",
+        "carrier, added_mass: not positive semidefinite, [4][4] = 0 but [4][0] = 1e-06",
     ),
     "added mass indefinite": (
         BASE

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol
 
@@ -90,6 +91,8 @@ class ProgramBackend:
             "stand": self._table,
             "mounting": self._mounting,
             "x": x,
+            "sine": [math.sin(phi) for phi in state.phi],
+            "cosine": [math.cos(phi) for phi in state.phi],
             "V_dot": state.V_dot,
             "phi_ddot": state.phi_ddot,
             "tau": state.tau,

@@ -22,6 +22,8 @@ _LIMITS = {
     "V_dot": (1e9,),
     "tau": (1e9,),
     "wrench": (1e9,),
+    "sine": (2.0,),
+    "cosine": (2.0,),
 }
 _NEVER = ("prepare", "prepare_mounts")  # take parameters, not a state
 
