@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -68,7 +69,7 @@ class CMachine:
     """The C of the stand, freshly generated, or with `folder` what lies there. Raises as CBackend."""
 
     def __init__(self, stand: Stand, real: str, folder: Path | None = None) -> None:
-        self._c = CBackend(stand, real, folder)
+        self._c = _compiled(stand, real) if folder is None else CBackend(stand, real, folder)
         self.generated = self._c.generated
         self._ffi = self._c.library.ffi
         self._prefix = stand.name
@@ -115,6 +116,12 @@ class CMachine:
         """See Machine."""
         found: Mapping[str, Any] = self._c.table()
         return found
+
+
+@lru_cache(maxsize=4)
+def _compiled(stand: Stand, real: str) -> CBackend:
+    """The compiled C of a stand; of the last few it is kept, so that many logs of one stand compile once."""
+    return CBackend(stand, real)
 
 
 class InterpreterMachine:
