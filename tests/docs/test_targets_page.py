@@ -1,0 +1,44 @@
+"""README and docs/targets.md hold the tables that tools/targets_table.py writes: all targets, all equal."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from types import ModuleType
+
+import pytest
+
+from docs.pages import ROOT, cells
+from mahovik.toolchain.targets import TARGETS
+from mahovik.verify.targets import REALS, TargetRow, TargetsReport
+
+
+def tool() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("targets_table", ROOT / "tools" / "targets_table.py")
+    assert spec is not None
+    assert spec.loader is not None
+    found = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(found)
+    return found
+
+
+def report() -> TargetsReport:
+    """Of every target, as it would come out well."""
+    rows = [
+        TargetRow(t.name, t.title, f"{t.compiler[0]} 12.2.0 {t.optimisation}", real, 20, 20, "ok")
+        for t in TARGETS.values()
+        for real in REALS
+    ]
+    return TargetsReport("bench8", "0", "1", 20, tuple(rows))
+
+
+@pytest.mark.parametrize(("page", "form"), [("README.md", "short"), ("docs/targets.md", "full")])
+def test_the_tables_name_every_target_and_compiler(page: str, form: str) -> None:
+    """Same rows and columns as the tool writes, versions aside; every pair equal, and twelve at least."""
+    written, text = tool(), (ROOT / page).read_text(encoding="utf-8")
+    part = text.partition(written.BEGIN)[2].partition(written.END)[0]
+    expected = getattr(written, form)(report())
+    assert re.sub(r" \d+\.\d+\.\d+", "", part.strip()) == re.sub(r" \d+\.\d+\.\d+", "", expected.strip())
+    rows = [cells(line) for line in part.splitlines() if line.startswith("|")][2:]
+    assert sum(row.count("equal") for row in rows) >= 12
+    assert written.between_markers(text, part.strip() + "\n") == text
