@@ -11,7 +11,7 @@ from pathlib import Path
 
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.manifest import digest
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import UsageError
 from mahovik.program.types import Kind, Struct
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
@@ -32,7 +32,7 @@ _TIMEOUT = 300.0
 
 @dataclass(frozen=True)
 class FunctionCost:
-    """Of one call. `instructions`: of the dearest state; `stack`: bytes over the call graph; `painted`: bytes found
+    """Of one call. `instructions`: of the dearest state, 0 where the function refuses them all; `stack`: bytes over the call graph; `painted`: bytes found
     used on the emulator, 0 where there is no painted stack; `code`: bytes with what it calls; `routines`: called
     routines of the compiler's library, which `stack` and `code` leave out and the others do not.
     """
@@ -99,7 +99,7 @@ def measure(
 ) -> Costs:
     """Builds and runs the measuring program on each target.
 
-    Raises ToolchainError where a tool is missing, CheckError where a function refused an ordinary state.
+    Raises ToolchainError where a tool is missing.
     """
     for target, _ in pairs:
         require(target)
@@ -149,13 +149,11 @@ def _one(stand: Stand, made: Generated, target: Target, real: str) -> TargetCost
 def _function(stand: Stand, found: Footprint, lines: Sequence[Line], name: str) -> FunctionCost:
     own = [line for line in lines if line.function == name]
     assert len(own) == STATES
-    refused = next((line for line in own if line.status < 0), None)
-    if refused is not None:
-        raise CheckError(f"{name} refused measuring state {refused.state} with status {refused.status}")
+    good = [line for line in own if line.status >= 0]
     symbol = f"{stand.name}_{name.partition('(')[0]}"
     return FunctionCost(
         function=name,
-        instructions=max(round(line.instructions / line.calls) for line in own),
+        instructions=max((round(line.instructions / line.calls) for line in good), default=0),
         stack=found.stack_of(symbol),
         painted=max(line.stack for line in own),
         code=found.code_of(symbol),
@@ -173,7 +171,7 @@ def _flywheel(made: Generated, width: int) -> dict[str, int]:
                 _numbers(f.type, f.shape[1:]) for f in struct.fields if f.shape and f.shape[0] is made.layout.count
             )
             found[tables[struct.name]] = count * width
-    return found
+    return dict(sorted(found.items()))
 
 
 def _numbers(type_: Kind | Struct, shape: tuple[object, ...]) -> int:
