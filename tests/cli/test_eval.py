@@ -73,7 +73,6 @@ def test_no_states_are_no_failure() -> None:
     [
         (("--backend", "casadi", "--real", "float"), "only --backend c has it"),
         (("--backend", "numpy", "--real", "float"), "only --backend c has it"),
-        (("--real", "float"), "float C is not there yet"),
         (("--backend", "matlab"), "'matlab' is not one of"),
         (("--real", "half"), "'half' is not one of"),
     ],

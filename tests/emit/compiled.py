@@ -85,9 +85,9 @@ def compiled(name, optimisation="-O2", compiler="gcc"):
 
 
 @cache
-def compiled_float(name):
+def compiled_float(name, optimisation="-O2", compiler="gcc"):
     """The same with float."""
-    return Compiled(stand(name), *float_texts(stand(name)))
+    return Compiled(stand(name), *float_texts(stand(name)), optimisation, compiler)
 
 
 def bits(value):

@@ -6,14 +6,9 @@ from functools import cache
 import numpy as np
 
 from mahovik import stands as examples
-from mahovik.emit.generate import _Printer, generate_all
-from mahovik.lower.layout import Layout
-from mahovik.lower.program import lower_layout
-from mahovik.lower.values import Values
-from mahovik.program.types import FLOAT
+from mahovik.emit.generate import generate_all
 from mahovik.stand import load
 from mahovik.stand.random import BARE, EVERYTHING, Features, random_stand
-from mahovik.stand.structure import structure
 
 WET = Features("aircraft", 1, True, True, True, False, 0, 1, False, False)
 HUNG = Features("euler", 1, True, False, False, True, 2, 0, True, True)
@@ -53,12 +48,9 @@ def generated(name):
 
 
 def float_texts(given):
-    """The C of a stand with float as element type: `generate` does not offer it yet, the stages below can."""
-    layout = Layout(structure(given), FLOAT)
-    program = lower_layout(layout)
-    values = Values(given, layout, program)
-    printer = _Printer(given, layout, program, values)
-    return layout, program, values, {f"{given.name}.h": printer.header(), f"{given.name}.c": printer.source()}
+    """Layout, program, numbers and C of a stand with float as element type."""
+    made = generate_all(given, "float")
+    return made.layout, made.program, made.values, made.files
 
 
 def write(files, folder):

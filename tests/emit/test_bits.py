@@ -57,6 +57,17 @@ def test_compilers_agree(compiler, optimisation):
     assert bits(reference.table()) == bits(other.table())
 
 
+@pytest.mark.parametrize(
+    ("compiler", "optimisation"), [("gcc", "-O0"), ("gcc", "-O1"), ("gcc", "-O3"), ("clang", "-O0"), ("clang", "-O3")]
+)
+def test_compilers_agree_in_float(compiler, optimisation):
+    require(compiler, compiler)
+    reference, other = compiled_float(NAME), compiled_float(NAME, optimisation, compiler)
+    chosen = states(reference.stand, phase_limit=FLOAT.max_phase)
+    assert all_bits(reference.c, reference, chosen) == all_bits(other.c, other, chosen)
+    assert bits(reference.table()) == bits(other.table())
+
+
 def test_ordinary_states_are_evaluated():
     """Guard of the tests above: agreement on refusals alone would prove nothing."""
     c = compiled(NAME)
@@ -78,7 +89,7 @@ def test_the_compiled_tables_are_those_of_the_generator(name):
 
 
 def test_float_follows_double():
-    """Float results are those of double but for its rounding: some thousand operations of 6e-8 on sums that cancel."""
+    """Float results are those of double but for its rounding; tests/verify/test_float.py has the bounds."""
     double, single = compiled(NAME), compiled_float(NAME)
     rng = np.random.default_rng(3)
     for _ in range(5):
