@@ -147,6 +147,14 @@ def test_the_page_names_what_was_measured() -> None:
         assert words in text
 
 
+def test_a_function_that_refuses_the_states_is_told() -> None:
+    one = costs().targets[0].functions[0]
+    text = page(costs(functions=(replace(one, instructions=0),)))
+    assert "| `forward` | refused | 500 |" in text
+    assert "Refused: " in text
+    assert "Refused: " not in page(costs())
+
+
 def test_usage() -> None:
     with pytest.raises(UsageError, match='unknown "m8"'):
         asked("m8", None)

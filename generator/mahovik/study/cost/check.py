@@ -53,6 +53,5 @@ def _rises(old: Mapping[str, Any], new: TargetCost) -> Iterator[str]:
 
 
 def _rise(what: str, old: int | None, new: int) -> Iterator[str]:
-    if old is not None and new > old * (1 + RISE):
-        percent = f", {100 * (new - old) / old:.1f} % more" if old else ""
-        yield f"{what}: {old} accepted, now {new}{percent}"
+    if old and new > old * (1 + RISE):
+        yield f"{what}: {old} accepted, now {new}, {100 * (new - old) / old:.1f} % more"

@@ -32,9 +32,10 @@ _TIMEOUT = 300.0
 
 @dataclass(frozen=True)
 class FunctionCost:
-    """Of one call. `instructions`: of the dearest state, 0 where the function refuses them all; `stack`: bytes over the call graph; `painted`: bytes found
-    used on the emulator, 0 where there is no painted stack; `code`: bytes with what it calls; `routines`: called
-    routines of the compiler's library, which `stack` and `code` leave out and the others do not.
+    """Of one call. `instructions`: of the dearest state, 0 where the function refuses them all; `stack`: bytes over the
+    call graph; `painted`: bytes found used on the emulator, 0 where there is no painted stack; `code`: bytes with what
+    it calls; `routines`: called routines of the compiler's library, which `stack` and `code` leave out and the others
+    do not.
     """
 
     function: str

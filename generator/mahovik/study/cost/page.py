@@ -41,9 +41,17 @@ def _target(costs: Costs, found: TargetCost) -> str:
     for f in found.functions:
         calls = f"{f.code:,}{'*' if f.routines else ''}"
         rows.append(
-            [f"`{f.function}`", f"{f.instructions:,}", f"{f.stack:,}", f"{f.painted:,}" * bool(f.painted), calls]
+            [
+                f"`{f.function}`",
+                f"{f.instructions:,}" if f.instructions else "refused",
+                f"{f.stack:,}",
+                f"{f.painted:,}" * bool(f.painted),
+                calls,
+            ]
         )
     text += _table(["function", "instructions", "stack, bytes", "painted", "code, bytes"], rows)
+    if not all(f.instructions for f in found.functions):
+        text += "\nRefused: these states are none for it; `inverse_fast` wants six independent flywheels, or damping.\n"
     routines = sorted({name for f in found.functions for name in f.routines})
     if routines:
         names = ", ".join(f"`{name}`" for name in routines)
