@@ -1,11 +1,11 @@
 /* auv6.c: motion of the stand "auv6". What each function does and takes: auv6.h.
- * mahovik 0.1.0; structure d04ed473, physics a120c4b3. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 192ea446, physics 002b2abc. Generated: change the stand file instead. */
 #include "auv6.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-#if AUV6_STRUCTURE != 0xd04ed473u || AUV6_PHYSICS != 0xa120c4b3u
+#if AUV6_STRUCTURE != 0x192ea446u || AUV6_PHYSICS != 0x002b2abcu
 #error "auv6.h and auv6.c are of different stands"
 #endif
 
@@ -144,6 +144,13 @@ static auv6_real auv6_sqrt(auv6_real x)
     return (x > 0.0) ? result : x;
 }
 
+/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+AUV6_CODE
+static auv6_real auv6_unwound(auv6_real phi, auv6_real k)
+{
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
 /* the equal angle within half a turn of zero.
  * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
 AUV6_CODE
@@ -151,7 +158,7 @@ static auv6_real auv6_wrapped(auv6_real phi)
 {
     /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
     const auv6_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
-    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+    return auv6_unwound(phi, k);
 }
 
 /* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
@@ -357,23 +364,27 @@ static void auv6_subtract_rates(const auv6_sums *sum, const auv6_real V[6], cons
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 AUV6_CODE
 static auv6_status auv6_solve3(const auv6_real S[6], const auv6_real b[3], auv6_real y[3])
 {
-    const auv6_real c11 = S[1] * S[2] - S[5] * S[5];
-    const auv6_real c22 = S[0] * S[2] - S[4] * S[4];
-    const auv6_real c33 = S[0] * S[1] - S[3] * S[3];
-    const auv6_real c12 = S[4] * S[5] - S[2] * S[3];
-    const auv6_real c13 = S[3] * S[5] - S[1] * S[4];
-    const auv6_real c23 = S[3] * S[4] - S[0] * S[5];
-    const auv6_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
-    /* Sylvester: the leading minors are positive. NaN fails too */
-    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
-    const auv6_real r = 1.0 / det;
-    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
-    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
-    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    if (!(S[0] >= 2.2250738585072014e-308)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    const auv6_real r1 = 1.0 / S[0];
+    const auv6_real l21 = S[3] * r1;
+    const auv6_real l31 = S[4] * r1;
+    const auv6_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    const auv6_real r2 = 1.0 / d2;
+    const auv6_real p32 = S[5] - l31 * S[3];
+    const auv6_real l32 = p32 * r2;
+    const auv6_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    /* L z = b, then L^T y = D^-1 z */
+    const auv6_real z2 = b[1] - l21 * b[0];
+    const auv6_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
+    const auv6_real y2 = z2 * r2 - l32 * y3;
+    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
+    y[1] = y2;  y[2] = y3;
     return AUV6_OK;
 }
 
@@ -814,7 +825,8 @@ static auv6_status auv6_solve_schur(const auv6_schur *K, const auv6_real F[6], a
     const auv6_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
     const auv6_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
     const auv6_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
-    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= AUV6_LARGEST))) { return AUV6_NOT_POSITIVE_DEFINITE; }
     const auv6_real r = 1.0 / det;
     auv6_real A_inv[6];
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
@@ -1223,6 +1235,100 @@ auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const
     status = auv6_finish(&y);
     if (status != AUV6_OK) { return status; }
     *next = y;
+    return AUV6_OK;
+}
+
+/* The equal angle in [-pi, pi] (pi as the nearest real). */
+AUV6_CODE
+auv6_status auv6_wrap(auv6_real phi, auv6_real *wrapped)
+{
+    if (wrapped == NULL) { return AUV6_BAD_ARGUMENT; }
+    auv6_status status;
+    auv6_real given[1];
+    given[0] = phi;
+    status = auv6_within(given, 1, AUV6_MAX_PHASE);
+    if (status != AUV6_OK) { return status; }
+    auv6_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    auv6_real angle;
+    k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+    angle = auv6_unwound(phi, k);
+    if (angle > 3.141592653589793 || angle < -3.141592653589793) {
+        angle = auv6_unwound(phi, (angle > 3.141592653589793) ? k + 1.0 : k - 1.0);
+    }
+    *wrapped = (angle > 3.141592653589793) ? 3.141592653589793
+        : ((angle < -3.141592653589793) ? -3.141592653589793 : angle);
+    return AUV6_OK;
+}
+
+/* Phase of an encoder's count. */
+AUV6_CODE
+auv6_status auv6_phase_of_counts(int count, int per_turn, auv6_real zero, auv6_real *phi)
+{
+    if (phi == NULL) { return AUV6_BAD_ARGUMENT; }
+    auv6_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return AUV6_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    const auv6_real size = (auv6_real)turn;
+    auv6_real given[1];
+    given[0] = zero;
+    status = auv6_within(given, 1, size);
+    if (status != AUV6_OK) { return status; }
+    const int rest = count - count / turn * turn;  /* whole turns taken off */
+    auv6_real place = (auv6_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const auv6_real half = size * 0.5;
+    for (int i = 0; i < 2; ++i) {
+        place = (place > half) ? place - size : ((place < -half) ? place + size : place);
+    }
+    *phi = place / (auv6_real)per_turn * 6.283185307179586;
+    return AUV6_OK;
+}
+
+/* Mean speed of a flywheel of the counts in a time. */
+AUV6_CODE
+auv6_status auv6_speed_of_counts(int moved, int per_turn, auv6_real dt, auv6_real *phi_dot)
+{
+    if (phi_dot == NULL) { return AUV6_BAD_ARGUMENT; }
+    auv6_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return AUV6_BAD_ARGUMENT; }
+    auv6_real given[1];
+    given[0] = dt;
+    status = auv6_within(given, 1, AUV6_MAX_STEP);
+    if (status != AUV6_OK) { return status; }
+    if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
+    const auv6_real turns = (auv6_real)moved / (auv6_real)per_turn;
+    const auv6_real speed = turns * 6.283185307179586 / dt;
+    if (!(speed >= -AUV6_MAX_SPEED && speed <= AUV6_MAX_SPEED)) { return AUV6_RANGE; }
+    *phi_dot = speed;
+    return AUV6_OK;
+}
+
+/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
+ * exactly. */
+AUV6_CODE
+auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int per_turn)
+{
+    if (encoder == NULL) { return AUV6_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return AUV6_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    if (!(encoder->place >= 0 && encoder->place < turn)) { return AUV6_BAD_ARGUMENT; }
+    int moved;  /* counts since the last reading: the shorter way round */
+    if (bits == 0) {
+        if (!(counter >= 0 && counter < turn
+            && (encoder->counter >= 0 && encoder->counter < turn))) { return AUV6_BAD_ARGUMENT; }
+        moved = counter - encoder->counter;
+        const int half = turn / 2;
+        moved = (moved > half) ? moved - turn : ((moved < -half) ? moved + turn : moved);
+    } else {
+        if (!(bits >= 2 && bits <= 32)) { return AUV6_BAD_ARGUMENT; }
+        const auv6_word mask = (auv6_word)0xffffffffu >> (auv6_word)(32 - bits);
+        const auv6_word up = ((auv6_word)counter - (auv6_word)encoder->counter) & mask;  /* counts forwards */
+        const auv6_word down = mask - up;  /* counts backwards, less one */
+        moved = (up > down) ? -1 - (int)down : (int)up;
+    }
+    int place = encoder->place + (moved - moved / turn * turn);
+    encoder->place = (place < 0) ? place + turn : ((place < turn) ? place : place - turn);
+    encoder->counter = counter;
+    encoder->moved = moved;
     return AUV6_OK;
 }
 
@@ -1851,11 +1957,15 @@ static void auv6_orthogonalise(auv6_inverse_work *work)
                     g += work->W[p][j] * work->W[q][j];
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
-                const auv6_real d = b - a;
-                const auv6_real root = auv6_sqrt(d * d + 4.0 * (g * g));
+                const auv6_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* of size 1, so that no square underflows */
+                const auv6_real unit = (size > 0.0) ? size : 1.0;
+                const auv6_real d = (b - a) / unit;
+                const auv6_real h = 2.0 * g / unit;
+                const auv6_real root = auv6_sqrt(d * d + h * h);
                 const auv6_real below = (d < 0.0) ? d - root : d + root;
                 const auv6_real t = (((below < 0.0) ? -below : below) > 0.0)
-                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
                 const auv6_real c = 1.0 / auv6_sqrt(1.0 + t * t);
                 const auv6_real s = c * t;
                 for (int j = 0; j < AUV6_N; ++j) {
@@ -1910,7 +2020,7 @@ static auv6_status auv6_factor(auv6_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 AUV6_CODE
 static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
-                               const auv6_real weight[AUV6_N], auv6_inverse_work *work)
+                               auv6_inverse_work *work)
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -1990,7 +2100,7 @@ static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, con
     status = auv6_factor(work);
     if (status != AUV6_OK) { return status; }
     for (int s = 0; s < AUV6_N; ++s) {
-        work->scale[s] = 1.0 / auv6_sqrt(stand->flywheel[s].spin * weight[s]);
+        work->scale[s] = 1.0 / auv6_sqrt(stand->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -2012,6 +2122,171 @@ static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, con
     return AUV6_OK;
 }
 
+/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+AUV6_CODE
+static void auv6_solve_gram(auv6_real gram[6][6], auv6_real z[6], auv6_real least)
+{
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const auv6_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = auv6_sqrt(pivot);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
+ * do, (12). */
+AUV6_CODE
+static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_options *options, int rank,
+                          auv6_real phi_ddot[AUV6_N], int limited[AUV6_N])
+{
+    auv6_real give[AUV6_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    auv6_real step[AUV6_N];  /* what the free flywheels shall give more */
+    auv6_real row[6];  /* factor of each row; 0: it does not count */
+    auv6_real gram[6][6];
+    auv6_real z[6];
+    for (int s = 0; s < AUV6_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+    }
+    for (int pass = 0; pass < 18; ++pass) {
+        auv6_real most = 0.0;
+        for (int s = 0; s < AUV6_N; ++s) {
+            const auv6_real share = (pass < 17) ? 1.0 / options->weight[s] : 1.0;
+            give[s] = (limited[s] > 0) ? 0.0 : share;
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const auv6_real regular = 1.0e-12 * most;
+        const auv6_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        for (int i = 0; i < 6; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 6; ++i) {
+            auv6_real left = work->r[i];
+            for (int s = 0; s < AUV6_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        for (int i = 0; i < 6; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                auv6_real total = 0.0;
+                for (int s = 0; s < AUV6_N; ++s) {
+                    total += work->W[i][s] * give[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        auv6_solve_gram(gram, z, least);
+        for (int s = 0; s < AUV6_N; ++s) {
+            step[s] = 0.0;
+            for (int i = 0; i < 6; ++i) {
+                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+            }
+        }
+        if (pass < 1) {
+            for (int s = 0; s < AUV6_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const auv6_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        }
+        if (pass > 0) {
+            /* as long a step as all limits allow; the flywheel that stops it is held */
+            auv6_real length;
+            int stopped;
+            length = 1.0;
+            stopped = -1;
+            for (int s = 0; s < AUV6_N; ++s) {
+                const auv6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                    const auv6_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const auv6_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < AUV6_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const auv6_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a whole step: free the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                auv6_real left[6];
+                auv6_real wanted = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < AUV6_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                auv6_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                int freed = -1;
+                for (int s = 0; s < AUV6_N; ++s) {
+                    if (limited[s] > 0) {
+                        auv6_real slope = 0.0;
+                        auv6_real size = 0.0;
+                        for (int i = 0; i < 6; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const auv6_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    for (int s = 0; s < AUV6_N; ++s) {
+        const auv6_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
 /* (12) */
 AUV6_CODE
 auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
@@ -2025,9 +2300,7 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
     if (status != AUV6_OK) { return status; }
     status = auv6_within(V_dot, 6, AUV6_MAX_ACCELERATION);
     if (status != AUV6_OK) { return status; }
-    status = auv6_within(options->weight, AUV6_N, AUV6_MAX_PARAMETER);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(options->limit, AUV6_N, AUV6_LARGEST);
+    status = auv6_within(options->weight, AUV6_N, AUV6_MAX_WEIGHT);
     if (status != AUV6_OK) { return status; }
     auv6_real shares[2];
     shares[0] = options->near;     shares[1] = options->damping;
@@ -2036,10 +2309,14 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
     for (int s = 0; s < AUV6_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return AUV6_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return AUV6_BAD_ARGUMENT; }
+    }
+    for (int s = 0; s < AUV6_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return AUV6_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
-    status = auv6_demand(stand, x, V_dot, options->weight, &work);
+    status = auv6_demand(stand, x, V_dot, &work);
     if (status != AUV6_OK) { return status; }
     auv6_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2071,37 +2348,25 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
     flags = 0;
     rank = 0;
     damping = 0.0;
-    for (int s = 0; s < AUV6_N; ++s) {
-        out->phi_ddot[s] = 0.0;
-    }
-    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
     for (int i = 0; i < 6; ++i) {
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const auv6_real ratio = work.sigma[i] / work.sigma[0];
-            auv6_real lambda = 0.0;
             if (ratio < options->near) {
                 flags = flags | AUV6_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | AUV6_DAMPED;
-                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const auv6_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const auv6_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
                 }
             }
-            const auv6_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
-            for (int s = 0; s < AUV6_N; ++s) {
-                out->phi_ddot[s] += part * work.W[i][s];
-            }
         }
     }
+    auv6_allocate(&work, options, rank, out->phi_ddot, out->limited);
     for (int s = 0; s < AUV6_N; ++s) {
-        const auv6_real free = out->phi_ddot[s] * work.scale[s];
-        const auv6_real over = ((free < 0.0) ? -free : free) - options->limit[s];
-        out->phi_ddot[s] = free;
-        out->limited[s] = 0;
-        if (over > 0.0) {
-            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
-            out->limited[s] = 1;
+        if (out->limited[s] > 0) {
             flags = flags | AUV6_LIMITED;
         }
     }
@@ -2124,17 +2389,46 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
         }
         z[i] = z[i] / work.G[i][i];
         left += z[i] * z[i];
-        /* G u of the least singular value */
-        out->hardest[i] = 0.0;
-        for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * work.U[k][5];
-        }
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | AUV6_UNREACHABLE;
     }
+    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    auv6_real part[6];
+    for (int i = 0; i < 6; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    auv6_real largest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        const auv6_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[5] = 1.0;
+        largest = 1.0;
+    }
+    auv6_real square = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const auv6_real length = auv6_sqrt(square);
+    auv6_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    for (int k = 0; k < 6; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 6; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * u[k];
+        }
+    }
     out->rank = rank;
-    out->damping = damping;
+    out->damped_by = damping;
     for (int i = 0; i < 6; ++i) {
         out->sigma[i] = work.sigma[i];
     }
@@ -2154,31 +2448,32 @@ auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, cons
     if (status != AUV6_OK) { return status; }
     status = auv6_within(V_dot, 6, AUV6_MAX_ACCELERATION);
     if (status != AUV6_OK) { return status; }
-    status = auv6_within(options->weight, AUV6_N, AUV6_MAX_PARAMETER);
+    status = auv6_within(options->weight, AUV6_N, AUV6_MAX_WEIGHT);
     if (status != AUV6_OK) { return status; }
-    status = auv6_within(options->limit, AUV6_N, AUV6_LARGEST);
-    if (status != AUV6_OK) { return status; }
-    auv6_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
-    status = auv6_within(shares, 2, AUV6_LARGEST);
+    auv6_real shares[1];
+    shares[0] = options->damping;
+    status = auv6_within(shares, 1, AUV6_LARGEST);
     if (status != AUV6_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
-    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return AUV6_BAD_ARGUMENT; }
     for (int s = 0; s < AUV6_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return AUV6_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
-    status = auv6_demand(stand, x, V_dot, options->weight, &work);
+    status = auv6_demand(stand, x, V_dot, &work);
     if (status != AUV6_OK) { return status; }
-    /* normal equations: W W^T z = r, y = W^T z */
+    /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
     auv6_real gram[6][6];
     auv6_real z[6];
     auv6_real trace = 0.0;
+    auv6_real weighed[AUV6_N];  /* a row of W Omega^-1 */
     for (int i = 0; i < 6; ++i) {
+        for (int s = 0; s < AUV6_N; ++s) {
+            weighed[s] = work.W[i][s] / options->weight[s];
+        }
         for (int j = 0; j < i + 1; ++j) {
             gram[i][j] = 0.0;
             for (int k = 0; k < AUV6_N; ++k) {
-                gram[i][j] += work.W[i][k] * work.W[j][k];
+                gram[i][j] += weighed[k] * work.W[j][k];
             }
         }
         trace += gram[i][i];
@@ -2189,10 +2484,11 @@ auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, cons
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 6; ++j) {
+        const auv6_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
-        if (!(gram[j][j] > 1.0e-26)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        if (!(gram[j][j] > least)) { return AUV6_NOT_POSITIVE_DEFINITE; }
         gram[j][j] = auv6_sqrt(gram[j][j]);
         for (int i = j + 1; i < 6; ++i) {
             for (int k = 0; k < j; ++k) {
@@ -2219,6 +2515,7 @@ auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, cons
         for (int k = 0; k < 6; ++k) {
             y += work.W[k][s] * z[k];
         }
+        y = y / options->weight[s];
         phi_ddot[s] = y * work.scale[s];
     }
     return AUV6_OK;
@@ -2494,13 +2791,15 @@ static auv6_status auv6_frame_of_axes(const auv6_real axis[3], const auv6_real z
     if (!(axis2 > 1.0e-30)) { return AUV6_RANGE; }
     const auv6_real axis2_root = 1.0 / auv6_sqrt(axis2);
     e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    const auv6_real zero2 = zero[0] * zero[0] + zero[1] * zero[1] + zero[2] * zero[2];
+    if (!(zero2 > 1.0e-30)) { return AUV6_RANGE; }
     const auv6_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];  /* of zero along the axis */
     auv6_real across[3];
     across[0] = zero[0] - along * e1[0];
     across[1] = zero[1] - along * e1[1];
     across[2] = zero[2] - along * e1[2];
     const auv6_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
-    if (!(across2 > 1.0e-30)) { return AUV6_RANGE; }
+    if (!(across2 > 2.5e-19 * zero2)) { return AUV6_RANGE; }
     const auv6_real across2_root = 1.0 / auv6_sqrt(across2);
     e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
     R[0] = e1[0];  R[1] = e2[0];
@@ -2554,7 +2853,42 @@ static void auv6_carry(auv6_real m, const auv6_real b[3], const auv6_real J[6], 
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the mass properties finite and the mass not negative? */
+/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+ * inertia. */
+AUV6_CODE
+static auv6_status auv6_check_inertia(auv6_real mass, const auv6_real c[3], const auv6_real J[6])
+{
+    auv6_real size = 0.0;  /* largest element of J */
+    for (int k = 0; k < 6; ++k) {
+        size = (((J[k] < 0.0) ? -J[k] : J[k]) > size) ? ((J[k] < 0.0) ? -J[k] : J[k]) : size;
+    }
+    const auv6_real b1 = mass * c[0];
+    const auv6_real b2 = mass * c[1];
+    const auv6_real b3 = mass * c[2];
+    /* P = tr(J)/2 E - J - m c c^T + t |J| E */
+    const auv6_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + 1.0e-9 * size;
+    const auv6_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + 1.0e-9 * size;
+    const auv6_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + 1.0e-9 * size;
+    const auv6_real P12 = -J[3] - b1 * c[1];
+    const auv6_real P13 = -J[4] - b1 * c[2];
+    const auv6_real P23 = -J[5] - b2 * c[2];
+    /* a point mass in its origin has none */
+    if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
+        + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
+        > 0.0) {
+        if (!(P11 > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        const auv6_real l21 = P12 / P11;
+        const auv6_real l31 = P13 / P11;
+        const auv6_real d2 = P22 - l21 * P12;
+        if (!(d2 > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        const auv6_real p32 = P23 - l31 * P12;
+        const auv6_real d3 = P33 - l31 * P13 - p32 / d2 * p32;
+        if (!(d3 > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    }
+    return AUV6_OK;
+}
+
+/* are the mass properties finite, and those of a body that can be? */
 AUV6_CODE
 static auv6_status auv6_check_body(const auv6_body *body)
 {
@@ -2570,10 +2904,11 @@ static auv6_status auv6_check_body(const auv6_body *body)
     status = auv6_within(body->displaced_center, 3, AUV6_MAX_PARAMETER);
     if (status != AUV6_OK) { return status; }
     if (body->mass < 0.0) { return AUV6_RANGE; }
-    return AUV6_OK;
+    if (body->displaced_mass < 0.0) { return AUV6_RANGE; }
+    return auv6_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* are the mass properties finite and the mass not negative? */
+/* are the mass properties finite, and those of a body that can be? */
 AUV6_CODE
 static auv6_status auv6_check_dry_body(const auv6_dry_body *body)
 {
@@ -2587,7 +2922,7 @@ static auv6_status auv6_check_dry_body(const auv6_dry_body *body)
     status = auv6_within(body->inertia, 6, AUV6_MAX_PARAMETER);
     if (status != AUV6_OK) { return status; }
     if (body->mass < 0.0) { return AUV6_RANGE; }
-    return AUV6_OK;
+    return auv6_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
@@ -2631,6 +2966,45 @@ static auv6_status auv6_place_flywheel(const auv6_parameters *parameters, const 
     return AUV6_OK;
 }
 
+/* is the added mass finite, symmetric to the bit and positive semidefinite? */
+AUV6_CODE
+static auv6_status auv6_check_added_mass(const auv6_real added_mass[6][6])
+{
+    auv6_status status;
+    auv6_real factor[6][6];  /* L below the diagonal, D on it */
+    for (int i = 0; i < 6; ++i) {
+        status = auv6_within(added_mass[i], 6, AUV6_MAX_PARAMETER);
+        if (status != AUV6_OK) { return status; }
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < i; ++j) {
+            if (added_mass[i][j] < added_mass[j][i]
+                || added_mass[i][j] > added_mass[j][i]) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        }
+    }
+    /* rows of zeros, of what meets no fluid, are left out */
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            if ((added_mass[i][j] < 0.0 || added_mass[i][j] > 0.0)
+                && !(added_mass[i][i] > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        }
+        auv6_real diagonal = added_mass[i][i] + 1.0e-9 * added_mass[i][i];
+        for (int j = 0; j < i; ++j) {
+            auv6_real entry = added_mass[i][j];  /* L_ij D_j */
+            for (int k = 0; k < j; ++k) {
+                entry -= factor[i][k] * factor[k][k] * factor[j][k];
+            }
+            factor[i][j] = entry / factor[j][j];
+            diagonal -= factor[i][j] * entry;
+        }
+        if (added_mass[i][i] > 0.0) {
+            if (!(diagonal > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        }
+        factor[i][i] = (added_mass[i][i] > 0.0) ? diagonal : 1.0;
+    }
+    return AUV6_OK;
+}
+
 /* constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
 AUV6_CODE
 static auv6_status auv6_translation_block(const auv6_parameters *parameters, auv6_real mass, auv6_real A[6],
@@ -2649,24 +3023,27 @@ static auv6_status auv6_translation_block(const auv6_parameters *parameters, auv
     const auv6_real c13 = A[3] * A[5] - A[1] * A[4];
     const auv6_real c23 = A[3] * A[4] - A[0] * A[5];
     const auv6_real det = A[0] * c11 + A[3] * c12 + A[4] * c13;
-    if (!(A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    if (!(A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= AUV6_LARGEST))) { return AUV6_NOT_POSITIVE_DEFINITE; }
     const auv6_real r = 1.0 / det;
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
     A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
     return AUV6_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the masses positive? */
+/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
 AUV6_CODE
 static auv6_status auv6_check_parameters(const auv6_parameters *parameters)
 {
     auv6_status status;
     auv6_real mass;
+    auv6_real size;  /* moment of inertia that no product of the equations may overflow */
     auv6_real O[3];
     auv6_real R[9];
     status = auv6_check_body(&parameters->carrier);
     if (status != AUV6_OK) { return status; }
     mass = parameters->carrier.mass;
+    size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1] + parameters->carrier.inertia[2];
     for (int k = 0; k < 1; ++k) {
         status = auv6_check_body(&parameters->instrument[k].body);
         if (status != AUV6_OK) { return status; }
@@ -2675,6 +3052,12 @@ static auv6_status auv6_check_parameters(const auv6_parameters *parameters)
         status = auv6_frame_of_axes(parameters->instrument[k].axis, parameters->instrument[k].zero, R);
         if (status != AUV6_OK) { return status; }
         mass += parameters->instrument[k].body.mass;
+        size += parameters->instrument[k].body.inertia[0] + parameters->instrument[k].body.inertia[1]
+            + parameters->instrument[k].body.inertia[2]
+            + parameters->instrument[k].body.mass
+            * (parameters->instrument[k].position[0] * parameters->instrument[k].position[0]
+            + parameters->instrument[k].position[1] * parameters->instrument[k].position[1]
+            + parameters->instrument[k].position[2] * parameters->instrument[k].position[2]);
     }
     for (int s = 0; s < AUV6_N; ++s) {
         status = auv6_check_dry_body(&parameters->flywheel[s].body);
@@ -2683,14 +3066,16 @@ static auv6_status auv6_check_parameters(const auv6_parameters *parameters)
         status = auv6_place_flywheel(parameters, &parameters->flywheel[s], O, R);
         if (status != AUV6_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
+        size += parameters->flywheel[s].body.inertia[0] + parameters->flywheel[s].body.inertia[1]
+            + parameters->flywheel[s].body.inertia[2]
+            + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
     if (!(mass > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    if (!(size <= 1.0e60)) { return AUV6_RANGE; }
     auv6_real A[6];
     auv6_real A_inv[6];
-    for (int i = 0; i < 6; ++i) {
-        status = auv6_within(parameters->added_mass[i], 6, AUV6_MAX_PARAMETER);
-        if (status != AUV6_OK) { return status; }
-    }
+    status = auv6_check_added_mass(parameters->added_mass);
+    if (status != AUV6_OK) { return status; }
     status = auv6_translation_block(parameters, mass, A, A_inv);
     if (status != AUV6_OK) { return status; }
     return AUV6_OK;

@@ -1,5 +1,5 @@
 /* auv6.h: motion of the stand "auv6": carrier, 1 instrument, 6 flywheels.
- * mahovik 0.1.0; structure d04ed473, physics a120c4b3. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 192ea446, physics 002b2abc. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,8 +17,8 @@
 extern "C" {
 #endif
 
-#define AUV6_STRUCTURE 0xd04ed473u  /* of the stand: names, counts, kinds of wrench */
-#define AUV6_PHYSICS   0xa120c4b3u  /* of the stand: structure and all numbers */
+#define AUV6_STRUCTURE 0x192ea446u  /* of the stand: names, counts, kinds of wrench */
+#define AUV6_PHYSICS   0x002b2abcu  /* of the stand: structure and all numbers */
 
 typedef double auv6_real;
 
@@ -32,6 +32,7 @@ typedef double auv6_real;
 #define AUV6_MAX_WRENCH          1.0e9     /* N, N m; each component of a run-time wrench */
 #define AUV6_MAX_STEP            10.0      /* s; a time step */
 #define AUV6_MAX_PARAMETER       1.0e15    /* SI; each mass, length and moment of inertia */
+#define AUV6_MAX_WEIGHT          1.0e6     /* the weight of a flywheel in inverse */
 #define AUV6_LARGEST             1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
@@ -207,10 +208,17 @@ typedef struct auv6_reading {
     auv6_real angular_acceleration[3];  /* rad/s2; in own axes */
 } auv6_reading;
 
+/* An encoder whose counter wraps. Kept by accumulate. */
+typedef struct auv6_encoder {
+    int counter;  /* last reading */
+    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int moved;    /* counts between the last two readings */
+} auv6_encoder;
+
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct auv6_inverse_options {
-    auv6_real weight[AUV6_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
-    auv6_real limit[AUV6_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    auv6_real weight[AUV6_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    auv6_real limit[AUV6_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
     auv6_real near;            /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     auv6_real damping;         /* part of the largest singular value that damps those near zero, 0..1; 0:
                                 * none */
@@ -220,11 +228,12 @@ typedef struct auv6_inverse_options {
 typedef struct auv6_inverse_result {
     auv6_real phi_ddot[AUV6_N];  /* rad/s2; flywheel accelerations */
     auv6_real residual[6];       /* N, N m; F - K V* - M V - J phi' - I phi'' */
-    auv6_real sigma[6];          /* singular values of the scaled I, descending */
+    auv6_real sigma[6];          /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
     int rank;                    /* of them that count */
-    auv6_real damping;           /* largest damping applied; 0: none */
+    auv6_real damped_by;         /* largest lambda applied, in units of sigma; 0: none */
     int limited[AUV6_N];         /* 1 where the limit of a flywheel was reached */
-    auv6_real hardest[6];        /* wrench of unit size in the norm of K^-1 that is hardest to give */
+    auv6_real hardest[6];        /* wrench out of reach, or hardest to reach; of unit size in the norm of
+                                  * K^-1 */
 } auv6_inverse_result;
 
 /* Derivatives of coupled. */
@@ -261,7 +270,7 @@ extern const auv6_inverse_options auv6_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2208 operations on reals, 2 of them divisions. */
+ * At most 2194 operations on reals, 4 of them divisions. */
 auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                          auv6_real V_dot[6]);
 
@@ -305,12 +314,12 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[6]       N m; drive torques, mount on flywheel
- *   locked[6]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[6]    not 0: a lock holds phi'' = 0, whatever its tau
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3357 operations on reals, 3 of them divisions. */
+ * At most 3344 operations on reals, 5 of them divisions. */
 auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                          const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N]);
 
@@ -318,14 +327,14 @@ auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
- *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 14040 operations on reals, 18 of them divisions. */
+ * At most 13988 operations on reals, 26 of them divisions. */
 auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                       const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next);
 
@@ -339,9 +348,50 @@ auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_r
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9444 operations on reals, 14 of them divisions. */
+ * At most 9388 operations on reals, 22 of them divisions. */
 auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next);
+
+/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+ *   phi      rad; any angle within MAX_PHASE
+ *   wrapped  out: rad; the equal angle, in [-pi, pi]
+ * Error below 5e-16 rad, modulo a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 29 operations on reals, no division. */
+auv6_status auv6_wrap(auv6_real phi, auv6_real *wrapped);
+
+/* phase_of_counts: phase of an encoder's count.
+ *   count     of the encoder, any; or `place` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   zero      count at phi = 0, at most a turn
+ *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
+ * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
+ * RANGE where |zero| is more than a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 20 operations on reals, 1 of them a division. */
+auv6_status auv6_phase_of_counts(int count, int per_turn, auv6_real zero, auv6_real *phi);
+
+/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+ *   moved     counts in the time dt: `moved` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   dt        s; greater than 0
+ *   phi_dot   out: rad/s; mean speed in this time
+ * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 10 operations on reals, 2 of them divisions. */
+auv6_status auv6_speed_of_counts(int moved, int per_turn, auv6_real dt, auv6_real *phi_dot);
+
+/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
+ * moved, exactly.
+ *   encoder   in and out: begin with the counter's first reading
+ *   counter   the counter as it is read; one of 32 bits cast to int
+ *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ * Read it before the counter has moved by half its range (where bits is 0: half a turn).
+ * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+ * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * No operation on reals. */
+auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
  *   stand        the prepared table
@@ -351,7 +401,7 @@ auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12672 operations on reals, 26 of them divisions. */
+ * At most 12322 operations on reals, 76 of them divisions. */
 auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
                                   const auv6_real phi_ddot[AUV6_N], auv6_forward_slopes *out);
 
@@ -359,17 +409,18 @@ auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
- *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 22565 operations on reals, 52 of them divisions. */
+ * At most 22240 operations on reals, 102 of them divisions. */
 auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_slopes *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
+ * is shared among the others, (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
@@ -378,7 +429,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 28660 operations on reals, 322 of them divisions. */
+ * At most 56117 operations on reals, 1846 of them divisions. */
 auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -394,7 +445,7 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3697 operations on reals, 55 of them divisions. */
+ * At most 3703 operations on reals, 97 of them divisions. */
 auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 
@@ -437,7 +488,7 @@ auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], 
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7034 operations on reals, 5 of them divisions. */
+ * At most 7020 operations on reals, 7 of them divisions. */
 auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const auv6_real angles[3],
                           const auv6_real phi_ddot[AUV6_N], auv6_generalized *out);
 
@@ -445,9 +496,13 @@ auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const au
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * RANGE also where a mass is negative or axes have no direction.
+ * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
+ * negative or break the triangle inequality, added mass that is not symmetric and positive semidefinite
+ * (to 1e-09 of the largest element); a flywheel without spin inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10233 operations on reals, 63 of them divisions. */
+ * At most 11570 operations on reals, 102 of them divisions. */
 auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
@@ -468,7 +523,7 @@ auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mountin
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4284 operations on reals, 51 of them divisions. */
+ * At most 5606 operations on reals, 90 of them divisions. */
 auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_table *mounting);
 
 #ifdef __cplusplus

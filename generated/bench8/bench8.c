@@ -1,11 +1,11 @@
 /* bench8.c: motion of the stand "bench8". What each function does and takes: bench8.h.
- * mahovik 0.1.0; structure 8614c583, physics 32540fb9. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 309d41a6, physics 139422e0. Generated: change the stand file instead. */
 #include "bench8.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-#if BENCH8_STRUCTURE != 0x8614c583u || BENCH8_PHYSICS != 0x32540fb9u
+#if BENCH8_STRUCTURE != 0x309d41a6u || BENCH8_PHYSICS != 0x139422e0u
 #error "bench8.h and bench8.c are of different stands"
 #endif
 
@@ -184,6 +184,13 @@ static bench8_real bench8_atan2(bench8_real y, bench8_real x)
     return bench8_real_of(bench8_bits_of(angle) | (bench8_bits_of(y) & 0x8000000000000000u));
 }
 
+/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+BENCH8_CODE
+static bench8_real bench8_unwound(bench8_real phi, bench8_real k)
+{
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
 /* the equal angle within half a turn of zero.
  * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
 BENCH8_CODE
@@ -191,7 +198,7 @@ static bench8_real bench8_wrapped(bench8_real phi)
 {
     /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
     const bench8_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
-    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+    return bench8_unwound(phi, k);
 }
 
 /* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
@@ -414,23 +421,27 @@ static void bench8_subtract_rates(const bench8_sums *sum, const bench8_real V[6]
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 BENCH8_CODE
 static bench8_status bench8_solve3(const bench8_real S[6], const bench8_real b[3], bench8_real y[3])
 {
-    const bench8_real c11 = S[1] * S[2] - S[5] * S[5];
-    const bench8_real c22 = S[0] * S[2] - S[4] * S[4];
-    const bench8_real c33 = S[0] * S[1] - S[3] * S[3];
-    const bench8_real c12 = S[4] * S[5] - S[2] * S[3];
-    const bench8_real c13 = S[3] * S[5] - S[1] * S[4];
-    const bench8_real c23 = S[3] * S[4] - S[0] * S[5];
-    const bench8_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
-    /* Sylvester: the leading minors are positive. NaN fails too */
-    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
-    const bench8_real r = 1.0 / det;
-    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
-    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
-    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    if (!(S[0] >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    const bench8_real r1 = 1.0 / S[0];
+    const bench8_real l21 = S[3] * r1;
+    const bench8_real l31 = S[4] * r1;
+    const bench8_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    const bench8_real r2 = 1.0 / d2;
+    const bench8_real p32 = S[5] - l31 * S[3];
+    const bench8_real l32 = p32 * r2;
+    const bench8_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    /* L z = b, then L^T y = D^-1 z */
+    const bench8_real z2 = b[1] - l21 * b[0];
+    const bench8_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
+    const bench8_real y2 = z2 * r2 - l32 * y3;
+    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
+    y[1] = y2;  y[2] = y3;
     return BENCH8_OK;
 }
 
@@ -787,7 +798,8 @@ static bench8_status bench8_solve_schur(const bench8_schur *K, const bench8_real
     const bench8_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
     const bench8_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
     const bench8_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
-    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= BENCH8_LARGEST))) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r = 1.0 / det;
     bench8_real A_inv[6];
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
@@ -1183,6 +1195,101 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
     status = bench8_finish(&y);
     if (status != BENCH8_OK) { return status; }
     *next = y;
+    return BENCH8_OK;
+}
+
+/* The equal angle in [-pi, pi] (pi as the nearest real). */
+BENCH8_CODE
+bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped)
+{
+    if (wrapped == NULL) { return BENCH8_BAD_ARGUMENT; }
+    bench8_status status;
+    bench8_real given[1];
+    given[0] = phi;
+    status = bench8_within(given, 1, BENCH8_MAX_PHASE);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    bench8_real angle;
+    k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+    angle = bench8_unwound(phi, k);
+    if (angle > 3.141592653589793 || angle < -3.141592653589793) {
+        angle = bench8_unwound(phi, (angle > 3.141592653589793) ? k + 1.0 : k - 1.0);
+    }
+    *wrapped = (angle > 3.141592653589793) ? 3.141592653589793
+        : ((angle < -3.141592653589793) ? -3.141592653589793 : angle);
+    return BENCH8_OK;
+}
+
+/* Phase of an encoder's count. */
+BENCH8_CODE
+bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, bench8_real *phi)
+{
+    if (phi == NULL) { return BENCH8_BAD_ARGUMENT; }
+    bench8_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return BENCH8_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    const bench8_real size = (bench8_real)turn;
+    bench8_real given[1];
+    given[0] = zero;
+    status = bench8_within(given, 1, size);
+    if (status != BENCH8_OK) { return status; }
+    const int rest = count - count / turn * turn;  /* whole turns taken off */
+    bench8_real place = (bench8_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const bench8_real half = size * 0.5;
+    for (int i = 0; i < 2; ++i) {
+        place = (place > half) ? place - size : ((place < -half) ? place + size : place);
+    }
+    *phi = place / (bench8_real)per_turn * 6.283185307179586;
+    return BENCH8_OK;
+}
+
+/* Mean speed of a flywheel of the counts in a time. */
+BENCH8_CODE
+bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, bench8_real *phi_dot)
+{
+    if (phi_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
+    bench8_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return BENCH8_BAD_ARGUMENT; }
+    bench8_real given[1];
+    given[0] = dt;
+    status = bench8_within(given, 1, BENCH8_MAX_STEP);
+    if (status != BENCH8_OK) { return status; }
+    if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
+    const bench8_real turns = (bench8_real)moved / (bench8_real)per_turn;
+    const bench8_real speed = turns * 6.283185307179586 / dt;
+    if (!(speed >= -BENCH8_MAX_SPEED && speed <= BENCH8_MAX_SPEED)) { return BENCH8_RANGE; }
+    *phi_dot = speed;
+    return BENCH8_OK;
+}
+
+/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
+ * exactly. */
+BENCH8_CODE
+bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, int per_turn)
+{
+    if (encoder == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return BENCH8_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    if (!(encoder->place >= 0 && encoder->place < turn)) { return BENCH8_BAD_ARGUMENT; }
+    int moved;  /* counts since the last reading: the shorter way round */
+    if (bits == 0) {
+        if (!(counter >= 0 && counter < turn
+            && (encoder->counter >= 0 && encoder->counter < turn))) { return BENCH8_BAD_ARGUMENT; }
+        moved = counter - encoder->counter;
+        const int half = turn / 2;
+        moved = (moved > half) ? moved - turn : ((moved < -half) ? moved + turn : moved);
+    } else {
+        if (!(bits >= 2 && bits <= 32)) { return BENCH8_BAD_ARGUMENT; }
+        const bench8_word mask = (bench8_word)0xffffffffu >> (bench8_word)(32 - bits);
+        /* counts forwards */
+        const bench8_word up = ((bench8_word)counter - (bench8_word)encoder->counter) & mask;
+        const bench8_word down = mask - up;  /* counts backwards, less one */
+        moved = (up > down) ? -1 - (int)down : (int)up;
+    }
+    int place = encoder->place + (moved - moved / turn * turn);
+    encoder->place = (place < 0) ? place + turn : ((place < turn) ? place : place - turn);
+    encoder->counter = counter;
+    encoder->moved = moved;
     return BENCH8_OK;
 }
 
@@ -1710,11 +1817,15 @@ static void bench8_orthogonalise(bench8_inverse_work *work)
                     g += work->W[p][j] * work->W[q][j];
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
-                const bench8_real d = b - a;
-                const bench8_real root = bench8_sqrt(d * d + 4.0 * (g * g));
+                const bench8_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* of size 1, so that no square underflows */
+                const bench8_real unit = (size > 0.0) ? size : 1.0;
+                const bench8_real d = (b - a) / unit;
+                const bench8_real h = 2.0 * g / unit;
+                const bench8_real root = bench8_sqrt(d * d + h * h);
                 const bench8_real below = (d < 0.0) ? d - root : d + root;
                 const bench8_real t = (((below < 0.0) ? -below : below) > 0.0)
-                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
                 const bench8_real c = 1.0 / bench8_sqrt(1.0 + t * t);
                 const bench8_real s = c * t;
                 for (int j = 0; j < BENCH8_N; ++j) {
@@ -1769,8 +1880,7 @@ static bench8_status bench8_factor(bench8_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 BENCH8_CODE
 static bench8_status bench8_demand(const bench8_table *stand, const bench8_state *x,
-                                   const bench8_real V_dot[6], const bench8_real weight[BENCH8_N],
-                                   bench8_inverse_work *work)
+                                   const bench8_real V_dot[6], bench8_inverse_work *work)
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -1824,7 +1934,7 @@ static bench8_status bench8_demand(const bench8_table *stand, const bench8_state
     status = bench8_factor(work);
     if (status != BENCH8_OK) { return status; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        work->scale[s] = 1.0 / bench8_sqrt(stand->flywheel[s].spin * weight[s]);
+        work->scale[s] = 1.0 / bench8_sqrt(stand->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -1846,6 +1956,171 @@ static bench8_status bench8_demand(const bench8_table *stand, const bench8_state
     return BENCH8_OK;
 }
 
+/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+BENCH8_CODE
+static void bench8_solve_gram(bench8_real gram[6][6], bench8_real z[6], bench8_real least)
+{
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const bench8_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = bench8_sqrt(pivot);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
+ * do, (12). */
+BENCH8_CODE
+static void bench8_allocate(const bench8_inverse_work *work, const bench8_inverse_options *options, int rank,
+                            bench8_real phi_ddot[BENCH8_N], int limited[BENCH8_N])
+{
+    bench8_real give[BENCH8_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    bench8_real step[BENCH8_N];  /* what the free flywheels shall give more */
+    bench8_real row[6];  /* factor of each row; 0: it does not count */
+    bench8_real gram[6][6];
+    bench8_real z[6];
+    for (int s = 0; s < BENCH8_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+    }
+    for (int pass = 0; pass < 22; ++pass) {
+        bench8_real most = 0.0;
+        for (int s = 0; s < BENCH8_N; ++s) {
+            const bench8_real share = (pass < 21) ? 1.0 / options->weight[s] : 1.0;
+            give[s] = (limited[s] > 0) ? 0.0 : share;
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const bench8_real regular = 1.0e-12 * most;
+        const bench8_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        for (int i = 0; i < 6; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 6; ++i) {
+            bench8_real left = work->r[i];
+            for (int s = 0; s < BENCH8_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        for (int i = 0; i < 6; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                bench8_real total = 0.0;
+                for (int s = 0; s < BENCH8_N; ++s) {
+                    total += work->W[i][s] * give[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        bench8_solve_gram(gram, z, least);
+        for (int s = 0; s < BENCH8_N; ++s) {
+            step[s] = 0.0;
+            for (int i = 0; i < 6; ++i) {
+                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+            }
+        }
+        if (pass < 1) {
+            for (int s = 0; s < BENCH8_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const bench8_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        }
+        if (pass > 0) {
+            /* as long a step as all limits allow; the flywheel that stops it is held */
+            bench8_real length;
+            int stopped;
+            length = 1.0;
+            stopped = -1;
+            for (int s = 0; s < BENCH8_N; ++s) {
+                const bench8_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                    const bench8_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const bench8_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < BENCH8_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const bench8_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a whole step: free the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                bench8_real left[6];
+                bench8_real wanted = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < BENCH8_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                bench8_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                int freed = -1;
+                for (int s = 0; s < BENCH8_N; ++s) {
+                    if (limited[s] > 0) {
+                        bench8_real slope = 0.0;
+                        bench8_real size = 0.0;
+                        for (int i = 0; i < 6; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const bench8_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
 /* (12) */
 BENCH8_CODE
 bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
@@ -1857,9 +2132,7 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(V_dot, 6, BENCH8_MAX_ACCELERATION);
     if (status != BENCH8_OK) { return status; }
-    status = bench8_within(options->weight, BENCH8_N, BENCH8_MAX_PARAMETER);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(options->limit, BENCH8_N, BENCH8_LARGEST);
+    status = bench8_within(options->weight, BENCH8_N, BENCH8_MAX_WEIGHT);
     if (status != BENCH8_OK) { return status; }
     bench8_real shares[2];
     shares[0] = options->near;     shares[1] = options->damping;
@@ -1868,10 +2141,14 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return BENCH8_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_BAD_ARGUMENT; }
+    }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
-    status = bench8_demand(stand, x, V_dot, options->weight, &work);
+    status = bench8_demand(stand, x, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
     bench8_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -1903,37 +2180,26 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
     flags = 0;
     rank = 0;
     damping = 0.0;
-    for (int s = 0; s < BENCH8_N; ++s) {
-        out->phi_ddot[s] = 0.0;
-    }
-    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
     for (int i = 0; i < 6; ++i) {
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const bench8_real ratio = work.sigma[i] / work.sigma[0];
-            bench8_real lambda = 0.0;
             if (ratio < options->near) {
                 flags = flags | BENCH8_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | BENCH8_DAMPED;
-                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const bench8_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near);
+                    const bench8_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
                 }
             }
-            const bench8_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
-            for (int s = 0; s < BENCH8_N; ++s) {
-                out->phi_ddot[s] += part * work.W[i][s];
-            }
         }
     }
+    bench8_allocate(&work, options, rank, out->phi_ddot, out->limited);
     for (int s = 0; s < BENCH8_N; ++s) {
-        const bench8_real free = out->phi_ddot[s] * work.scale[s];
-        const bench8_real over = ((free < 0.0) ? -free : free) - options->limit[s];
-        out->phi_ddot[s] = free;
-        out->limited[s] = 0;
-        if (over > 0.0) {
-            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
-            out->limited[s] = 1;
+        if (out->limited[s] > 0) {
             flags = flags | BENCH8_LIMITED;
         }
     }
@@ -1956,17 +2222,46 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
         }
         z[i] = z[i] / work.G[i][i];
         left += z[i] * z[i];
-        /* G u of the least singular value */
-        out->hardest[i] = 0.0;
-        for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * work.U[k][5];
-        }
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | BENCH8_UNREACHABLE;
     }
+    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    bench8_real part[6];
+    for (int i = 0; i < 6; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    bench8_real largest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        const bench8_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[5] = 1.0;
+        largest = 1.0;
+    }
+    bench8_real square = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const bench8_real length = bench8_sqrt(square);
+    bench8_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    for (int k = 0; k < 6; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 6; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * u[k];
+        }
+    }
     out->rank = rank;
-    out->damping = damping;
+    out->damped_by = damping;
     for (int i = 0; i < 6; ++i) {
         out->sigma[i] = work.sigma[i];
     }
@@ -1985,31 +2280,32 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(V_dot, 6, BENCH8_MAX_ACCELERATION);
     if (status != BENCH8_OK) { return status; }
-    status = bench8_within(options->weight, BENCH8_N, BENCH8_MAX_PARAMETER);
+    status = bench8_within(options->weight, BENCH8_N, BENCH8_MAX_WEIGHT);
     if (status != BENCH8_OK) { return status; }
-    status = bench8_within(options->limit, BENCH8_N, BENCH8_LARGEST);
-    if (status != BENCH8_OK) { return status; }
-    bench8_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
-    status = bench8_within(shares, 2, BENCH8_LARGEST);
+    bench8_real shares[1];
+    shares[0] = options->damping;
+    status = bench8_within(shares, 1, BENCH8_LARGEST);
     if (status != BENCH8_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
-    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return BENCH8_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
-    status = bench8_demand(stand, x, V_dot, options->weight, &work);
+    status = bench8_demand(stand, x, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
-    /* normal equations: W W^T z = r, y = W^T z */
+    /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
     bench8_real gram[6][6];
     bench8_real z[6];
     bench8_real trace = 0.0;
+    bench8_real weighed[BENCH8_N];  /* a row of W Omega^-1 */
     for (int i = 0; i < 6; ++i) {
+        for (int s = 0; s < BENCH8_N; ++s) {
+            weighed[s] = work.W[i][s] / options->weight[s];
+        }
         for (int j = 0; j < i + 1; ++j) {
             gram[i][j] = 0.0;
             for (int k = 0; k < BENCH8_N; ++k) {
-                gram[i][j] += work.W[i][k] * work.W[j][k];
+                gram[i][j] += weighed[k] * work.W[j][k];
             }
         }
         trace += gram[i][i];
@@ -2020,10 +2316,11 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 6; ++j) {
+        const bench8_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
-        if (!(gram[j][j] > 1.0e-26)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        if (!(gram[j][j] > least)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
         gram[j][j] = bench8_sqrt(gram[j][j]);
         for (int i = j + 1; i < 6; ++i) {
             for (int k = 0; k < j; ++k) {
@@ -2050,6 +2347,7 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
         for (int k = 0; k < 6; ++k) {
             y += work.W[k][s] * z[k];
         }
+        y = y / options->weight[s];
         phi_ddot[s] = y * work.scale[s];
     }
     return BENCH8_OK;
@@ -2252,6 +2550,8 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
     if (!(axis2 > 1.0e-30)) { return BENCH8_RANGE; }
     const bench8_real axis2_root = 1.0 / bench8_sqrt(axis2);
     e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    const bench8_real zero2 = zero[0] * zero[0] + zero[1] * zero[1] + zero[2] * zero[2];
+    if (!(zero2 > 1.0e-30)) { return BENCH8_RANGE; }
     /* of zero along the axis */
     const bench8_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];
     bench8_real across[3];
@@ -2259,7 +2559,7 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
     across[1] = zero[1] - along * e1[1];
     across[2] = zero[2] - along * e1[2];
     const bench8_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
-    if (!(across2 > 1.0e-30)) { return BENCH8_RANGE; }
+    if (!(across2 > 2.5e-19 * zero2)) { return BENCH8_RANGE; }
     const bench8_real across2_root = 1.0 / bench8_sqrt(across2);
     e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
     R[0] = e1[0];  R[1] = e2[0];
@@ -2314,7 +2614,42 @@ static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_rea
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the mass properties finite and the mass not negative? */
+/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+ * inertia. */
+BENCH8_CODE
+static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[3], const bench8_real J[6])
+{
+    bench8_real size = 0.0;  /* largest element of J */
+    for (int k = 0; k < 6; ++k) {
+        size = (((J[k] < 0.0) ? -J[k] : J[k]) > size) ? ((J[k] < 0.0) ? -J[k] : J[k]) : size;
+    }
+    const bench8_real b1 = mass * c[0];
+    const bench8_real b2 = mass * c[1];
+    const bench8_real b3 = mass * c[2];
+    /* P = tr(J)/2 E - J - m c c^T + t |J| E */
+    const bench8_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + 1.0e-9 * size;
+    const bench8_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + 1.0e-9 * size;
+    const bench8_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + 1.0e-9 * size;
+    const bench8_real P12 = -J[3] - b1 * c[1];
+    const bench8_real P13 = -J[4] - b1 * c[2];
+    const bench8_real P23 = -J[5] - b2 * c[2];
+    /* a point mass in its origin has none */
+    if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
+        + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
+        > 0.0) {
+        if (!(P11 > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        const bench8_real l21 = P12 / P11;
+        const bench8_real l31 = P13 / P11;
+        const bench8_real d2 = P22 - l21 * P12;
+        if (!(d2 > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        const bench8_real p32 = P23 - l31 * P12;
+        const bench8_real d3 = P33 - l31 * P13 - p32 / d2 * p32;
+        if (!(d3 > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    }
+    return BENCH8_OK;
+}
+
+/* are the mass properties finite, and those of a body that can be? */
 BENCH8_CODE
 static bench8_status bench8_check_body(const bench8_body *body)
 {
@@ -2328,7 +2663,7 @@ static bench8_status bench8_check_body(const bench8_body *body)
     status = bench8_within(body->inertia, 6, BENCH8_MAX_PARAMETER);
     if (status != BENCH8_OK) { return status; }
     if (body->mass < 0.0) { return BENCH8_RANGE; }
-    return BENCH8_OK;
+    return bench8_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
@@ -2343,17 +2678,19 @@ static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real
     return BENCH8_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the masses positive? */
+/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
 BENCH8_CODE
 static bench8_status bench8_check_parameters(const bench8_parameters *parameters)
 {
     bench8_status status;
     bench8_real mass;
+    bench8_real size;  /* moment of inertia that no product of the equations may overflow */
     bench8_real O[3];
     bench8_real R[9];
     status = bench8_check_body(&parameters->carrier);
     if (status != BENCH8_OK) { return status; }
     mass = parameters->carrier.mass;
+    size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1] + parameters->carrier.inertia[2];
     for (int s = 0; s < BENCH8_N; ++s) {
         status = bench8_check_body(&parameters->flywheel[s].body);
         if (status != BENCH8_OK) { return status; }
@@ -2361,8 +2698,12 @@ static bench8_status bench8_check_parameters(const bench8_parameters *parameters
         status = bench8_place_flywheel(&parameters->flywheel[s], O, R);
         if (status != BENCH8_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
+        size += parameters->flywheel[s].body.inertia[0] + parameters->flywheel[s].body.inertia[1]
+            + parameters->flywheel[s].body.inertia[2]
+            + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
     if (!(mass > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(size <= 1.0e60)) { return BENCH8_RANGE; }
     return BENCH8_OK;
 }
 

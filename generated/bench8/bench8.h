@@ -1,5 +1,5 @@
 /* bench8.h: motion of the stand "bench8": carrier, 0 instruments, 8 flywheels.
- * mahovik 0.1.0; structure 8614c583, physics 32540fb9. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 309d41a6, physics 139422e0. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,8 +17,8 @@
 extern "C" {
 #endif
 
-#define BENCH8_STRUCTURE 0x8614c583u  /* of the stand: names, counts, kinds of wrench */
-#define BENCH8_PHYSICS   0x32540fb9u  /* of the stand: structure and all numbers */
+#define BENCH8_STRUCTURE 0x309d41a6u  /* of the stand: names, counts, kinds of wrench */
+#define BENCH8_PHYSICS   0x139422e0u  /* of the stand: structure and all numbers */
 
 typedef double bench8_real;
 
@@ -32,6 +32,7 @@ typedef double bench8_real;
 #define BENCH8_MAX_WRENCH        1.0e9     /* N, N m; each component of a run-time wrench */
 #define BENCH8_MAX_STEP          10.0      /* s; a time step */
 #define BENCH8_MAX_PARAMETER     1.0e15    /* SI; each mass, length and moment of inertia */
+#define BENCH8_MAX_WEIGHT        1.0e6     /* the weight of a flywheel in inverse */
 #define BENCH8_LARGEST           1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
@@ -163,10 +164,17 @@ typedef struct bench8_mount_table {
     bench8_mount flywheel[BENCH8_N];
 } bench8_mount_table;
 
+/* An encoder whose counter wraps. Kept by accumulate. */
+typedef struct bench8_encoder {
+    int counter;  /* last reading */
+    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int moved;    /* counts between the last two readings */
+} bench8_encoder;
+
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct bench8_inverse_options {
-    bench8_real weight[BENCH8_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
-    bench8_real limit[BENCH8_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    bench8_real weight[BENCH8_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    bench8_real limit[BENCH8_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
     bench8_real near;              /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     bench8_real damping;           /* part of the largest singular value that damps those near zero, 0..1;
                                     * 0: none */
@@ -176,11 +184,12 @@ typedef struct bench8_inverse_options {
 typedef struct bench8_inverse_result {
     bench8_real phi_ddot[BENCH8_N];  /* rad/s2; flywheel accelerations */
     bench8_real residual[6];         /* N, N m; F - K V* - M V - J phi' - I phi'' */
-    bench8_real sigma[6];            /* singular values of the scaled I, descending */
+    bench8_real sigma[6];            /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
     int rank;                        /* of them that count */
-    bench8_real damping;             /* largest damping applied; 0: none */
+    bench8_real damped_by;           /* largest lambda applied, in units of sigma; 0: none */
     int limited[BENCH8_N];           /* 1 where the limit of a flywheel was reached */
-    bench8_real hardest[6];          /* wrench of unit size in the norm of K^-1 that is hardest to give */
+    bench8_real hardest[6];          /* wrench out of reach, or hardest to reach; of unit size in the norm
+                                      * of K^-1 */
 } bench8_inverse_result;
 
 /* Derivatives of coupled. */
@@ -217,7 +226,7 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2623 operations on reals, 5 of them divisions. */
+ * At most 2609 operations on reals, 7 of them divisions. */
 bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
 
@@ -261,12 +270,12 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[8]       N m; drive torques, mount on flywheel
- *   locked[8]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[8]    not 0: a lock holds phi'' = 0, whatever its tau
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4224 operations on reals, 6 of them divisions. */
+ * At most 4211 operations on reals, 8 of them divisions. */
 bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N]);
@@ -275,14 +284,14 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[8]     N m; drive torques, mount on flywheel
- *   locked[8]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[8]  not 0: a lock holds phi'' = 0, whatever its tau
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 17612 operations on reals, 30 of them divisions. */
+ * At most 17560 operations on reals, 38 of them divisions. */
 bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
@@ -296,10 +305,51 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11208 operations on reals, 26 of them divisions. */
+ * At most 11152 operations on reals, 34 of them divisions. */
 bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
+
+/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+ *   phi      rad; any angle within MAX_PHASE
+ *   wrapped  out: rad; the equal angle, in [-pi, pi]
+ * Error below 5e-16 rad, modulo a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 29 operations on reals, no division. */
+bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped);
+
+/* phase_of_counts: phase of an encoder's count.
+ *   count     of the encoder, any; or `place` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   zero      count at phi = 0, at most a turn
+ *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
+ * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
+ * RANGE where |zero| is more than a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 20 operations on reals, 1 of them a division. */
+bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, bench8_real *phi);
+
+/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+ *   moved     counts in the time dt: `moved` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   dt        s; greater than 0
+ *   phi_dot   out: rad/s; mean speed in this time
+ * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 10 operations on reals, 2 of them divisions. */
+bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, bench8_real *phi_dot);
+
+/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
+ * moved, exactly.
+ *   encoder   in and out: begin with the counter's first reading
+ *   counter   the counter as it is read; one of 32 bits cast to int
+ *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ * Read it before the counter has moved by half its range (where bits is 0: half a turn).
+ * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+ * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * No operation on reals. */
+bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
  *   stand        the prepared table
@@ -309,7 +359,7 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11485 operations on reals, 35 of them divisions. */
+ * At most 11051 operations on reals, 97 of them divisions. */
 bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out);
 
@@ -317,18 +367,19 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[8]     N m; drive torques, mount on flywheel
- *   locked[8]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[8]  not 0: a lock holds phi'' = 0, whatever its tau
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 28486 operations on reals, 67 of them divisions. */
+ * At most 28083 operations on reals, 129 of them divisions. */
 bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_slopes *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
+ * is shared among the others, (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
@@ -337,7 +388,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 32669 operations on reals, 327 of them divisions. */
+ * At most 73520 operations on reals, 2391 of them divisions. */
 bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -353,7 +404,7 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4490 operations on reals, 60 of them divisions. */
+ * At most 4498 operations on reals, 116 of them divisions. */
 bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);
@@ -388,7 +439,7 @@ bench8_status bench8_target(const bench8_real position[3], const bench8_real ang
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 8022 operations on reals, 11 of them divisions. */
+ * At most 8008 operations on reals, 13 of them divisions. */
 bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, const bench8_real angles[3],
                               const bench8_real phi_ddot[BENCH8_N], bench8_generalized *out);
 
@@ -396,9 +447,13 @@ bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, 
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * RANGE also where a mass is negative or axes have no direction.
+ * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
+ * negative or break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin
+ * inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9587 operations on reals, 41 of them divisions. */
+ * At most 10673 operations on reals, 68 of them divisions. */
 bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
@@ -420,7 +475,7 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2394 operations on reals, 32 of them divisions. */
+ * At most 3480 operations on reals, 59 of them divisions. */
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 /* demo3.h: motion of the stand "demo3": carrier, 0 instruments, 3 flywheels.
- * mahovik 0.1.0; structure d7df2554, physics b6eae828. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,8 +17,8 @@
 extern "C" {
 #endif
 
-#define DEMO3_STRUCTURE 0xd7df2554u  /* of the stand: names, counts, kinds of wrench */
-#define DEMO3_PHYSICS   0xb6eae828u  /* of the stand: structure and all numbers */
+#define DEMO3_STRUCTURE 0x055bf547u  /* of the stand: names, counts, kinds of wrench */
+#define DEMO3_PHYSICS   0xfdeb29e7u  /* of the stand: structure and all numbers */
 
 typedef double demo3_real;
 
@@ -32,6 +32,7 @@ typedef double demo3_real;
 #define DEMO3_MAX_WRENCH         1.0e9     /* N, N m; each component of a run-time wrench */
 #define DEMO3_MAX_STEP           10.0      /* s; a time step */
 #define DEMO3_MAX_PARAMETER      1.0e15    /* SI; each mass, length and moment of inertia */
+#define DEMO3_MAX_WEIGHT         1.0e6     /* the weight of a flywheel in inverse */
 #define DEMO3_LARGEST            1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
@@ -153,10 +154,17 @@ typedef struct demo3_mount_table {
     demo3_mount flywheel[DEMO3_N];
 } demo3_mount_table;
 
+/* An encoder whose counter wraps. Kept by accumulate. */
+typedef struct demo3_encoder {
+    int counter;  /* last reading */
+    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int moved;    /* counts between the last two readings */
+} demo3_encoder;
+
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct demo3_inverse_options {
-    demo3_real weight[DEMO3_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
-    demo3_real limit[DEMO3_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    demo3_real weight[DEMO3_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    demo3_real limit[DEMO3_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
     demo3_real near;             /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     demo3_real damping;          /* part of the largest singular value that damps those near zero, 0..1; 0:
                                   * none */
@@ -166,11 +174,12 @@ typedef struct demo3_inverse_options {
 typedef struct demo3_inverse_result {
     demo3_real phi_ddot[DEMO3_N];  /* rad/s2; flywheel accelerations */
     demo3_real residual[6];        /* N, N m; F - K V* - M V - J phi' - I phi'' */
-    demo3_real sigma[3];           /* singular values of the scaled I, descending */
+    demo3_real sigma[3];           /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
     int rank;                      /* of them that count */
-    demo3_real damping;            /* largest damping applied; 0: none */
+    demo3_real damped_by;          /* largest lambda applied, in units of sigma; 0: none */
     int limited[DEMO3_N];          /* 1 where the limit of a flywheel was reached */
-    demo3_real hardest[6];         /* wrench of unit size in the norm of K^-1 that is hardest to give */
+    demo3_real hardest[6];         /* wrench out of reach, or hardest to reach; of unit size in the norm of
+                                    * K^-1 */
 } demo3_inverse_result;
 
 /* Derivatives of coupled. */
@@ -207,7 +216,7 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1030 operations on reals, 1 of them a division. */
+ * At most 1016 operations on reals, 3 of them divisions. */
 demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x,
                            const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6]);
 
@@ -243,12 +252,12 @@ demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const 
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[3]       N m; drive torques, mount on flywheel
- *   locked[3]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[3]    not 0: a lock holds phi'' = 0, whatever its tau
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1708 operations on reals, 2 of them divisions. */
+ * At most 1695 operations on reals, 4 of them divisions. */
 demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
 
@@ -256,14 +265,14 @@ demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[3]     N m; drive torques, mount on flywheel
- *   locked[3]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7378 operations on reals, 14 of them divisions. */
+ * At most 7326 operations on reals, 22 of them divisions. */
 demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
 
@@ -277,10 +286,51 @@ demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const de
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4666 operations on reals, 10 of them divisions. */
+ * At most 4610 operations on reals, 18 of them divisions. */
 demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
+
+/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+ *   phi      rad; any angle within MAX_PHASE
+ *   wrapped  out: rad; the equal angle, in [-pi, pi]
+ * Error below 5e-16 rad, modulo a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 29 operations on reals, no division. */
+demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped);
+
+/* phase_of_counts: phase of an encoder's count.
+ *   count     of the encoder, any; or `place` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   zero      count at phi = 0, at most a turn
+ *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
+ * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
+ * RANGE where |zero| is more than a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 20 operations on reals, 1 of them a division. */
+demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, demo3_real *phi);
+
+/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+ *   moved     counts in the time dt: `moved` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   dt        s; greater than 0
+ *   phi_dot   out: rad/s; mean speed in this time
+ * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 10 operations on reals, 2 of them divisions. */
+demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3_real *phi_dot);
+
+/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
+ * moved, exactly.
+ *   encoder   in and out: begin with the counter's first reading
+ *   counter   the counter as it is read; one of 32 bits cast to int
+ *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ * Read it before the counter has moved by half its range (where bits is 0: half a turn).
+ * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+ * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * No operation on reals. */
+demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
  *   stand        the prepared table
@@ -290,7 +340,7 @@ demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4774 operations on reals, 16 of them divisions. */
+ * At most 4550 operations on reals, 48 of them divisions. */
 demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_slopes *out);
 
@@ -298,18 +348,19 @@ demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state 
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[3]     N m; drive torques, mount on flywheel
- *   locked[3]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10507 operations on reals, 32 of them divisions. */
+ * At most 10299 operations on reals, 64 of them divisions. */
 demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_slopes *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
+ * is shared among the others, (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
@@ -318,7 +369,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 22286 operations on reals, 318 of them divisions. */
+ * At most 34902 operations on reals, 1212 of them divisions. */
 demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -334,7 +385,7 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1902 operations on reals, 33 of them divisions. */
+ * At most 1881 operations on reals, 33 of them divisions. */
 demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 
@@ -368,7 +419,7 @@ demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4216 operations on reals, 3 of them divisions. */
+ * At most 4202 operations on reals, 5 of them divisions. */
 demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, const demo3_real angles[3],
                             const demo3_real phi_ddot[DEMO3_N], demo3_generalized *out);
 
@@ -376,9 +427,13 @@ demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, cons
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * RANGE also where a mass is negative or axes have no direction.
+ * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
+ * negative or break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin
+ * inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3737 operations on reals, 16 of them divisions. */
+ * At most 4208 operations on reals, 28 of them divisions. */
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
@@ -398,7 +453,7 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 924 operations on reals, 12 of them divisions. */
+ * At most 1395 operations on reals, 24 of them divisions. */
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting);
 
 #ifdef __cplusplus

@@ -1,11 +1,11 @@
 /* remus6.c: motion of the stand "remus6". What each function does and takes: remus6.h.
- * mahovik 0.1.0; structure 7b01c6fe, physics a90ecc69. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead. */
 #include "remus6.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-#if REMUS6_STRUCTURE != 0x7b01c6feu || REMUS6_PHYSICS != 0xa90ecc69u
+#if REMUS6_STRUCTURE != 0x3687deeeu || REMUS6_PHYSICS != 0x5f25aea2u
 #error "remus6.h and remus6.c are of different stands"
 #endif
 
@@ -144,6 +144,13 @@ static remus6_real remus6_sqrt(remus6_real x)
     return (x > 0.0) ? result : x;
 }
 
+/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+REMUS6_CODE
+static remus6_real remus6_unwound(remus6_real phi, remus6_real k)
+{
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
 /* the equal angle within half a turn of zero.
  * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
 REMUS6_CODE
@@ -151,7 +158,7 @@ static remus6_real remus6_wrapped(remus6_real phi)
 {
     /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
     const remus6_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
-    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+    return remus6_unwound(phi, k);
 }
 
 /* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
@@ -352,23 +359,27 @@ static void remus6_subtract_rates(const remus6_sums *sum, const remus6_real V[6]
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 REMUS6_CODE
 static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3], remus6_real y[3])
 {
-    const remus6_real c11 = S[1] * S[2] - S[5] * S[5];
-    const remus6_real c22 = S[0] * S[2] - S[4] * S[4];
-    const remus6_real c33 = S[0] * S[1] - S[3] * S[3];
-    const remus6_real c12 = S[4] * S[5] - S[2] * S[3];
-    const remus6_real c13 = S[3] * S[5] - S[1] * S[4];
-    const remus6_real c23 = S[3] * S[4] - S[0] * S[5];
-    const remus6_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
-    /* Sylvester: the leading minors are positive. NaN fails too */
-    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
-    const remus6_real r = 1.0 / det;
-    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
-    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
-    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    if (!(S[0] >= 2.2250738585072014e-308)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    const remus6_real r1 = 1.0 / S[0];
+    const remus6_real l21 = S[3] * r1;
+    const remus6_real l31 = S[4] * r1;
+    const remus6_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    const remus6_real r2 = 1.0 / d2;
+    const remus6_real p32 = S[5] - l31 * S[3];
+    const remus6_real l32 = p32 * r2;
+    const remus6_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    /* L z = b, then L^T y = D^-1 z */
+    const remus6_real z2 = b[1] - l21 * b[0];
+    const remus6_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
+    const remus6_real y2 = z2 * r2 - l32 * y3;
+    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
+    y[1] = y2;  y[2] = y3;
     return REMUS6_OK;
 }
 
@@ -809,7 +820,8 @@ static remus6_status remus6_solve_schur(const remus6_schur *K, const remus6_real
     const remus6_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
     const remus6_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
     const remus6_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
-    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= REMUS6_LARGEST))) { return REMUS6_NOT_POSITIVE_DEFINITE; }
     const remus6_real r = 1.0 / det;
     remus6_real A_inv[6];
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
@@ -1222,6 +1234,101 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
     status = remus6_finish(&y);
     if (status != REMUS6_OK) { return status; }
     *next = y;
+    return REMUS6_OK;
+}
+
+/* The equal angle in [-pi, pi] (pi as the nearest real). */
+REMUS6_CODE
+remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped)
+{
+    if (wrapped == NULL) { return REMUS6_BAD_ARGUMENT; }
+    remus6_status status;
+    remus6_real given[1];
+    given[0] = phi;
+    status = remus6_within(given, 1, REMUS6_MAX_PHASE);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    remus6_real angle;
+    k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+    angle = remus6_unwound(phi, k);
+    if (angle > 3.141592653589793 || angle < -3.141592653589793) {
+        angle = remus6_unwound(phi, (angle > 3.141592653589793) ? k + 1.0 : k - 1.0);
+    }
+    *wrapped = (angle > 3.141592653589793) ? 3.141592653589793
+        : ((angle < -3.141592653589793) ? -3.141592653589793 : angle);
+    return REMUS6_OK;
+}
+
+/* Phase of an encoder's count. */
+REMUS6_CODE
+remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, remus6_real *phi)
+{
+    if (phi == NULL) { return REMUS6_BAD_ARGUMENT; }
+    remus6_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return REMUS6_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    const remus6_real size = (remus6_real)turn;
+    remus6_real given[1];
+    given[0] = zero;
+    status = remus6_within(given, 1, size);
+    if (status != REMUS6_OK) { return status; }
+    const int rest = count - count / turn * turn;  /* whole turns taken off */
+    remus6_real place = (remus6_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const remus6_real half = size * 0.5;
+    for (int i = 0; i < 2; ++i) {
+        place = (place > half) ? place - size : ((place < -half) ? place + size : place);
+    }
+    *phi = place / (remus6_real)per_turn * 6.283185307179586;
+    return REMUS6_OK;
+}
+
+/* Mean speed of a flywheel of the counts in a time. */
+REMUS6_CODE
+remus6_status remus6_speed_of_counts(int moved, int per_turn, remus6_real dt, remus6_real *phi_dot)
+{
+    if (phi_dot == NULL) { return REMUS6_BAD_ARGUMENT; }
+    remus6_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return REMUS6_BAD_ARGUMENT; }
+    remus6_real given[1];
+    given[0] = dt;
+    status = remus6_within(given, 1, REMUS6_MAX_STEP);
+    if (status != REMUS6_OK) { return status; }
+    if (!(dt > 0.0)) { return REMUS6_BAD_ARGUMENT; }
+    const remus6_real turns = (remus6_real)moved / (remus6_real)per_turn;
+    const remus6_real speed = turns * 6.283185307179586 / dt;
+    if (!(speed >= -REMUS6_MAX_SPEED && speed <= REMUS6_MAX_SPEED)) { return REMUS6_RANGE; }
+    *phi_dot = speed;
+    return REMUS6_OK;
+}
+
+/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
+ * exactly. */
+REMUS6_CODE
+remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, int per_turn)
+{
+    if (encoder == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return REMUS6_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    if (!(encoder->place >= 0 && encoder->place < turn)) { return REMUS6_BAD_ARGUMENT; }
+    int moved;  /* counts since the last reading: the shorter way round */
+    if (bits == 0) {
+        if (!(counter >= 0 && counter < turn
+            && (encoder->counter >= 0 && encoder->counter < turn))) { return REMUS6_BAD_ARGUMENT; }
+        moved = counter - encoder->counter;
+        const int half = turn / 2;
+        moved = (moved > half) ? moved - turn : ((moved < -half) ? moved + turn : moved);
+    } else {
+        if (!(bits >= 2 && bits <= 32)) { return REMUS6_BAD_ARGUMENT; }
+        const remus6_word mask = (remus6_word)0xffffffffu >> (remus6_word)(32 - bits);
+        /* counts forwards */
+        const remus6_word up = ((remus6_word)counter - (remus6_word)encoder->counter) & mask;
+        const remus6_word down = mask - up;  /* counts backwards, less one */
+        moved = (up > down) ? -1 - (int)down : (int)up;
+    }
+    int place = encoder->place + (moved - moved / turn * turn);
+    encoder->place = (place < 0) ? place + turn : ((place < turn) ? place : place - turn);
+    encoder->counter = counter;
+    encoder->moved = moved;
     return REMUS6_OK;
 }
 
@@ -1846,11 +1953,15 @@ static void remus6_orthogonalise(remus6_inverse_work *work)
                     g += work->W[p][j] * work->W[q][j];
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
-                const remus6_real d = b - a;
-                const remus6_real root = remus6_sqrt(d * d + 4.0 * (g * g));
+                const remus6_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* of size 1, so that no square underflows */
+                const remus6_real unit = (size > 0.0) ? size : 1.0;
+                const remus6_real d = (b - a) / unit;
+                const remus6_real h = 2.0 * g / unit;
+                const remus6_real root = remus6_sqrt(d * d + h * h);
                 const remus6_real below = (d < 0.0) ? d - root : d + root;
                 const remus6_real t = (((below < 0.0) ? -below : below) > 0.0)
-                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
                 const remus6_real c = 1.0 / remus6_sqrt(1.0 + t * t);
                 const remus6_real s = c * t;
                 for (int j = 0; j < REMUS6_N; ++j) {
@@ -1905,8 +2016,7 @@ static remus6_status remus6_factor(remus6_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 REMUS6_CODE
 static remus6_status remus6_demand(const remus6_table *stand, const remus6_state *x,
-                                   const remus6_real V_dot[6], const remus6_real weight[REMUS6_N],
-                                   remus6_inverse_work *work)
+                                   const remus6_real V_dot[6], remus6_inverse_work *work)
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -1986,7 +2096,7 @@ static remus6_status remus6_demand(const remus6_table *stand, const remus6_state
     status = remus6_factor(work);
     if (status != REMUS6_OK) { return status; }
     for (int s = 0; s < REMUS6_N; ++s) {
-        work->scale[s] = 1.0 / remus6_sqrt(stand->flywheel[s].spin * weight[s]);
+        work->scale[s] = 1.0 / remus6_sqrt(stand->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -2008,6 +2118,171 @@ static remus6_status remus6_demand(const remus6_table *stand, const remus6_state
     return REMUS6_OK;
 }
 
+/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+REMUS6_CODE
+static void remus6_solve_gram(remus6_real gram[6][6], remus6_real z[6], remus6_real least)
+{
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const remus6_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = remus6_sqrt(pivot);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
+ * do, (12). */
+REMUS6_CODE
+static void remus6_allocate(const remus6_inverse_work *work, const remus6_inverse_options *options, int rank,
+                            remus6_real phi_ddot[REMUS6_N], int limited[REMUS6_N])
+{
+    remus6_real give[REMUS6_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    remus6_real step[REMUS6_N];  /* what the free flywheels shall give more */
+    remus6_real row[6];  /* factor of each row; 0: it does not count */
+    remus6_real gram[6][6];
+    remus6_real z[6];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+    }
+    for (int pass = 0; pass < 18; ++pass) {
+        remus6_real most = 0.0;
+        for (int s = 0; s < REMUS6_N; ++s) {
+            const remus6_real share = (pass < 17) ? 1.0 / options->weight[s] : 1.0;
+            give[s] = (limited[s] > 0) ? 0.0 : share;
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const remus6_real regular = 1.0e-12 * most;
+        const remus6_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        for (int i = 0; i < 6; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 6; ++i) {
+            remus6_real left = work->r[i];
+            for (int s = 0; s < REMUS6_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        for (int i = 0; i < 6; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                remus6_real total = 0.0;
+                for (int s = 0; s < REMUS6_N; ++s) {
+                    total += work->W[i][s] * give[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        remus6_solve_gram(gram, z, least);
+        for (int s = 0; s < REMUS6_N; ++s) {
+            step[s] = 0.0;
+            for (int i = 0; i < 6; ++i) {
+                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+            }
+        }
+        if (pass < 1) {
+            for (int s = 0; s < REMUS6_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const remus6_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        }
+        if (pass > 0) {
+            /* as long a step as all limits allow; the flywheel that stops it is held */
+            remus6_real length;
+            int stopped;
+            length = 1.0;
+            stopped = -1;
+            for (int s = 0; s < REMUS6_N; ++s) {
+                const remus6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                    const remus6_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const remus6_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < REMUS6_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const remus6_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a whole step: free the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                remus6_real left[6];
+                remus6_real wanted = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < REMUS6_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                remus6_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                int freed = -1;
+                for (int s = 0; s < REMUS6_N; ++s) {
+                    if (limited[s] > 0) {
+                        remus6_real slope = 0.0;
+                        remus6_real size = 0.0;
+                        for (int i = 0; i < 6; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const remus6_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        const remus6_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
 /* (12) */
 REMUS6_CODE
 remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
@@ -2021,9 +2296,7 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(options->weight, REMUS6_N, REMUS6_MAX_PARAMETER);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(options->limit, REMUS6_N, REMUS6_LARGEST);
+    status = remus6_within(options->weight, REMUS6_N, REMUS6_MAX_WEIGHT);
     if (status != REMUS6_OK) { return status; }
     remus6_real shares[2];
     shares[0] = options->near;     shares[1] = options->damping;
@@ -2032,10 +2305,14 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return REMUS6_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return REMUS6_BAD_ARGUMENT; }
+    }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return REMUS6_BAD_ARGUMENT; }
     }
     remus6_inverse_work work;
-    status = remus6_demand(stand, x, V_dot, options->weight, &work);
+    status = remus6_demand(stand, x, V_dot, &work);
     if (status != REMUS6_OK) { return status; }
     remus6_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2067,37 +2344,26 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
     flags = 0;
     rank = 0;
     damping = 0.0;
-    for (int s = 0; s < REMUS6_N; ++s) {
-        out->phi_ddot[s] = 0.0;
-    }
-    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
     for (int i = 0; i < 6; ++i) {
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const remus6_real ratio = work.sigma[i] / work.sigma[0];
-            remus6_real lambda = 0.0;
             if (ratio < options->near) {
                 flags = flags | REMUS6_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | REMUS6_DAMPED;
-                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const remus6_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near);
+                    const remus6_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
                 }
             }
-            const remus6_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
-            for (int s = 0; s < REMUS6_N; ++s) {
-                out->phi_ddot[s] += part * work.W[i][s];
-            }
         }
     }
+    remus6_allocate(&work, options, rank, out->phi_ddot, out->limited);
     for (int s = 0; s < REMUS6_N; ++s) {
-        const remus6_real free = out->phi_ddot[s] * work.scale[s];
-        const remus6_real over = ((free < 0.0) ? -free : free) - options->limit[s];
-        out->phi_ddot[s] = free;
-        out->limited[s] = 0;
-        if (over > 0.0) {
-            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
-            out->limited[s] = 1;
+        if (out->limited[s] > 0) {
             flags = flags | REMUS6_LIMITED;
         }
     }
@@ -2120,17 +2386,46 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
         }
         z[i] = z[i] / work.G[i][i];
         left += z[i] * z[i];
-        /* G u of the least singular value */
-        out->hardest[i] = 0.0;
-        for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * work.U[k][5];
-        }
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | REMUS6_UNREACHABLE;
     }
+    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    remus6_real part[6];
+    for (int i = 0; i < 6; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    remus6_real largest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        const remus6_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[5] = 1.0;
+        largest = 1.0;
+    }
+    remus6_real square = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const remus6_real length = remus6_sqrt(square);
+    remus6_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    for (int k = 0; k < 6; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 6; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * u[k];
+        }
+    }
     out->rank = rank;
-    out->damping = damping;
+    out->damped_by = damping;
     for (int i = 0; i < 6; ++i) {
         out->sigma[i] = work.sigma[i];
     }
@@ -2151,31 +2446,32 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(options->weight, REMUS6_N, REMUS6_MAX_PARAMETER);
+    status = remus6_within(options->weight, REMUS6_N, REMUS6_MAX_WEIGHT);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(options->limit, REMUS6_N, REMUS6_LARGEST);
-    if (status != REMUS6_OK) { return status; }
-    remus6_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
-    status = remus6_within(shares, 2, REMUS6_LARGEST);
+    remus6_real shares[1];
+    shares[0] = options->damping;
+    status = remus6_within(shares, 1, REMUS6_LARGEST);
     if (status != REMUS6_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
-    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return REMUS6_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return REMUS6_BAD_ARGUMENT; }
     }
     remus6_inverse_work work;
-    status = remus6_demand(stand, x, V_dot, options->weight, &work);
+    status = remus6_demand(stand, x, V_dot, &work);
     if (status != REMUS6_OK) { return status; }
-    /* normal equations: W W^T z = r, y = W^T z */
+    /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
     remus6_real gram[6][6];
     remus6_real z[6];
     remus6_real trace = 0.0;
+    remus6_real weighed[REMUS6_N];  /* a row of W Omega^-1 */
     for (int i = 0; i < 6; ++i) {
+        for (int s = 0; s < REMUS6_N; ++s) {
+            weighed[s] = work.W[i][s] / options->weight[s];
+        }
         for (int j = 0; j < i + 1; ++j) {
             gram[i][j] = 0.0;
             for (int k = 0; k < REMUS6_N; ++k) {
-                gram[i][j] += work.W[i][k] * work.W[j][k];
+                gram[i][j] += weighed[k] * work.W[j][k];
             }
         }
         trace += gram[i][i];
@@ -2186,10 +2482,11 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 6; ++j) {
+        const remus6_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
-        if (!(gram[j][j] > 1.0e-26)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        if (!(gram[j][j] > least)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
         gram[j][j] = remus6_sqrt(gram[j][j]);
         for (int i = j + 1; i < 6; ++i) {
             for (int k = 0; k < j; ++k) {
@@ -2216,6 +2513,7 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
         for (int k = 0; k < 6; ++k) {
             y += work.W[k][s] * z[k];
         }
+        y = y / options->weight[s];
         phi_ddot[s] = y * work.scale[s];
     }
     return REMUS6_OK;
@@ -2494,6 +2792,8 @@ static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus
     if (!(axis2 > 1.0e-30)) { return REMUS6_RANGE; }
     const remus6_real axis2_root = 1.0 / remus6_sqrt(axis2);
     e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    const remus6_real zero2 = zero[0] * zero[0] + zero[1] * zero[1] + zero[2] * zero[2];
+    if (!(zero2 > 1.0e-30)) { return REMUS6_RANGE; }
     /* of zero along the axis */
     const remus6_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];
     remus6_real across[3];
@@ -2501,7 +2801,7 @@ static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus
     across[1] = zero[1] - along * e1[1];
     across[2] = zero[2] - along * e1[2];
     const remus6_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
-    if (!(across2 > 1.0e-30)) { return REMUS6_RANGE; }
+    if (!(across2 > 2.5e-19 * zero2)) { return REMUS6_RANGE; }
     const remus6_real across2_root = 1.0 / remus6_sqrt(across2);
     e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
     R[0] = e1[0];  R[1] = e2[0];
@@ -2556,7 +2856,42 @@ static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_rea
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the mass properties finite and the mass not negative? */
+/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+ * inertia. */
+REMUS6_CODE
+static remus6_status remus6_check_inertia(remus6_real mass, const remus6_real c[3], const remus6_real J[6])
+{
+    remus6_real size = 0.0;  /* largest element of J */
+    for (int k = 0; k < 6; ++k) {
+        size = (((J[k] < 0.0) ? -J[k] : J[k]) > size) ? ((J[k] < 0.0) ? -J[k] : J[k]) : size;
+    }
+    const remus6_real b1 = mass * c[0];
+    const remus6_real b2 = mass * c[1];
+    const remus6_real b3 = mass * c[2];
+    /* P = tr(J)/2 E - J - m c c^T + t |J| E */
+    const remus6_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + 1.0e-9 * size;
+    const remus6_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + 1.0e-9 * size;
+    const remus6_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + 1.0e-9 * size;
+    const remus6_real P12 = -J[3] - b1 * c[1];
+    const remus6_real P13 = -J[4] - b1 * c[2];
+    const remus6_real P23 = -J[5] - b2 * c[2];
+    /* a point mass in its origin has none */
+    if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
+        + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
+        > 0.0) {
+        if (!(P11 > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        const remus6_real l21 = P12 / P11;
+        const remus6_real l31 = P13 / P11;
+        const remus6_real d2 = P22 - l21 * P12;
+        if (!(d2 > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        const remus6_real p32 = P23 - l31 * P12;
+        const remus6_real d3 = P33 - l31 * P13 - p32 / d2 * p32;
+        if (!(d3 > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    }
+    return REMUS6_OK;
+}
+
+/* are the mass properties finite, and those of a body that can be? */
 REMUS6_CODE
 static remus6_status remus6_check_body(const remus6_body *body)
 {
@@ -2572,10 +2907,11 @@ static remus6_status remus6_check_body(const remus6_body *body)
     status = remus6_within(body->displaced_center, 3, REMUS6_MAX_PARAMETER);
     if (status != REMUS6_OK) { return status; }
     if (body->mass < 0.0) { return REMUS6_RANGE; }
-    return REMUS6_OK;
+    if (body->displaced_mass < 0.0) { return REMUS6_RANGE; }
+    return remus6_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* are the mass properties finite and the mass not negative? */
+/* are the mass properties finite, and those of a body that can be? */
 REMUS6_CODE
 static remus6_status remus6_check_dry_body(const remus6_dry_body *body)
 {
@@ -2589,7 +2925,7 @@ static remus6_status remus6_check_dry_body(const remus6_dry_body *body)
     status = remus6_within(body->inertia, 6, REMUS6_MAX_PARAMETER);
     if (status != REMUS6_OK) { return status; }
     if (body->mass < 0.0) { return REMUS6_RANGE; }
-    return REMUS6_OK;
+    return remus6_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
@@ -2674,6 +3010,45 @@ static remus6_status remus6_place_point(const remus6_parameters *parameters, con
     return REMUS6_OK;
 }
 
+/* is the added mass finite, symmetric to the bit and positive semidefinite? */
+REMUS6_CODE
+static remus6_status remus6_check_added_mass(const remus6_real added_mass[6][6])
+{
+    remus6_status status;
+    remus6_real factor[6][6];  /* L below the diagonal, D on it */
+    for (int i = 0; i < 6; ++i) {
+        status = remus6_within(added_mass[i], 6, REMUS6_MAX_PARAMETER);
+        if (status != REMUS6_OK) { return status; }
+    }
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < i; ++j) {
+            if (added_mass[i][j] < added_mass[j][i]
+                || added_mass[i][j] > added_mass[j][i]) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        }
+    }
+    /* rows of zeros, of what meets no fluid, are left out */
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            if ((added_mass[i][j] < 0.0 || added_mass[i][j] > 0.0)
+                && !(added_mass[i][i] > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        }
+        remus6_real diagonal = added_mass[i][i] + 1.0e-9 * added_mass[i][i];
+        for (int j = 0; j < i; ++j) {
+            remus6_real entry = added_mass[i][j];  /* L_ij D_j */
+            for (int k = 0; k < j; ++k) {
+                entry -= factor[i][k] * factor[k][k] * factor[j][k];
+            }
+            factor[i][j] = entry / factor[j][j];
+            diagonal -= factor[i][j] * entry;
+        }
+        if (added_mass[i][i] > 0.0) {
+            if (!(diagonal > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        }
+        factor[i][i] = (added_mass[i][i] > 0.0) ? diagonal : 1.0;
+    }
+    return REMUS6_OK;
+}
+
 /* constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
 REMUS6_CODE
 static remus6_status remus6_translation_block(const remus6_parameters *parameters, remus6_real mass,
@@ -2692,24 +3067,27 @@ static remus6_status remus6_translation_block(const remus6_parameters *parameter
     const remus6_real c13 = A[3] * A[5] - A[1] * A[4];
     const remus6_real c23 = A[3] * A[4] - A[0] * A[5];
     const remus6_real det = A[0] * c11 + A[3] * c12 + A[4] * c13;
-    if (!(A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    if (!(A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= REMUS6_LARGEST))) { return REMUS6_NOT_POSITIVE_DEFINITE; }
     const remus6_real r = 1.0 / det;
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
     A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
     return REMUS6_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the masses positive? */
+/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
 REMUS6_CODE
 static remus6_status remus6_check_parameters(const remus6_parameters *parameters)
 {
     remus6_status status;
     remus6_real mass;
+    remus6_real size;  /* moment of inertia that no product of the equations may overflow */
     remus6_real O[3];
     remus6_real R[9];
     status = remus6_check_body(&parameters->carrier);
     if (status != REMUS6_OK) { return status; }
     mass = parameters->carrier.mass;
+    size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1] + parameters->carrier.inertia[2];
     for (int k = 0; k < 1; ++k) {
         status = remus6_check_body(&parameters->instrument[k].body);
         if (status != REMUS6_OK) { return status; }
@@ -2718,6 +3096,12 @@ static remus6_status remus6_check_parameters(const remus6_parameters *parameters
         status = remus6_frame_of_axes(parameters->instrument[k].axis, parameters->instrument[k].zero, R);
         if (status != REMUS6_OK) { return status; }
         mass += parameters->instrument[k].body.mass;
+        size += parameters->instrument[k].body.inertia[0] + parameters->instrument[k].body.inertia[1]
+            + parameters->instrument[k].body.inertia[2]
+            + parameters->instrument[k].body.mass
+            * (parameters->instrument[k].position[0] * parameters->instrument[k].position[0]
+            + parameters->instrument[k].position[1] * parameters->instrument[k].position[1]
+            + parameters->instrument[k].position[2] * parameters->instrument[k].position[2]);
     }
     for (int s = 0; s < REMUS6_N; ++s) {
         status = remus6_check_dry_body(&parameters->flywheel[s].body);
@@ -2726,18 +3110,20 @@ static remus6_status remus6_check_parameters(const remus6_parameters *parameters
         status = remus6_place_flywheel(parameters, &parameters->flywheel[s], O, R);
         if (status != REMUS6_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
+        size += parameters->flywheel[s].body.inertia[0] + parameters->flywheel[s].body.inertia[1]
+            + parameters->flywheel[s].body.inertia[2]
+            + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
     for (int k = 0; k < 1; ++k) {
         status = remus6_place_point(parameters, &parameters->point[k], O, R);
         if (status != REMUS6_OK) { return status; }
     }
     if (!(mass > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    if (!(size <= 1.0e60)) { return REMUS6_RANGE; }
     remus6_real A[6];
     remus6_real A_inv[6];
-    for (int i = 0; i < 6; ++i) {
-        status = remus6_within(parameters->added_mass[i], 6, REMUS6_MAX_PARAMETER);
-        if (status != REMUS6_OK) { return status; }
-    }
+    status = remus6_check_added_mass(parameters->added_mass);
+    if (status != REMUS6_OK) { return status; }
     status = remus6_translation_block(parameters, mass, A, A_inv);
     if (status != REMUS6_OK) { return status; }
     return REMUS6_OK;

@@ -1,5 +1,5 @@
 /* remus6.h: motion of the stand "remus6": carrier, 1 instrument, 6 flywheels.
- * mahovik 0.1.0; structure 7b01c6fe, physics a90ecc69. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,8 +17,8 @@
 extern "C" {
 #endif
 
-#define REMUS6_STRUCTURE 0x7b01c6feu  /* of the stand: names, counts, kinds of wrench */
-#define REMUS6_PHYSICS   0xa90ecc69u  /* of the stand: structure and all numbers */
+#define REMUS6_STRUCTURE 0x3687deeeu  /* of the stand: names, counts, kinds of wrench */
+#define REMUS6_PHYSICS   0x5f25aea2u  /* of the stand: structure and all numbers */
 
 typedef double remus6_real;
 
@@ -32,6 +32,7 @@ typedef double remus6_real;
 #define REMUS6_MAX_WRENCH        1.0e9     /* N, N m; each component of a run-time wrench */
 #define REMUS6_MAX_STEP          10.0      /* s; a time step */
 #define REMUS6_MAX_PARAMETER     1.0e15    /* SI; each mass, length and moment of inertia */
+#define REMUS6_MAX_WEIGHT        1.0e6     /* the weight of a flywheel in inverse */
 #define REMUS6_LARGEST           1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
@@ -225,10 +226,17 @@ typedef struct remus6_reading {
     remus6_real angular_acceleration[3];  /* rad/s2; in own axes */
 } remus6_reading;
 
+/* An encoder whose counter wraps. Kept by accumulate. */
+typedef struct remus6_encoder {
+    int counter;  /* last reading */
+    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int moved;    /* counts between the last two readings */
+} remus6_encoder;
+
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct remus6_inverse_options {
-    remus6_real weight[REMUS6_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
-    remus6_real limit[REMUS6_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    remus6_real weight[REMUS6_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    remus6_real limit[REMUS6_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
     remus6_real near;              /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     remus6_real damping;           /* part of the largest singular value that damps those near zero, 0..1;
                                     * 0: none */
@@ -238,11 +246,12 @@ typedef struct remus6_inverse_options {
 typedef struct remus6_inverse_result {
     remus6_real phi_ddot[REMUS6_N];  /* rad/s2; flywheel accelerations */
     remus6_real residual[6];         /* N, N m; F - K V* - M V - J phi' - I phi'' */
-    remus6_real sigma[6];            /* singular values of the scaled I, descending */
+    remus6_real sigma[6];            /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
     int rank;                        /* of them that count */
-    remus6_real damping;             /* largest damping applied; 0: none */
+    remus6_real damped_by;           /* largest lambda applied, in units of sigma; 0: none */
     int limited[REMUS6_N];           /* 1 where the limit of a flywheel was reached */
-    remus6_real hardest[6];          /* wrench of unit size in the norm of K^-1 that is hardest to give */
+    remus6_real hardest[6];          /* wrench out of reach, or hardest to reach; of unit size in the norm
+                                      * of K^-1 */
 } remus6_inverse_result;
 
 /* Derivatives of coupled. */
@@ -279,7 +288,7 @@ extern const remus6_inverse_options remus6_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2058 operations on reals, 2 of them divisions. */
+ * At most 2044 operations on reals, 4 of them divisions. */
 remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
                              const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6]);
 
@@ -323,12 +332,12 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[6]       N m; drive torques, mount on flywheel
- *   locked[6]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[6]    not 0: a lock holds phi'' = 0, whatever its tau
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3207 operations on reals, 3 of them divisions. */
+ * At most 3194 operations on reals, 5 of them divisions. */
 remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                              remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N]);
@@ -337,14 +346,14 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
- *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 13440 operations on reals, 18 of them divisions. */
+ * At most 13388 operations on reals, 26 of them divisions. */
 remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next);
 
@@ -358,10 +367,51 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8844 operations on reals, 14 of them divisions. */
+ * At most 8788 operations on reals, 22 of them divisions. */
 remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next);
+
+/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+ *   phi      rad; any angle within MAX_PHASE
+ *   wrapped  out: rad; the equal angle, in [-pi, pi]
+ * Error below 5e-16 rad, modulo a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 29 operations on reals, no division. */
+remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped);
+
+/* phase_of_counts: phase of an encoder's count.
+ *   count     of the encoder, any; or `place` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   zero      count at phi = 0, at most a turn
+ *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
+ * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
+ * RANGE where |zero| is more than a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 20 operations on reals, 1 of them a division. */
+remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, remus6_real *phi);
+
+/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+ *   moved     counts in the time dt: `moved` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   dt        s; greater than 0
+ *   phi_dot   out: rad/s; mean speed in this time
+ * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 10 operations on reals, 2 of them divisions. */
+remus6_status remus6_speed_of_counts(int moved, int per_turn, remus6_real dt, remus6_real *phi_dot);
+
+/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
+ * moved, exactly.
+ *   encoder   in and out: begin with the counter's first reading
+ *   counter   the counter as it is read; one of 32 bits cast to int
+ *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ * Read it before the counter has moved by half its range (where bits is 0: half a turn).
+ * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+ * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * No operation on reals. */
+remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
  *   stand        the prepared table
@@ -371,7 +421,7 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11526 operations on reals, 26 of them divisions. */
+ * At most 11176 operations on reals, 76 of them divisions. */
 remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out);
 
@@ -379,18 +429,19 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
- *   locked[6]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 21419 operations on reals, 52 of them divisions. */
+ * At most 21094 operations on reals, 102 of them divisions. */
 remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_slopes *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
+ * is shared among the others, (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
@@ -399,7 +450,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 28510 operations on reals, 322 of them divisions. */
+ * At most 55967 operations on reals, 1846 of them divisions. */
 remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -415,7 +466,7 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3547 operations on reals, 55 of them divisions. */
+ * At most 3553 operations on reals, 97 of them divisions. */
 remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);
@@ -460,7 +511,7 @@ remus6_status remus6_target(const remus6_real position[3], const remus6_real ang
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6734 operations on reals, 5 of them divisions. */
+ * At most 6720 operations on reals, 7 of them divisions. */
 remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
                               const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out);
 
@@ -468,9 +519,13 @@ remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, 
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * RANGE also where a mass is negative or axes have no direction.
+ * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
+ * negative or break the triangle inequality, added mass that is not symmetric and positive semidefinite
+ * (to 1e-09 of the largest element); a flywheel without spin inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10831 operations on reals, 71 of them divisions. */
+ * At most 12196 operations on reals, 110 of them divisions. */
 remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
@@ -492,7 +547,7 @@ remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table 
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4583 operations on reals, 55 of them divisions. */
+ * At most 5919 operations on reals, 94 of them divisions. */
 remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting);
 
 #ifdef __cplusplus

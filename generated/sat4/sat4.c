@@ -1,11 +1,11 @@
 /* sat4.c: motion of the stand "sat4". What each function does and takes: sat4.h.
- * mahovik 0.1.0; structure b82f7f7b, physics 3728bc60. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead. */
 #include "sat4.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-#if SAT4_STRUCTURE != 0xb82f7f7bu || SAT4_PHYSICS != 0x3728bc60u
+#if SAT4_STRUCTURE != 0x60e5c883u || SAT4_PHYSICS != 0x347c0b3bu
 #error "sat4.h and sat4.c are of different stands"
 #endif
 
@@ -144,6 +144,13 @@ static sat4_real sat4_sqrt(sat4_real x)
     return (x > 0.0) ? result : x;
 }
 
+/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+SAT4_CODE
+static sat4_real sat4_unwound(sat4_real phi, sat4_real k)
+{
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
 /* the equal angle within half a turn of zero.
  * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
 SAT4_CODE
@@ -151,7 +158,7 @@ static sat4_real sat4_wrapped(sat4_real phi)
 {
     /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
     const sat4_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
-    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+    return sat4_unwound(phi, k);
 }
 
 /* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
@@ -303,23 +310,27 @@ static void sat4_subtract_rates(const sat4_sums *sum, const sat4_real V[6], cons
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 SAT4_CODE
 static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_real y[3])
 {
-    const sat4_real c11 = S[1] * S[2] - S[5] * S[5];
-    const sat4_real c22 = S[0] * S[2] - S[4] * S[4];
-    const sat4_real c33 = S[0] * S[1] - S[3] * S[3];
-    const sat4_real c12 = S[4] * S[5] - S[2] * S[3];
-    const sat4_real c13 = S[3] * S[5] - S[1] * S[4];
-    const sat4_real c23 = S[3] * S[4] - S[0] * S[5];
-    const sat4_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
-    /* Sylvester: the leading minors are positive. NaN fails too */
-    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
-    const sat4_real r = 1.0 / det;
-    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
-    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
-    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    if (!(S[0] >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    const sat4_real r1 = 1.0 / S[0];
+    const sat4_real l21 = S[3] * r1;
+    const sat4_real l31 = S[4] * r1;
+    const sat4_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    const sat4_real r2 = 1.0 / d2;
+    const sat4_real p32 = S[5] - l31 * S[3];
+    const sat4_real l32 = p32 * r2;
+    const sat4_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    /* L z = b, then L^T y = D^-1 z */
+    const sat4_real z2 = b[1] - l21 * b[0];
+    const sat4_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
+    const sat4_real y2 = z2 * r2 - l32 * y3;
+    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
+    y[1] = y2;  y[2] = y3;
     return SAT4_OK;
 }
 
@@ -641,7 +652,8 @@ static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], s
     const sat4_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
     const sat4_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
     const sat4_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
-    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= SAT4_LARGEST))) { return SAT4_NOT_POSITIVE_DEFINITE; }
     const sat4_real r = 1.0 / det;
     sat4_real A_inv[6];
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
@@ -1030,6 +1042,100 @@ sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const
     status = sat4_finish(&y);
     if (status != SAT4_OK) { return status; }
     *next = y;
+    return SAT4_OK;
+}
+
+/* The equal angle in [-pi, pi] (pi as the nearest real). */
+SAT4_CODE
+sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped)
+{
+    if (wrapped == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_status status;
+    sat4_real given[1];
+    given[0] = phi;
+    status = sat4_within(given, 1, SAT4_MAX_PHASE);
+    if (status != SAT4_OK) { return status; }
+    sat4_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    sat4_real angle;
+    k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+    angle = sat4_unwound(phi, k);
+    if (angle > 3.141592653589793 || angle < -3.141592653589793) {
+        angle = sat4_unwound(phi, (angle > 3.141592653589793) ? k + 1.0 : k - 1.0);
+    }
+    *wrapped = (angle > 3.141592653589793) ? 3.141592653589793
+        : ((angle < -3.141592653589793) ? -3.141592653589793 : angle);
+    return SAT4_OK;
+}
+
+/* Phase of an encoder's count. */
+SAT4_CODE
+sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi)
+{
+    if (phi == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SAT4_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    const sat4_real size = (sat4_real)turn;
+    sat4_real given[1];
+    given[0] = zero;
+    status = sat4_within(given, 1, size);
+    if (status != SAT4_OK) { return status; }
+    const int rest = count - count / turn * turn;  /* whole turns taken off */
+    sat4_real place = (sat4_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const sat4_real half = size * 0.5;
+    for (int i = 0; i < 2; ++i) {
+        place = (place > half) ? place - size : ((place < -half) ? place + size : place);
+    }
+    *phi = place / (sat4_real)per_turn * 6.283185307179586;
+    return SAT4_OK;
+}
+
+/* Mean speed of a flywheel of the counts in a time. */
+SAT4_CODE
+sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot)
+{
+    if (phi_dot == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SAT4_BAD_ARGUMENT; }
+    sat4_real given[1];
+    given[0] = dt;
+    status = sat4_within(given, 1, SAT4_MAX_STEP);
+    if (status != SAT4_OK) { return status; }
+    if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
+    const sat4_real turns = (sat4_real)moved / (sat4_real)per_turn;
+    const sat4_real speed = turns * 6.283185307179586 / dt;
+    if (!(speed >= -SAT4_MAX_SPEED && speed <= SAT4_MAX_SPEED)) { return SAT4_RANGE; }
+    *phi_dot = speed;
+    return SAT4_OK;
+}
+
+/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
+ * exactly. */
+SAT4_CODE
+sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int per_turn)
+{
+    if (encoder == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SAT4_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    if (!(encoder->place >= 0 && encoder->place < turn)) { return SAT4_BAD_ARGUMENT; }
+    int moved;  /* counts since the last reading: the shorter way round */
+    if (bits == 0) {
+        if (!(counter >= 0 && counter < turn
+            && (encoder->counter >= 0 && encoder->counter < turn))) { return SAT4_BAD_ARGUMENT; }
+        moved = counter - encoder->counter;
+        const int half = turn / 2;
+        moved = (moved > half) ? moved - turn : ((moved < -half) ? moved + turn : moved);
+    } else {
+        if (!(bits >= 2 && bits <= 32)) { return SAT4_BAD_ARGUMENT; }
+        const sat4_word mask = (sat4_word)0xffffffffu >> (sat4_word)(32 - bits);
+        const sat4_word up = ((sat4_word)counter - (sat4_word)encoder->counter) & mask;  /* counts forwards */
+        const sat4_word down = mask - up;  /* counts backwards, less one */
+        moved = (up > down) ? -1 - (int)down : (int)up;
+    }
+    int place = encoder->place + (moved - moved / turn * turn);
+    encoder->place = (place < 0) ? place + turn : ((place < turn) ? place : place - turn);
+    encoder->counter = counter;
+    encoder->moved = moved;
     return SAT4_OK;
 }
 
@@ -1543,11 +1649,15 @@ static void sat4_orthogonalise(sat4_inverse_work *work)
                     g += work->W[p][j] * work->W[q][j];
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
-                const sat4_real d = b - a;
-                const sat4_real root = sat4_sqrt(d * d + 4.0 * (g * g));
+                const sat4_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* of size 1, so that no square underflows */
+                const sat4_real unit = (size > 0.0) ? size : 1.0;
+                const sat4_real d = (b - a) / unit;
+                const sat4_real h = 2.0 * g / unit;
+                const sat4_real root = sat4_sqrt(d * d + h * h);
                 const sat4_real below = (d < 0.0) ? d - root : d + root;
                 const sat4_real t = (((below < 0.0) ? -below : below) > 0.0)
-                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
                 const sat4_real c = 1.0 / sat4_sqrt(1.0 + t * t);
                 const sat4_real s = c * t;
                 for (int j = 0; j < SAT4_N; ++j) {
@@ -1602,7 +1712,7 @@ static sat4_status sat4_factor(sat4_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SAT4_CODE
 static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
-                               const sat4_real weight[SAT4_N], sat4_inverse_work *work)
+                               sat4_inverse_work *work)
 {
     sat4_status status;
     sat4_sums sum;
@@ -1653,7 +1763,7 @@ static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, con
     status = sat4_factor(work);
     if (status != SAT4_OK) { return status; }
     for (int s = 0; s < SAT4_N; ++s) {
-        work->scale[s] = 1.0 / sat4_sqrt(stand->flywheel[s].spin * weight[s]);
+        work->scale[s] = 1.0 / sat4_sqrt(stand->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -1675,6 +1785,171 @@ static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, con
     return SAT4_OK;
 }
 
+/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+SAT4_CODE
+static void sat4_solve_gram(sat4_real gram[6][6], sat4_real z[6], sat4_real least)
+{
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const sat4_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = sat4_sqrt(pivot);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
+ * do, (12). */
+SAT4_CODE
+static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_options *options, int rank,
+                          sat4_real phi_ddot[SAT4_N], int limited[SAT4_N])
+{
+    sat4_real give[SAT4_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    sat4_real step[SAT4_N];  /* what the free flywheels shall give more */
+    sat4_real row[6];  /* factor of each row; 0: it does not count */
+    sat4_real gram[6][6];
+    sat4_real z[6];
+    for (int s = 0; s < SAT4_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+    }
+    for (int pass = 0; pass < 14; ++pass) {
+        sat4_real most = 0.0;
+        for (int s = 0; s < SAT4_N; ++s) {
+            const sat4_real share = (pass < 13) ? 1.0 / options->weight[s] : 1.0;
+            give[s] = (limited[s] > 0) ? 0.0 : share;
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const sat4_real regular = 1.0e-12 * most;
+        const sat4_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        for (int i = 0; i < 6; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 6; ++i) {
+            sat4_real left = work->r[i];
+            for (int s = 0; s < SAT4_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        for (int i = 0; i < 6; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                sat4_real total = 0.0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    total += work->W[i][s] * give[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        sat4_solve_gram(gram, z, least);
+        for (int s = 0; s < SAT4_N; ++s) {
+            step[s] = 0.0;
+            for (int i = 0; i < 6; ++i) {
+                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+            }
+        }
+        if (pass < 1) {
+            for (int s = 0; s < SAT4_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const sat4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        }
+        if (pass > 0) {
+            /* as long a step as all limits allow; the flywheel that stops it is held */
+            sat4_real length;
+            int stopped;
+            length = 1.0;
+            stopped = -1;
+            for (int s = 0; s < SAT4_N; ++s) {
+                const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                    const sat4_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const sat4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < SAT4_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const sat4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a whole step: free the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                sat4_real left[6];
+                sat4_real wanted = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < SAT4_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                sat4_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                int freed = -1;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    if (limited[s] > 0) {
+                        sat4_real slope = 0.0;
+                        sat4_real size = 0.0;
+                        for (int i = 0; i < 6; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const sat4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
 /* (12) */
 SAT4_CODE
 sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
@@ -1686,9 +1961,7 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
-    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_PARAMETER);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(options->limit, SAT4_N, SAT4_LARGEST);
+    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_WEIGHT);
     if (status != SAT4_OK) { return status; }
     sat4_real shares[2];
     shares[0] = options->near;     shares[1] = options->damping;
@@ -1697,10 +1970,14 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_BAD_ARGUMENT; }
+    }
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
-    status = sat4_demand(stand, x, V_dot, options->weight, &work);
+    status = sat4_demand(stand, x, V_dot, &work);
     if (status != SAT4_OK) { return status; }
     sat4_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -1732,37 +2009,25 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
     flags = 0;
     rank = 0;
     damping = 0.0;
-    for (int s = 0; s < SAT4_N; ++s) {
-        out->phi_ddot[s] = 0.0;
-    }
-    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
     for (int i = 0; i < 6; ++i) {
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const sat4_real ratio = work.sigma[i] / work.sigma[0];
-            sat4_real lambda = 0.0;
             if (ratio < options->near) {
                 flags = flags | SAT4_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | SAT4_DAMPED;
-                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const sat4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const sat4_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
                 }
             }
-            const sat4_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
-            for (int s = 0; s < SAT4_N; ++s) {
-                out->phi_ddot[s] += part * work.W[i][s];
-            }
         }
     }
+    sat4_allocate(&work, options, rank, out->phi_ddot, out->limited);
     for (int s = 0; s < SAT4_N; ++s) {
-        const sat4_real free = out->phi_ddot[s] * work.scale[s];
-        const sat4_real over = ((free < 0.0) ? -free : free) - options->limit[s];
-        out->phi_ddot[s] = free;
-        out->limited[s] = 0;
-        if (over > 0.0) {
-            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
-            out->limited[s] = 1;
+        if (out->limited[s] > 0) {
             flags = flags | SAT4_LIMITED;
         }
     }
@@ -1785,17 +2050,46 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
         }
         z[i] = z[i] / work.G[i][i];
         left += z[i] * z[i];
-        /* G u of the least singular value */
-        out->hardest[i] = 0.0;
-        for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * work.U[k][5];
-        }
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | SAT4_UNREACHABLE;
     }
+    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    sat4_real part[6];
+    for (int i = 0; i < 6; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    sat4_real largest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        const sat4_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[5] = 1.0;
+        largest = 1.0;
+    }
+    sat4_real square = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const sat4_real length = sat4_sqrt(square);
+    sat4_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    for (int k = 0; k < 6; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 6; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * u[k];
+        }
+    }
     out->rank = rank;
-    out->damping = damping;
+    out->damped_by = damping;
     for (int i = 0; i < 4; ++i) {
         out->sigma[i] = work.sigma[i];
     }
@@ -1813,21 +2107,18 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
-    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_PARAMETER);
+    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_WEIGHT);
     if (status != SAT4_OK) { return status; }
-    status = sat4_within(options->limit, SAT4_N, SAT4_LARGEST);
-    if (status != SAT4_OK) { return status; }
-    sat4_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
-    status = sat4_within(shares, 2, SAT4_LARGEST);
+    sat4_real shares[1];
+    shares[0] = options->damping;
+    status = sat4_within(shares, 1, SAT4_LARGEST);
     if (status != SAT4_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
-    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
-    status = sat4_demand(stand, x, V_dot, options->weight, &work);
+    status = sat4_demand(stand, x, V_dot, &work);
     if (status != SAT4_OK) { return status; }
     /* normal equations: W^T W y = W^T r */
     sat4_real gram[4][4];
@@ -1851,10 +2142,11 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 4; ++j) {
+        const sat4_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
-        if (!(gram[j][j] > 1.0e-26)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+        if (!(gram[j][j] > least)) { return SAT4_NOT_POSITIVE_DEFINITE; }
         gram[j][j] = sat4_sqrt(gram[j][j]);
         for (int i = j + 1; i < 4; ++i) {
             for (int k = 0; k < j; ++k) {
@@ -2147,13 +2439,15 @@ static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real z
     if (!(axis2 > 1.0e-30)) { return SAT4_RANGE; }
     const sat4_real axis2_root = 1.0 / sat4_sqrt(axis2);
     e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    const sat4_real zero2 = zero[0] * zero[0] + zero[1] * zero[1] + zero[2] * zero[2];
+    if (!(zero2 > 1.0e-30)) { return SAT4_RANGE; }
     const sat4_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];  /* of zero along the axis */
     sat4_real across[3];
     across[0] = zero[0] - along * e1[0];
     across[1] = zero[1] - along * e1[1];
     across[2] = zero[2] - along * e1[2];
     const sat4_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
-    if (!(across2 > 1.0e-30)) { return SAT4_RANGE; }
+    if (!(across2 > 2.5e-19 * zero2)) { return SAT4_RANGE; }
     const sat4_real across2_root = 1.0 / sat4_sqrt(across2);
     e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
     R[0] = e1[0];  R[1] = e2[0];
@@ -2207,7 +2501,42 @@ static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], 
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the mass properties finite and the mass not negative? */
+/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+ * inertia. */
+SAT4_CODE
+static sat4_status sat4_check_inertia(sat4_real mass, const sat4_real c[3], const sat4_real J[6])
+{
+    sat4_real size = 0.0;  /* largest element of J */
+    for (int k = 0; k < 6; ++k) {
+        size = (((J[k] < 0.0) ? -J[k] : J[k]) > size) ? ((J[k] < 0.0) ? -J[k] : J[k]) : size;
+    }
+    const sat4_real b1 = mass * c[0];
+    const sat4_real b2 = mass * c[1];
+    const sat4_real b3 = mass * c[2];
+    /* P = tr(J)/2 E - J - m c c^T + t |J| E */
+    const sat4_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + 1.0e-9 * size;
+    const sat4_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + 1.0e-9 * size;
+    const sat4_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + 1.0e-9 * size;
+    const sat4_real P12 = -J[3] - b1 * c[1];
+    const sat4_real P13 = -J[4] - b1 * c[2];
+    const sat4_real P23 = -J[5] - b2 * c[2];
+    /* a point mass in its origin has none */
+    if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
+        + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
+        > 0.0) {
+        if (!(P11 > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+        const sat4_real l21 = P12 / P11;
+        const sat4_real l31 = P13 / P11;
+        const sat4_real d2 = P22 - l21 * P12;
+        if (!(d2 > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+        const sat4_real p32 = P23 - l31 * P12;
+        const sat4_real d3 = P33 - l31 * P13 - p32 / d2 * p32;
+        if (!(d3 > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    }
+    return SAT4_OK;
+}
+
+/* are the mass properties finite, and those of a body that can be? */
 SAT4_CODE
 static sat4_status sat4_check_body(const sat4_body *body)
 {
@@ -2221,7 +2550,7 @@ static sat4_status sat4_check_body(const sat4_body *body)
     status = sat4_within(body->inertia, 6, SAT4_MAX_PARAMETER);
     if (status != SAT4_OK) { return status; }
     if (body->mass < 0.0) { return SAT4_RANGE; }
-    return SAT4_OK;
+    return sat4_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
@@ -2248,17 +2577,19 @@ static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[3], sat4_re
     return SAT4_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the masses positive? */
+/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
 SAT4_CODE
 static sat4_status sat4_check_parameters(const sat4_parameters *parameters)
 {
     sat4_status status;
     sat4_real mass;
+    sat4_real size;  /* moment of inertia that no product of the equations may overflow */
     sat4_real O[3];
     sat4_real R[9];
     status = sat4_check_body(&parameters->carrier);
     if (status != SAT4_OK) { return status; }
     mass = parameters->carrier.mass;
+    size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1] + parameters->carrier.inertia[2];
     for (int s = 0; s < SAT4_N; ++s) {
         status = sat4_check_body(&parameters->flywheel[s].body);
         if (status != SAT4_OK) { return status; }
@@ -2266,12 +2597,16 @@ static sat4_status sat4_check_parameters(const sat4_parameters *parameters)
         status = sat4_place_flywheel(&parameters->flywheel[s], O, R);
         if (status != SAT4_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
+        size += parameters->flywheel[s].body.inertia[0] + parameters->flywheel[s].body.inertia[1]
+            + parameters->flywheel[s].body.inertia[2]
+            + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
     for (int k = 0; k < 1; ++k) {
         status = sat4_place_point(&parameters->point[k], O, R);
         if (status != SAT4_OK) { return status; }
     }
     if (!(mass > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    if (!(size <= 1.0e60)) { return SAT4_RANGE; }
     return SAT4_OK;
 }
 

@@ -1,5 +1,5 @@
 /* sat4.h: motion of the stand "sat4": carrier, 0 instruments, 4 flywheels.
- * mahovik 0.1.0; structure b82f7f7b, physics 3728bc60. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,8 +17,8 @@
 extern "C" {
 #endif
 
-#define SAT4_STRUCTURE 0xb82f7f7bu  /* of the stand: names, counts, kinds of wrench */
-#define SAT4_PHYSICS   0x3728bc60u  /* of the stand: structure and all numbers */
+#define SAT4_STRUCTURE 0x60e5c883u  /* of the stand: names, counts, kinds of wrench */
+#define SAT4_PHYSICS   0x347c0b3bu  /* of the stand: structure and all numbers */
 
 typedef double sat4_real;
 
@@ -32,6 +32,7 @@ typedef double sat4_real;
 #define SAT4_MAX_WRENCH          1.0e9     /* N, N m; each component of a run-time wrench */
 #define SAT4_MAX_STEP            10.0      /* s; a time step */
 #define SAT4_MAX_PARAMETER       1.0e15    /* SI; each mass, length and moment of inertia */
+#define SAT4_MAX_WEIGHT          1.0e6     /* the weight of a flywheel in inverse */
 #define SAT4_LARGEST             1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
@@ -180,10 +181,17 @@ typedef struct sat4_reading {
     sat4_real angular_acceleration[3];  /* rad/s2; in own axes */
 } sat4_reading;
 
+/* An encoder whose counter wraps. Kept by accumulate. */
+typedef struct sat4_encoder {
+    int counter;  /* last reading */
+    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int moved;    /* counts between the last two readings */
+} sat4_encoder;
+
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct sat4_inverse_options {
-    sat4_real weight[SAT4_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
-    sat4_real limit[SAT4_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    sat4_real weight[SAT4_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    sat4_real limit[SAT4_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
     sat4_real near;            /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     sat4_real damping;         /* part of the largest singular value that damps those near zero, 0..1; 0:
                                 * none */
@@ -193,11 +201,12 @@ typedef struct sat4_inverse_options {
 typedef struct sat4_inverse_result {
     sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations */
     sat4_real residual[6];       /* N, N m; F - K V* - M V - J phi' - I phi'' */
-    sat4_real sigma[4];          /* singular values of the scaled I, descending */
+    sat4_real sigma[4];          /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
     int rank;                    /* of them that count */
-    sat4_real damping;           /* largest damping applied; 0: none */
+    sat4_real damped_by;         /* largest lambda applied, in units of sigma; 0: none */
     int limited[SAT4_N];         /* 1 where the limit of a flywheel was reached */
-    sat4_real hardest[6];        /* wrench of unit size in the norm of K^-1 that is hardest to give */
+    sat4_real hardest[6];        /* wrench out of reach, or hardest to reach; of unit size in the norm of
+                                  * K^-1 */
 } sat4_inverse_result;
 
 /* Derivatives of coupled. */
@@ -234,7 +243,7 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1274 operations on reals, 1 of them a division. */
+ * At most 1260 operations on reals, 3 of them divisions. */
 sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
 
@@ -270,12 +279,12 @@ sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[4]       N m; drive torques, mount on flywheel
- *   locked[4]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[4]    not 0: a lock holds phi'' = 0, whatever its tau
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2136 operations on reals, 2 of them divisions. */
+ * At most 2123 operations on reals, 4 of them divisions. */
 sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
 
@@ -283,14 +292,14 @@ sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[4]     N m; drive torques, mount on flywheel
- *   locked[4]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9124 operations on reals, 14 of them divisions. */
+ * At most 9072 operations on reals, 22 of them divisions. */
 sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
@@ -304,9 +313,50 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5676 operations on reals, 10 of them divisions. */
+ * At most 5620 operations on reals, 18 of them divisions. */
 sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
+
+/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+ *   phi      rad; any angle within MAX_PHASE
+ *   wrapped  out: rad; the equal angle, in [-pi, pi]
+ * Error below 5e-16 rad, modulo a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 29 operations on reals, no division. */
+sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
+
+/* phase_of_counts: phase of an encoder's count.
+ *   count     of the encoder, any; or `place` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   zero      count at phi = 0, at most a turn
+ *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
+ * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
+ * RANGE where |zero| is more than a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 20 operations on reals, 1 of them a division. */
+sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi);
+
+/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+ *   moved     counts in the time dt: `moved` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   dt        s; greater than 0
+ *   phi_dot   out: rad/s; mean speed in this time
+ * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 10 operations on reals, 2 of them divisions. */
+sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot);
+
+/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
+ * moved, exactly.
+ *   encoder   in and out: begin with the counter's first reading
+ *   counter   the counter as it is read; one of 32 bits cast to int
+ *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ * Read it before the counter has moved by half its range (where bits is 0: half a turn).
+ * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+ * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * No operation on reals. */
+sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
  *   stand        the prepared table
@@ -316,7 +366,7 @@ sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5996 operations on reals, 19 of them divisions. */
+ * At most 5730 operations on reals, 57 of them divisions. */
 sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_slopes *out);
 
@@ -324,17 +374,18 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[4]     N m; drive torques, mount on flywheel
- *   locked[4]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 13657 operations on reals, 38 of them divisions. */
+ * At most 13410 operations on reals, 76 of them divisions. */
 sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_slopes *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
+ * is shared among the others, (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
@@ -343,7 +394,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 24288 operations on reals, 319 of them divisions. */
+ * At most 41151 operations on reals, 1399 of them divisions. */
 sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -359,7 +410,7 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2354 operations on reals, 39 of them divisions. */
+ * At most 2328 operations on reals, 39 of them divisions. */
 sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
@@ -402,7 +453,7 @@ sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], 
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4828 operations on reals, 3 of them divisions. */
+ * At most 4814 operations on reals, 5 of them divisions. */
 sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sat4_real angles[3],
                           const sat4_real phi_ddot[SAT4_N], sat4_generalized *out);
 
@@ -410,9 +461,13 @@ sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sa
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * RANGE also where a mass is negative or axes have no direction.
+ * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
+ * negative or break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin
+ * inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5155 operations on reals, 25 of them divisions. */
+ * At most 5763 operations on reals, 40 of them divisions. */
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
@@ -432,7 +487,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1342 operations on reals, 18 of them divisions. */
+ * At most 1943 operations on reals, 33 of them divisions. */
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
 
 #ifdef __cplusplus

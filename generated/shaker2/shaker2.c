@@ -1,11 +1,11 @@
 /* shaker2.c: motion of the stand "shaker2". What each function does and takes: shaker2.h.
- * mahovik 0.1.0; structure f884db42, physics 56814717. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead. */
 #include "shaker2.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-#if SHAKER2_STRUCTURE != 0xf884db42u || SHAKER2_PHYSICS != 0x56814717u
+#if SHAKER2_STRUCTURE != 0x94a85f4au || SHAKER2_PHYSICS != 0x2591b2a4u
 #error "shaker2.h and shaker2.c are of different stands"
 #endif
 
@@ -184,6 +184,13 @@ static shaker2_real shaker2_atan2(shaker2_real y, shaker2_real x)
     return shaker2_real_of(shaker2_bits_of(angle) | (shaker2_bits_of(y) & 0x8000000000000000u));
 }
 
+/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+SHAKER2_CODE
+static shaker2_real shaker2_unwound(shaker2_real phi, shaker2_real k)
+{
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
 /* the equal angle within half a turn of zero.
  * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
 SHAKER2_CODE
@@ -191,7 +198,7 @@ static shaker2_real shaker2_wrapped(shaker2_real phi)
 {
     /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
     const shaker2_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
-    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+    return shaker2_unwound(phi, k);
 }
 
 /* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
@@ -414,23 +421,27 @@ static void shaker2_subtract_rates(const shaker2_sums *sum, const shaker2_real V
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by its adjugate. */
+/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 SHAKER2_CODE
 static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real b[3], shaker2_real y[3])
 {
-    const shaker2_real c11 = S[1] * S[2] - S[5] * S[5];
-    const shaker2_real c22 = S[0] * S[2] - S[4] * S[4];
-    const shaker2_real c33 = S[0] * S[1] - S[3] * S[3];
-    const shaker2_real c12 = S[4] * S[5] - S[2] * S[3];
-    const shaker2_real c13 = S[3] * S[5] - S[1] * S[4];
-    const shaker2_real c23 = S[3] * S[4] - S[0] * S[5];
-    const shaker2_real det = S[0] * c11 + S[3] * c12 + S[4] * c13;
-    /* Sylvester: the leading minors are positive. NaN fails too */
-    if (!(S[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
-    const shaker2_real r = 1.0 / det;
-    y[0] = (c11 * b[0] + c12 * b[1] + c13 * b[2]) * r;
-    y[1] = (c12 * b[0] + c22 * b[1] + c23 * b[2]) * r;
-    y[2] = (c13 * b[0] + c23 * b[1] + c33 * b[2]) * r;
+    if (!(S[0] >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    const shaker2_real r1 = 1.0 / S[0];
+    const shaker2_real l21 = S[3] * r1;
+    const shaker2_real l31 = S[4] * r1;
+    const shaker2_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    const shaker2_real r2 = 1.0 / d2;
+    const shaker2_real p32 = S[5] - l31 * S[3];
+    const shaker2_real l32 = p32 * r2;
+    const shaker2_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    /* L z = b, then L^T y = D^-1 z */
+    const shaker2_real z2 = b[1] - l21 * b[0];
+    const shaker2_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
+    const shaker2_real y2 = z2 * r2 - l32 * y3;
+    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
+    y[1] = y2;  y[2] = y3;
     return SHAKER2_OK;
 }
 
@@ -788,7 +799,8 @@ static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_
     const shaker2_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
     const shaker2_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
     const shaker2_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
-    if (!(K->A[0] > 0.0 && c33 > 0.0 && det > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= SHAKER2_LARGEST))) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
     const shaker2_real r = 1.0 / det;
     shaker2_real A_inv[6];
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
@@ -1186,6 +1198,101 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
     status = shaker2_finish(&y);
     if (status != SHAKER2_OK) { return status; }
     *next = y;
+    return SHAKER2_OK;
+}
+
+/* The equal angle in [-pi, pi] (pi as the nearest real). */
+SHAKER2_CODE
+shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped)
+{
+    if (wrapped == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_status status;
+    shaker2_real given[1];
+    given[0] = phi;
+    status = shaker2_within(given, 1, SHAKER2_MAX_PHASE);
+    if (status != SHAKER2_OK) { return status; }
+    shaker2_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    shaker2_real angle;
+    k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+    angle = shaker2_unwound(phi, k);
+    if (angle > 3.141592653589793 || angle < -3.141592653589793) {
+        angle = shaker2_unwound(phi, (angle > 3.141592653589793) ? k + 1.0 : k - 1.0);
+    }
+    *wrapped = (angle > 3.141592653589793) ? 3.141592653589793
+        : ((angle < -3.141592653589793) ? -3.141592653589793 : angle);
+    return SHAKER2_OK;
+}
+
+/* Phase of an encoder's count. */
+SHAKER2_CODE
+shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi)
+{
+    if (phi == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SHAKER2_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    const shaker2_real size = (shaker2_real)turn;
+    shaker2_real given[1];
+    given[0] = zero;
+    status = shaker2_within(given, 1, size);
+    if (status != SHAKER2_OK) { return status; }
+    const int rest = count - count / turn * turn;  /* whole turns taken off */
+    shaker2_real place = (shaker2_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const shaker2_real half = size * 0.5;
+    for (int i = 0; i < 2; ++i) {
+        place = (place > half) ? place - size : ((place < -half) ? place + size : place);
+    }
+    *phi = place / (shaker2_real)per_turn * 6.283185307179586;
+    return SHAKER2_OK;
+}
+
+/* Mean speed of a flywheel of the counts in a time. */
+SHAKER2_CODE
+shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt, shaker2_real *phi_dot)
+{
+    if (phi_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_status status;
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_real given[1];
+    given[0] = dt;
+    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
+    if (status != SHAKER2_OK) { return status; }
+    if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
+    const shaker2_real turns = (shaker2_real)moved / (shaker2_real)per_turn;
+    const shaker2_real speed = turns * 6.283185307179586 / dt;
+    if (!(speed >= -SHAKER2_MAX_SPEED && speed <= SHAKER2_MAX_SPEED)) { return SHAKER2_RANGE; }
+    *phi_dot = speed;
+    return SHAKER2_OK;
+}
+
+/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
+ * exactly. */
+SHAKER2_CODE
+shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bits, int per_turn)
+{
+    if (encoder == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SHAKER2_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    if (!(encoder->place >= 0 && encoder->place < turn)) { return SHAKER2_BAD_ARGUMENT; }
+    int moved;  /* counts since the last reading: the shorter way round */
+    if (bits == 0) {
+        if (!(counter >= 0 && counter < turn
+            && (encoder->counter >= 0 && encoder->counter < turn))) { return SHAKER2_BAD_ARGUMENT; }
+        moved = counter - encoder->counter;
+        const int half = turn / 2;
+        moved = (moved > half) ? moved - turn : ((moved < -half) ? moved + turn : moved);
+    } else {
+        if (!(bits >= 2 && bits <= 32)) { return SHAKER2_BAD_ARGUMENT; }
+        const shaker2_word mask = (shaker2_word)0xffffffffu >> (shaker2_word)(32 - bits);
+        /* counts forwards */
+        const shaker2_word up = ((shaker2_word)counter - (shaker2_word)encoder->counter) & mask;
+        const shaker2_word down = mask - up;  /* counts backwards, less one */
+        moved = (up > down) ? -1 - (int)down : (int)up;
+    }
+    int place = encoder->place + (moved - moved / turn * turn);
+    encoder->place = (place < 0) ? place + turn : ((place < turn) ? place : place - turn);
+    encoder->counter = counter;
+    encoder->moved = moved;
     return SHAKER2_OK;
 }
 
@@ -1713,11 +1820,15 @@ static void shaker2_orthogonalise(shaker2_inverse_work *work)
                     g += work->W[p][j] * work->W[q][j];
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
-                const shaker2_real d = b - a;
-                const shaker2_real root = shaker2_sqrt(d * d + 4.0 * (g * g));
+                const shaker2_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* of size 1, so that no square underflows */
+                const shaker2_real unit = (size > 0.0) ? size : 1.0;
+                const shaker2_real d = (b - a) / unit;
+                const shaker2_real h = 2.0 * g / unit;
+                const shaker2_real root = shaker2_sqrt(d * d + h * h);
                 const shaker2_real below = (d < 0.0) ? d - root : d + root;
                 const shaker2_real t = (((below < 0.0) ? -below : below) > 0.0)
-                    ? 2.0 * g / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
                 const shaker2_real c = 1.0 / shaker2_sqrt(1.0 + t * t);
                 const shaker2_real s = c * t;
                 for (int j = 0; j < SHAKER2_N; ++j) {
@@ -1772,8 +1883,7 @@ static shaker2_status shaker2_factor(shaker2_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SHAKER2_CODE
 static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_state *x,
-                                     const shaker2_real V_dot[6], const shaker2_real weight[SHAKER2_N],
-                                     shaker2_inverse_work *work)
+                                     const shaker2_real V_dot[6], shaker2_inverse_work *work)
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -1827,7 +1937,7 @@ static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_s
     status = shaker2_factor(work);
     if (status != SHAKER2_OK) { return status; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        work->scale[s] = 1.0 / shaker2_sqrt(stand->flywheel[s].spin * weight[s]);
+        work->scale[s] = 1.0 / shaker2_sqrt(stand->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -1849,6 +1959,171 @@ static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_s
     return SHAKER2_OK;
 }
 
+/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+SHAKER2_CODE
+static void shaker2_solve_gram(shaker2_real gram[6][6], shaker2_real z[6], shaker2_real least)
+{
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const shaker2_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = shaker2_sqrt(pivot);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
+ * do, (12). */
+SHAKER2_CODE
+static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inverse_options *options,
+                             int rank, shaker2_real phi_ddot[SHAKER2_N], int limited[SHAKER2_N])
+{
+    shaker2_real give[SHAKER2_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    shaker2_real step[SHAKER2_N];  /* what the free flywheels shall give more */
+    shaker2_real row[6];  /* factor of each row; 0: it does not count */
+    shaker2_real gram[6][6];
+    shaker2_real z[6];
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+    }
+    for (int pass = 0; pass < 10; ++pass) {
+        shaker2_real most = 0.0;
+        for (int s = 0; s < SHAKER2_N; ++s) {
+            const shaker2_real share = (pass < 9) ? 1.0 / options->weight[s] : 1.0;
+            give[s] = (limited[s] > 0) ? 0.0 : share;
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const shaker2_real regular = 1.0e-12 * most;
+        const shaker2_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        for (int i = 0; i < 6; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 6; ++i) {
+            shaker2_real left = work->r[i];
+            for (int s = 0; s < SHAKER2_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        for (int i = 0; i < 6; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                shaker2_real total = 0.0;
+                for (int s = 0; s < SHAKER2_N; ++s) {
+                    total += work->W[i][s] * give[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        shaker2_solve_gram(gram, z, least);
+        for (int s = 0; s < SHAKER2_N; ++s) {
+            step[s] = 0.0;
+            for (int i = 0; i < 6; ++i) {
+                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+            }
+        }
+        if (pass < 1) {
+            for (int s = 0; s < SHAKER2_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const shaker2_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        }
+        if (pass > 0) {
+            /* as long a step as all limits allow; the flywheel that stops it is held */
+            shaker2_real length;
+            int stopped;
+            length = 1.0;
+            stopped = -1;
+            for (int s = 0; s < SHAKER2_N; ++s) {
+                const shaker2_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                    const shaker2_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const shaker2_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < SHAKER2_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const shaker2_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a whole step: free the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                shaker2_real left[6];
+                shaker2_real wanted = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < SHAKER2_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                shaker2_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                int freed = -1;
+                for (int s = 0; s < SHAKER2_N; ++s) {
+                    if (limited[s] > 0) {
+                        shaker2_real slope = 0.0;
+                        shaker2_real size = 0.0;
+                        for (int i = 0; i < 6; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const shaker2_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        const shaker2_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
 /* (12) */
 SHAKER2_CODE
 shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
@@ -1861,9 +2136,7 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(V_dot, 6, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(options->weight, SHAKER2_N, SHAKER2_MAX_PARAMETER);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(options->limit, SHAKER2_N, SHAKER2_LARGEST);
+    status = shaker2_within(options->weight, SHAKER2_N, SHAKER2_MAX_WEIGHT);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real shares[2];
     shares[0] = options->near;     shares[1] = options->damping;
@@ -1872,10 +2145,14 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SHAKER2_BAD_ARGUMENT; }
+    }
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
-    status = shaker2_demand(stand, x, V_dot, options->weight, &work);
+    status = shaker2_demand(stand, x, V_dot, &work);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -1907,37 +2184,26 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
     flags = 0;
     rank = 0;
     damping = 0.0;
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        out->phi_ddot[s] = 0.0;
-    }
-    /* y = sum of (u_i . r) sigma_i / (sigma_i^2 + lambda^2) v_i over what is not zero */
     for (int i = 0; i < 6; ++i) {
         if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
             rank = rank + 1;
             const shaker2_real ratio = work.sigma[i] / work.sigma[0];
-            shaker2_real lambda = 0.0;
             if (ratio < options->near) {
                 flags = flags | SHAKER2_NEAR_SINGULAR;
                 if (options->damping > 0.0) {
                     flags = flags | SHAKER2_DAMPED;
-                    lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const shaker2_real lambda = options->damping * work.sigma[0]
+                        * (1.0 - ratio / options->near);
+                    const shaker2_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
                     damping = (lambda > damping) ? lambda : damping;
                 }
             }
-            const shaker2_real part = work.r[i] / (work.sigma[i] * work.sigma[i] + lambda * lambda);
-            for (int s = 0; s < SHAKER2_N; ++s) {
-                out->phi_ddot[s] += part * work.W[i][s];
-            }
         }
     }
+    shaker2_allocate(&work, options, rank, out->phi_ddot, out->limited);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        const shaker2_real free = out->phi_ddot[s] * work.scale[s];
-        const shaker2_real over = ((free < 0.0) ? -free : free) - options->limit[s];
-        out->phi_ddot[s] = free;
-        out->limited[s] = 0;
-        if (over > 0.0) {
-            out->phi_ddot[s] = (free < 0.0) ? -options->limit[s] : options->limit[s];
-            out->limited[s] = 1;
+        if (out->limited[s] > 0) {
             flags = flags | SHAKER2_LIMITED;
         }
     }
@@ -1960,17 +2226,46 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
         }
         z[i] = z[i] / work.G[i][i];
         left += z[i] * z[i];
-        /* G u of the least singular value */
-        out->hardest[i] = 0.0;
-        for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * work.U[k][5];
-        }
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | SHAKER2_UNREACHABLE;
     }
+    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    shaker2_real part[6];
+    for (int i = 0; i < 6; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    shaker2_real largest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        const shaker2_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[5] = 1.0;
+        largest = 1.0;
+    }
+    shaker2_real square = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const shaker2_real length = shaker2_sqrt(square);
+    shaker2_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    for (int k = 0; k < 6; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 6; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * u[k];
+        }
+    }
     out->rank = rank;
-    out->damping = damping;
+    out->damped_by = damping;
     for (int i = 0; i < 2; ++i) {
         out->sigma[i] = work.sigma[i];
     }
@@ -1989,21 +2284,18 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(V_dot, 6, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(options->weight, SHAKER2_N, SHAKER2_MAX_PARAMETER);
+    status = shaker2_within(options->weight, SHAKER2_N, SHAKER2_MAX_WEIGHT);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(options->limit, SHAKER2_N, SHAKER2_LARGEST);
-    if (status != SHAKER2_OK) { return status; }
-    shaker2_real shares[2];
-    shares[0] = options->near;     shares[1] = options->damping;
-    status = shaker2_within(shares, 2, SHAKER2_LARGEST);
+    shaker2_real shares[1];
+    shares[0] = options->damping;
+    status = shaker2_within(shares, 1, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
-    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        if (!(options->weight[s] > 1.0e-9 && options->limit[s] > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
-    status = shaker2_demand(stand, x, V_dot, options->weight, &work);
+    status = shaker2_demand(stand, x, V_dot, &work);
     if (status != SHAKER2_OK) { return status; }
     /* normal equations: W^T W y = W^T r */
     shaker2_real gram[2][2];
@@ -2027,10 +2319,11 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 2; ++j) {
+        const shaker2_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
-        if (!(gram[j][j] > 1.0e-26)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+        if (!(gram[j][j] > least)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
         gram[j][j] = shaker2_sqrt(gram[j][j]);
         for (int i = j + 1; i < 2; ++i) {
             for (int k = 0; k < j; ++k) {
@@ -2257,6 +2550,8 @@ static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const sh
     if (!(axis2 > 1.0e-30)) { return SHAKER2_RANGE; }
     const shaker2_real axis2_root = 1.0 / shaker2_sqrt(axis2);
     e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    const shaker2_real zero2 = zero[0] * zero[0] + zero[1] * zero[1] + zero[2] * zero[2];
+    if (!(zero2 > 1.0e-30)) { return SHAKER2_RANGE; }
     /* of zero along the axis */
     const shaker2_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];
     shaker2_real across[3];
@@ -2264,7 +2559,7 @@ static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const sh
     across[1] = zero[1] - along * e1[1];
     across[2] = zero[2] - along * e1[2];
     const shaker2_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
-    if (!(across2 > 1.0e-30)) { return SHAKER2_RANGE; }
+    if (!(across2 > 2.5e-19 * zero2)) { return SHAKER2_RANGE; }
     const shaker2_real across2_root = 1.0 / shaker2_sqrt(across2);
     e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
     R[0] = e1[0];  R[1] = e2[0];
@@ -2319,7 +2614,43 @@ static void shaker2_carry(shaker2_real m, const shaker2_real b[3], const shaker2
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the mass properties finite and the mass not negative? */
+/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+ * inertia. */
+SHAKER2_CODE
+static shaker2_status shaker2_check_inertia(shaker2_real mass, const shaker2_real c[3],
+                                            const shaker2_real J[6])
+{
+    shaker2_real size = 0.0;  /* largest element of J */
+    for (int k = 0; k < 6; ++k) {
+        size = (((J[k] < 0.0) ? -J[k] : J[k]) > size) ? ((J[k] < 0.0) ? -J[k] : J[k]) : size;
+    }
+    const shaker2_real b1 = mass * c[0];
+    const shaker2_real b2 = mass * c[1];
+    const shaker2_real b3 = mass * c[2];
+    /* P = tr(J)/2 E - J - m c c^T + t |J| E */
+    const shaker2_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + 1.0e-9 * size;
+    const shaker2_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + 1.0e-9 * size;
+    const shaker2_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + 1.0e-9 * size;
+    const shaker2_real P12 = -J[3] - b1 * c[1];
+    const shaker2_real P13 = -J[4] - b1 * c[2];
+    const shaker2_real P23 = -J[5] - b2 * c[2];
+    /* a point mass in its origin has none */
+    if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
+        + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
+        > 0.0) {
+        if (!(P11 > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+        const shaker2_real l21 = P12 / P11;
+        const shaker2_real l31 = P13 / P11;
+        const shaker2_real d2 = P22 - l21 * P12;
+        if (!(d2 > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+        const shaker2_real p32 = P23 - l31 * P12;
+        const shaker2_real d3 = P33 - l31 * P13 - p32 / d2 * p32;
+        if (!(d3 > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    }
+    return SHAKER2_OK;
+}
+
+/* are the mass properties finite, and those of a body that can be? */
 SHAKER2_CODE
 static shaker2_status shaker2_check_body(const shaker2_body *body)
 {
@@ -2333,7 +2664,7 @@ static shaker2_status shaker2_check_body(const shaker2_body *body)
     status = shaker2_within(body->inertia, 6, SHAKER2_MAX_PARAMETER);
     if (status != SHAKER2_OK) { return status; }
     if (body->mass < 0.0) { return SHAKER2_RANGE; }
-    return SHAKER2_OK;
+    return shaker2_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
@@ -2348,17 +2679,19 @@ static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_
     return SHAKER2_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the masses positive? */
+/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
 SHAKER2_CODE
 static shaker2_status shaker2_check_parameters(const shaker2_parameters *parameters)
 {
     shaker2_status status;
     shaker2_real mass;
+    shaker2_real size;  /* moment of inertia that no product of the equations may overflow */
     shaker2_real O[3];
     shaker2_real R[9];
     status = shaker2_check_body(&parameters->carrier);
     if (status != SHAKER2_OK) { return status; }
     mass = parameters->carrier.mass;
+    size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1] + parameters->carrier.inertia[2];
     for (int s = 0; s < SHAKER2_N; ++s) {
         status = shaker2_check_body(&parameters->flywheel[s].body);
         if (status != SHAKER2_OK) { return status; }
@@ -2366,8 +2699,12 @@ static shaker2_status shaker2_check_parameters(const shaker2_parameters *paramet
         status = shaker2_place_flywheel(&parameters->flywheel[s], O, R);
         if (status != SHAKER2_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
+        size += parameters->flywheel[s].body.inertia[0] + parameters->flywheel[s].body.inertia[1]
+            + parameters->flywheel[s].body.inertia[2]
+            + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
     if (!(mass > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    if (!(size <= 1.0e60)) { return SHAKER2_RANGE; }
     return SHAKER2_OK;
 }
 

@@ -1,5 +1,5 @@
 /* shaker2.h: motion of the stand "shaker2": carrier, 0 instruments, 2 flywheels.
- * mahovik 0.1.0; structure f884db42, physics 56814717. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
  * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
@@ -17,8 +17,8 @@
 extern "C" {
 #endif
 
-#define SHAKER2_STRUCTURE 0xf884db42u  /* of the stand: names, counts, kinds of wrench */
-#define SHAKER2_PHYSICS   0x56814717u  /* of the stand: structure and all numbers */
+#define SHAKER2_STRUCTURE 0x94a85f4au  /* of the stand: names, counts, kinds of wrench */
+#define SHAKER2_PHYSICS   0x2591b2a4u  /* of the stand: structure and all numbers */
 
 typedef double shaker2_real;
 
@@ -32,6 +32,7 @@ typedef double shaker2_real;
 #define SHAKER2_MAX_WRENCH       1.0e9     /* N, N m; each component of a run-time wrench */
 #define SHAKER2_MAX_STEP         10.0      /* s; a time step */
 #define SHAKER2_MAX_PARAMETER    1.0e15    /* SI; each mass, length and moment of inertia */
+#define SHAKER2_MAX_WEIGHT       1.0e6     /* the weight of a flywheel in inverse */
 #define SHAKER2_LARGEST          1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
@@ -163,10 +164,17 @@ typedef struct shaker2_mount_table {
     shaker2_mount flywheel[SHAKER2_N];
 } shaker2_mount_table;
 
+/* An encoder whose counter wraps. Kept by accumulate. */
+typedef struct shaker2_encoder {
+    int counter;  /* last reading */
+    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int moved;    /* counts between the last two readings */
+} shaker2_encoder;
+
 /* How inverse chooses among flywheels, and near singularity. */
 typedef struct shaker2_inverse_options {
-    shaker2_real weight[SHAKER2_N];  /* of each flywheel in the norm of phi'', 1 by default; above 1e-9 */
-    shaker2_real limit[SHAKER2_N];   /* rad/s2; magnitude of each phi''; greater than 0 */
+    shaker2_real weight[SHAKER2_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    shaker2_real limit[SHAKER2_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
     shaker2_real near;               /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
     shaker2_real damping;            /* part of the largest singular value that damps those near zero,
                                       * 0..1; 0: none */
@@ -176,11 +184,12 @@ typedef struct shaker2_inverse_options {
 typedef struct shaker2_inverse_result {
     shaker2_real phi_ddot[SHAKER2_N];  /* rad/s2; flywheel accelerations */
     shaker2_real residual[6];          /* N, N m; F - K V* - M V - J phi' - I phi'' */
-    shaker2_real sigma[2];             /* singular values of the scaled I, descending */
+    shaker2_real sigma[2];             /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
     int rank;                          /* of them that count */
-    shaker2_real damping;              /* largest damping applied; 0: none */
+    shaker2_real damped_by;            /* largest lambda applied, in units of sigma; 0: none */
     int limited[SHAKER2_N];            /* 1 where the limit of a flywheel was reached */
-    shaker2_real hardest[6];           /* wrench of unit size in the norm of K^-1 that is hardest to give */
+    shaker2_real hardest[6];           /* wrench out of reach, or hardest to reach; of unit size in the
+                                        * norm of K^-1 */
 } shaker2_inverse_result;
 
 /* Derivatives of coupled. */
@@ -217,7 +226,7 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1159 operations on reals, 5 of them divisions. */
+ * At most 1145 operations on reals, 7 of them divisions. */
 shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
@@ -262,12 +271,12 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
  *   stand        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[2]       N m; drive torques, mount on flywheel
- *   locked[2]    not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[2]    not 0: a lock holds phi'' = 0, whatever its tau
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1656 operations on reals, 6 of them divisions. */
+ * At most 1643 operations on reals, 8 of them divisions. */
 shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
@@ -276,14 +285,14 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[2]     N m; drive torques, mount on flywheel
- *   locked[2]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7136 operations on reals, 30 of them divisions. */
+ * At most 7084 operations on reals, 38 of them divisions. */
 shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
@@ -298,10 +307,51 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5148 operations on reals, 26 of them divisions. */
+ * At most 5092 operations on reals, 34 of them divisions. */
 shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
+
+/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+ *   phi      rad; any angle within MAX_PHASE
+ *   wrapped  out: rad; the equal angle, in [-pi, pi]
+ * Error below 5e-16 rad, modulo a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 29 operations on reals, no division. */
+shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped);
+
+/* phase_of_counts: phase of an encoder's count.
+ *   count     of the encoder, any; or `place` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   zero      count at phi = 0, at most a turn
+ *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
+ * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
+ * RANGE where |zero| is more than a turn.
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 20 operations on reals, 1 of them a division. */
+shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi);
+
+/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+ *   moved     counts in the time dt: `moved` of accumulate
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   dt        s; greater than 0
+ *   phi_dot   out: rad/s; mean speed in this time
+ * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 10 operations on reals, 2 of them divisions. */
+shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt, shaker2_real *phi_dot);
+
+/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
+ * moved, exactly.
+ *   encoder   in and out: begin with the counter's first reading
+ *   counter   the counter as it is read; one of 32 bits cast to int
+ *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ * Read it before the counter has moved by half its range (where bits is 0: half a turn).
+ * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+ * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * No operation on reals. */
+shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
  *   stand        the prepared table
@@ -311,7 +361,7 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4009 operations on reals, 17 of them divisions. */
+ * At most 3827 operations on reals, 43 of them divisions. */
 shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N], shaker2_forward_slopes *out);
 
@@ -319,18 +369,19 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
  *   stand      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[2]     N m; drive torques, mount on flywheel
- *   locked[2]  not 0: a lock holds phi'' = 0; its tau is not read
+ *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau
  *   out        out: derivatives of V* and phi''
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8038 operations on reals, 31 of them divisions. */
+ * At most 7869 operations on reals, 57 of them divisions. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_slopes *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi'', (12).
+ * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
+ * is shared among the others, (12).
  *   stand     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
@@ -339,7 +390,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 20657 operations on reals, 321 of them divisions. */
+ * At most 29726 operations on reals, 1053 of them divisions. */
 shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -356,7 +407,7 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1844 operations on reals, 32 of them divisions. */
+ * At most 1828 operations on reals, 32 of them divisions. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
@@ -391,7 +442,7 @@ shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4350 operations on reals, 11 of them divisions. */
+ * At most 4336 operations on reals, 13 of them divisions. */
 shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state *x,
                                 const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                 shaker2_generalized *out);
@@ -400,9 +451,13 @@ shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state 
  *   parameters  masses, inertias, mountings
  *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
+ * RANGE also where a mass is negative or axes have no direction.
+ * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
+ * negative or break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin
+ * inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2567 operations on reals, 11 of them divisions. */
+ * At most 2915 operations on reals, 20 of them divisions. */
 shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *stand);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
@@ -424,7 +479,7 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 630 operations on reals, 8 of them divisions. */
+ * At most 978 operations on reals, 17 of them divisions. */
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting);
 
 #ifdef __cplusplus

@@ -1,0 +1,322 @@
+/* auv6_recorder.c: flight recorder of the stand "auv6". What a log holds: auv6_recorder.h.
+ * mahovik 0.1.0; structure 192ea446, physics 002b2abc. Generated: change the stand file instead. */
+#include "auv6_recorder.h"
+
+#if AUV6_STRUCTURE != 0x192ea446u || AUV6_PHYSICS != 0x002b2abcu
+#error "auv6.h and auv6_recorder.c are of different stands"
+#endif
+
+#ifndef AUV6_CODE
+#define AUV6_CODE
+#endif
+
+/* Header and recorder have the same real: else this array has no size. */
+typedef char auv6_recorder_real[(sizeof(auv6_real) == 8) ? 1 : -1];
+
+typedef uint64_t auv6_record_word;  /* the bits of a real */
+
+/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+typedef struct auv6_page {
+    const auv6_recorder *log;
+    uint32_t check;
+    size_t used;
+    unsigned char bytes[AUV6_RECORD_BYTES];
+} auv6_page;
+
+static const unsigned char auv6_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char auv6_record_name[4] = {
+    0x61, 0x75, 0x76, 0x36
+};
+
+AUV6_CODE
+static auv6_record_word auv6_record_bits(auv6_real value)
+{
+    union { auv6_real real; auv6_record_word word; } both;
+    both.real = value;
+    return both.word;
+}
+
+AUV6_CODE
+static void auv6_begin(auv6_page *page, const auv6_recorder *log)
+{
+    page->log = log;
+    page->check = 2166136261u;
+    page->used = 0;
+}
+
+AUV6_CODE
+static void auv6_flush(auv6_page *page)
+{
+    if (page->log != NULL && page->used > 0) {
+        page->log->write(page->log->context, page->bytes, page->used);
+    }
+    page->used = 0;
+}
+
+/* The lowest bytes of a word, least significant first. */
+AUV6_CODE
+static void auv6_put(auv6_page *page, auv6_record_word value, int bytes)
+{
+    for (int i = 0; i < bytes; ++i) {
+        const unsigned char byte = (unsigned char)(value & 0xffu);
+        if (page->used == sizeof page->bytes) {
+            auv6_flush(page);
+        }
+        page->bytes[page->used++] = byte;
+        page->check = (page->check ^ byte) * 16777619u;
+        value >>= 8;
+    }
+}
+
+AUV6_CODE
+static void auv6_put_reals(auv6_page *page, const auv6_real *values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        auv6_put(page, auv6_record_bits(values[i]), 8);
+    }
+}
+
+/* The check, and out with what waits. */
+AUV6_CODE
+static void auv6_close(auv6_page *page)
+{
+    auv6_put(page, page->check, 4);
+    auv6_flush(page);
+}
+
+AUV6_CODE
+static void auv6_put_row(auv6_page *page, const auv6_row *from)
+{
+    auv6_put_reals(page, from->mu_c, 3);
+    auv6_put_reals(page, from->mu_s, 3);
+    auv6_put_reals(page, from->J_c, 6);
+    auv6_put_reals(page, from->J_s, 6);
+    auv6_put_reals(page, from->J_2c, 6);
+    auv6_put_reals(page, from->J_2s, 6);
+    auv6_put_reals(page, from->t_0, 3);
+    auv6_put_reals(page, from->t_c, 3);
+    auv6_put_reals(page, from->t_s, 3);
+    auv6_put_reals(page, &from->spin, 1);
+    auv6_put_reals(page, &from->spin_inv, 1);
+}
+
+AUV6_CODE
+static void auv6_put_sensor(auv6_page *page, const auv6_sensor *from)
+{
+    auv6_put_reals(page, from->origin, 3);
+    auv6_put_reals(page, from->axes, 9);
+}
+
+AUV6_CODE
+static void auv6_put_damper(auv6_page *page, const auv6_damper *from)
+{
+    for (int i = 0; i < 6; ++i) {
+        auv6_put_reals(page, from->linear[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        auv6_put_reals(page, from->quadratic[i], 6);
+    }
+}
+
+AUV6_CODE
+static void auv6_put_table(auv6_page *page, const auv6_table *from)
+{
+    auv6_put_reals(page, &from->mass, 1);
+    auv6_put_reals(page, &from->mass_inverse, 1);
+    auv6_put_reals(page, from->first_moment, 3);
+    auv6_put_reals(page, from->inertia, 6);
+    auv6_put_reals(page, from->A, 6);
+    auv6_put_reals(page, from->A_inv, 6);
+    auv6_put_reals(page, from->G, 9);
+    auv6_put_reals(page, &from->weight_mass, 1);
+    auv6_put_reals(page, from->displaced_moment, 3);
+    for (int i = 0; i < 6; ++i) {
+        auv6_put_row(page, &from->flywheel[i]);
+    }
+    for (int i = 0; i < 1; ++i) {
+        auv6_put_sensor(page, &from->sensor[i]);
+    }
+    auv6_put_reals(page, from->gravity, 3);
+    auv6_put_damper(page, &from->damper);
+}
+
+AUV6_CODE
+static uint32_t auv6_record_hash(const auv6_real *values, int count)
+{
+    uint32_t hash = 2166136261u;
+    for (int i = 0; i < count; ++i) {
+        auv6_record_word word = auv6_record_bits(values[i]);
+        for (int k = 0; k < 8; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+            word >>= 8;
+        }
+    }
+    return hash;
+}
+
+/* A hash of each member of a state. */
+AUV6_CODE
+static void auv6_look(const auv6_state *x, uint32_t seen[5])
+{
+    seen[0] = auv6_record_hash(x->position, 3);
+    seen[1] = auv6_record_hash(x->attitude, 4);
+    seen[2] = auv6_record_hash(x->V, 6);
+    seen[3] = auv6_record_hash(x->phi, 6);
+    seen[4] = auv6_record_hash(x->phi_dot, 6);
+}
+
+AUV6_CODE
+auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *stand, const auv6_state *x)
+{
+    auv6_page page;
+    uint32_t table;
+    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+        return AUV6_BAD_ARGUMENT;
+    }
+    auv6_begin(&page, NULL);
+    auv6_put_table(&page, stand);
+    table = page.check;
+    auv6_begin(&page, log);
+    for (int i = 0; i < 8; ++i) {
+        auv6_put(&page, auv6_record_magic[i], 1);
+    }
+    auv6_put(&page, AUV6_RECORDER_FORMAT, 1);
+    auv6_put(&page, 8, 1);
+    auv6_put(&page, 4, 1);
+    for (int i = 0; i < 4; ++i) {
+        auv6_put(&page, auv6_record_name[i], 1);
+    }
+    auv6_put(&page, AUV6_STRUCTURE, 4);
+    auv6_put(&page, AUV6_PHYSICS, 4);
+    auv6_put(&page, AUV6_RECORDER_SOURCE, 4);
+    auv6_put(&page, 6, 2);
+    auv6_put(&page, 0, 2);
+    auv6_put(&page, table, 4);
+    auv6_put(&page, log->count, 4);
+    auv6_put_reals(&page, x->position, 3);
+    auv6_put_reals(&page, x->attitude, 4);
+    auv6_put_reals(&page, x->V, 6);
+    auv6_put_reals(&page, x->phi, 6);
+    auv6_put_reals(&page, x->phi_dot, 6);
+    if (table == AUV6_RECORDER_TABLE) {
+        auv6_put(&page, 0, 4);
+    } else {
+        auv6_put(&page, 2952, 4);
+        auv6_put_table(&page, stand);
+    }
+    auv6_close(&page);
+    auv6_look(x, log->seen);
+    log->fresh = 1;
+    return AUV6_OK;
+}
+
+/* The head of a step's record: flags, and what changed since the last one. */
+AUV6_CODE
+static void auv6_open(auv6_page *page, auv6_recorder *log, const auv6_table *stand,
+                     const auv6_state *x, auv6_real dt, int order, unsigned flags)
+{
+    const auv6_record_word step = auv6_record_bits(dt);
+    uint32_t seen[5];
+    auv6_look(x, seen);
+    for (int i = 0; i < 5; ++i) {
+        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
+    }
+    if (log->fresh || step != log->dt || order != log->order) {
+        flags |= AUV6_RECORD_SETTINGS;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const auv6_record_word now = auv6_record_bits(stand->stream[i]);
+        flags |= (log->fresh || now != log->stream[i]) ? AUV6_RECORD_STREAM : 0u;
+        log->stream[i] = now;
+    }
+    log->fresh = 0;
+    log->dt = step;
+    log->order = order;
+    auv6_begin(page, log);
+    auv6_put(page, 0x53, 1);
+    auv6_put(page, flags, 2);
+    auv6_put(page, log->count, 4);
+    if (flags & AUV6_RECORD_SETTINGS) {
+        auv6_put(page, step, 8);
+        auv6_put(page, (auv6_record_word)order, 4);
+    }
+    if (flags & AUV6_RECORD_POSITION) {
+        auv6_put_reals(page, x->position, 3);
+    }
+    if (flags & AUV6_RECORD_ATTITUDE) {
+        auv6_put_reals(page, x->attitude, 4);
+    }
+    if (flags & AUV6_RECORD_V) {
+        auv6_put_reals(page, x->V, 6);
+    }
+    if (flags & AUV6_RECORD_PHI) {
+        auv6_put_reals(page, x->phi, 6);
+    }
+    if (flags & AUV6_RECORD_PHI_DOT) {
+        auv6_put_reals(page, x->phi_dot, 6);
+    }
+    if (flags & AUV6_RECORD_STREAM) {
+        auv6_put_reals(page, stand->stream, 3);
+    }
+}
+
+/* The tail: status and the hash of the state after the step. */
+AUV6_CODE
+static void auv6_finish_record(auv6_page *page, auv6_recorder *log,
+                              const auv6_state *x, auv6_status status)
+{
+    uint32_t hash = 2166136261u;
+    auv6_look(x, log->seen);
+    for (int i = 0; i < 5; ++i) {
+        hash = (hash ^ log->seen[i]) * 16777619u;
+    }
+    auv6_put(page, (auv6_record_word)status, 1);
+    auv6_put(page, hash, 4);
+    auv6_close(page);
+    ++log->count;
+}
+
+AUV6_CODE
+auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *stand, auv6_state *x,
+                               const auv6_real tau[AUV6_N], const int locked[AUV6_N], auv6_real dt,
+                               int order)
+{
+    auv6_page page;
+    auv6_status status;
+    unsigned flags = 0;
+    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
+    for (int s = 0; s < AUV6_N; ++s) {
+        flags |= (locked[s] != 0) ? AUV6_RECORD_LOCKS : 0u;
+    }
+    auv6_open(&page, log, stand, x, dt, order, flags);
+    auv6_put_reals(&page, tau, AUV6_N);
+    if (flags & AUV6_RECORD_LOCKS) {
+        for (int first = 0; first < AUV6_N; first += 8) {
+            unsigned mask = 0;
+            for (int s = first; s < AUV6_N && s < first + 8; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            auv6_put(&page, mask, 1);
+        }
+    }
+    status = auv6_step(stand, x, tau, locked, dt, order, x);
+    auv6_finish_record(&page, log, x, status);
+    return status;
+}
+
+AUV6_CODE
+auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *stand, auv6_state *x,
+                                      const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order)
+{
+    auv6_page page;
+    auv6_status status;
+    unsigned flags = AUV6_RECORD_DRIVEN;
+    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+        || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
+    auv6_open(&page, log, stand, x, dt, order, flags);
+    auv6_put_reals(&page, phi_ddot, AUV6_N);
+    status = auv6_step_driven(stand, x, phi_ddot, dt, order, x);
+    auv6_finish_record(&page, log, x, status);
+    return status;
+}

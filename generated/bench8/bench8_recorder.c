@@ -1,0 +1,302 @@
+/* bench8_recorder.c: flight recorder of the stand "bench8". What a log holds: bench8_recorder.h.
+ * mahovik 0.1.0; structure 309d41a6, physics 139422e0. Generated: change the stand file instead. */
+#include "bench8_recorder.h"
+
+#if BENCH8_STRUCTURE != 0x309d41a6u || BENCH8_PHYSICS != 0x139422e0u
+#error "bench8.h and bench8_recorder.c are of different stands"
+#endif
+
+#ifndef BENCH8_CODE
+#define BENCH8_CODE
+#endif
+
+/* Header and recorder have the same real: else this array has no size. */
+typedef char bench8_recorder_real[(sizeof(bench8_real) == 8) ? 1 : -1];
+
+typedef uint64_t bench8_record_word;  /* the bits of a real */
+
+/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+typedef struct bench8_page {
+    const bench8_recorder *log;
+    uint32_t check;
+    size_t used;
+    unsigned char bytes[BENCH8_RECORD_BYTES];
+} bench8_page;
+
+static const unsigned char bench8_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char bench8_record_name[6] = {
+    0x62, 0x65, 0x6e, 0x63, 0x68, 0x38
+};
+
+BENCH8_CODE
+static bench8_record_word bench8_record_bits(bench8_real value)
+{
+    union { bench8_real real; bench8_record_word word; } both;
+    both.real = value;
+    return both.word;
+}
+
+BENCH8_CODE
+static void bench8_begin(bench8_page *page, const bench8_recorder *log)
+{
+    page->log = log;
+    page->check = 2166136261u;
+    page->used = 0;
+}
+
+BENCH8_CODE
+static void bench8_flush(bench8_page *page)
+{
+    if (page->log != NULL && page->used > 0) {
+        page->log->write(page->log->context, page->bytes, page->used);
+    }
+    page->used = 0;
+}
+
+/* The lowest bytes of a word, least significant first. */
+BENCH8_CODE
+static void bench8_put(bench8_page *page, bench8_record_word value, int bytes)
+{
+    for (int i = 0; i < bytes; ++i) {
+        const unsigned char byte = (unsigned char)(value & 0xffu);
+        if (page->used == sizeof page->bytes) {
+            bench8_flush(page);
+        }
+        page->bytes[page->used++] = byte;
+        page->check = (page->check ^ byte) * 16777619u;
+        value >>= 8;
+    }
+}
+
+BENCH8_CODE
+static void bench8_put_reals(bench8_page *page, const bench8_real *values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        bench8_put(page, bench8_record_bits(values[i]), 8);
+    }
+}
+
+/* The check, and out with what waits. */
+BENCH8_CODE
+static void bench8_close(bench8_page *page)
+{
+    bench8_put(page, page->check, 4);
+    bench8_flush(page);
+}
+
+BENCH8_CODE
+static void bench8_put_row(bench8_page *page, const bench8_row *from)
+{
+    bench8_put_reals(page, from->mu_c, 3);
+    bench8_put_reals(page, from->mu_s, 3);
+    bench8_put_reals(page, from->J_c, 6);
+    bench8_put_reals(page, from->J_s, 6);
+    bench8_put_reals(page, from->J_2c, 6);
+    bench8_put_reals(page, from->J_2s, 6);
+    bench8_put_reals(page, from->t_0, 3);
+    bench8_put_reals(page, from->t_c, 3);
+    bench8_put_reals(page, from->t_s, 3);
+    bench8_put_reals(page, &from->spin, 1);
+    bench8_put_reals(page, &from->spin_inv, 1);
+}
+
+BENCH8_CODE
+static void bench8_put_suspension(bench8_page *page, const bench8_suspension *from)
+{
+    for (int i = 0; i < 6; ++i) {
+        bench8_put_reals(page, from->stiffness[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        bench8_put_reals(page, from->damping[i], 6);
+    }
+    bench8_put_reals(page, from->position, 3);
+    bench8_put_reals(page, from->attitude, 4);
+}
+
+BENCH8_CODE
+static void bench8_put_table(bench8_page *page, const bench8_table *from)
+{
+    bench8_put_reals(page, &from->mass, 1);
+    bench8_put_reals(page, &from->mass_inverse, 1);
+    bench8_put_reals(page, from->first_moment, 3);
+    bench8_put_reals(page, from->inertia, 6);
+    for (int i = 0; i < 8; ++i) {
+        bench8_put_row(page, &from->flywheel[i]);
+    }
+    bench8_put_reals(page, from->gravity, 3);
+    bench8_put_suspension(page, &from->suspension);
+}
+
+BENCH8_CODE
+static uint32_t bench8_record_hash(const bench8_real *values, int count)
+{
+    uint32_t hash = 2166136261u;
+    for (int i = 0; i < count; ++i) {
+        bench8_record_word word = bench8_record_bits(values[i]);
+        for (int k = 0; k < 8; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+            word >>= 8;
+        }
+    }
+    return hash;
+}
+
+/* A hash of each member of a state. */
+BENCH8_CODE
+static void bench8_look(const bench8_state *x, uint32_t seen[5])
+{
+    seen[0] = bench8_record_hash(x->position, 3);
+    seen[1] = bench8_record_hash(x->attitude, 4);
+    seen[2] = bench8_record_hash(x->V, 6);
+    seen[3] = bench8_record_hash(x->phi, 8);
+    seen[4] = bench8_record_hash(x->phi_dot, 8);
+}
+
+BENCH8_CODE
+bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *stand, const bench8_state *x)
+{
+    bench8_page page;
+    uint32_t table;
+    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+        return BENCH8_BAD_ARGUMENT;
+    }
+    bench8_begin(&page, NULL);
+    bench8_put_table(&page, stand);
+    table = page.check;
+    bench8_begin(&page, log);
+    for (int i = 0; i < 8; ++i) {
+        bench8_put(&page, bench8_record_magic[i], 1);
+    }
+    bench8_put(&page, BENCH8_RECORDER_FORMAT, 1);
+    bench8_put(&page, 8, 1);
+    bench8_put(&page, 6, 1);
+    for (int i = 0; i < 6; ++i) {
+        bench8_put(&page, bench8_record_name[i], 1);
+    }
+    bench8_put(&page, BENCH8_STRUCTURE, 4);
+    bench8_put(&page, BENCH8_PHYSICS, 4);
+    bench8_put(&page, BENCH8_RECORDER_SOURCE, 4);
+    bench8_put(&page, 8, 2);
+    bench8_put(&page, 0, 2);
+    bench8_put(&page, table, 4);
+    bench8_put(&page, log->count, 4);
+    bench8_put_reals(&page, x->position, 3);
+    bench8_put_reals(&page, x->attitude, 4);
+    bench8_put_reals(&page, x->V, 6);
+    bench8_put_reals(&page, x->phi, 8);
+    bench8_put_reals(&page, x->phi_dot, 8);
+    if (table == BENCH8_RECORDER_TABLE) {
+        bench8_put(&page, 0, 4);
+    } else {
+        bench8_put(&page, 3368, 4);
+        bench8_put_table(&page, stand);
+    }
+    bench8_close(&page);
+    bench8_look(x, log->seen);
+    log->fresh = 1;
+    return BENCH8_OK;
+}
+
+/* The head of a step's record: flags, and what changed since the last one. */
+BENCH8_CODE
+static void bench8_open(bench8_page *page, bench8_recorder *log, const bench8_table *stand,
+                     const bench8_state *x, bench8_real dt, int order, unsigned flags)
+{
+    const bench8_record_word step = bench8_record_bits(dt);
+    uint32_t seen[5];
+    bench8_look(x, seen);
+    for (int i = 0; i < 5; ++i) {
+        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
+    }
+    if (log->fresh || step != log->dt || order != log->order) {
+        flags |= BENCH8_RECORD_SETTINGS;
+    }
+    (void)stand;
+    log->fresh = 0;
+    log->dt = step;
+    log->order = order;
+    bench8_begin(page, log);
+    bench8_put(page, 0x53, 1);
+    bench8_put(page, flags, 2);
+    bench8_put(page, log->count, 4);
+    if (flags & BENCH8_RECORD_SETTINGS) {
+        bench8_put(page, step, 8);
+        bench8_put(page, (bench8_record_word)order, 4);
+    }
+    if (flags & BENCH8_RECORD_POSITION) {
+        bench8_put_reals(page, x->position, 3);
+    }
+    if (flags & BENCH8_RECORD_ATTITUDE) {
+        bench8_put_reals(page, x->attitude, 4);
+    }
+    if (flags & BENCH8_RECORD_V) {
+        bench8_put_reals(page, x->V, 6);
+    }
+    if (flags & BENCH8_RECORD_PHI) {
+        bench8_put_reals(page, x->phi, 8);
+    }
+    if (flags & BENCH8_RECORD_PHI_DOT) {
+        bench8_put_reals(page, x->phi_dot, 8);
+    }
+}
+
+/* The tail: status and the hash of the state after the step. */
+BENCH8_CODE
+static void bench8_finish_record(bench8_page *page, bench8_recorder *log,
+                              const bench8_state *x, bench8_status status)
+{
+    uint32_t hash = 2166136261u;
+    bench8_look(x, log->seen);
+    for (int i = 0; i < 5; ++i) {
+        hash = (hash ^ log->seen[i]) * 16777619u;
+    }
+    bench8_put(page, (bench8_record_word)status, 1);
+    bench8_put(page, hash, 4);
+    bench8_close(page);
+    ++log->count;
+}
+
+BENCH8_CODE
+bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *stand, bench8_state *x,
+                                   const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                                   bench8_real dt, int order)
+{
+    bench8_page page;
+    bench8_status status;
+    unsigned flags = 0;
+    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || log->write == NULL) { return BENCH8_BAD_ARGUMENT; }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        flags |= (locked[s] != 0) ? BENCH8_RECORD_LOCKS : 0u;
+    }
+    bench8_open(&page, log, stand, x, dt, order, flags);
+    bench8_put_reals(&page, tau, BENCH8_N);
+    if (flags & BENCH8_RECORD_LOCKS) {
+        for (int first = 0; first < BENCH8_N; first += 8) {
+            unsigned mask = 0;
+            for (int s = first; s < BENCH8_N && s < first + 8; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            bench8_put(&page, mask, 1);
+        }
+    }
+    status = bench8_step(stand, x, tau, locked, dt, order, x);
+    bench8_finish_record(&page, log, x, status);
+    return status;
+}
+
+BENCH8_CODE
+bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *stand, bench8_state *x,
+                                          const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order)
+{
+    bench8_page page;
+    bench8_status status;
+    unsigned flags = BENCH8_RECORD_DRIVEN;
+    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+        || log->write == NULL) { return BENCH8_BAD_ARGUMENT; }
+    bench8_open(&page, log, stand, x, dt, order, flags);
+    bench8_put_reals(&page, phi_ddot, BENCH8_N);
+    status = bench8_step_driven(stand, x, phi_ddot, dt, order, x);
+    bench8_finish_record(&page, log, x, status);
+    return status;
+}

@@ -1,0 +1,94 @@
+/* demo3_recorder.h: flight recorder of the stand "demo3". It logs the raw inputs of every step, so that
+ * `mahovik replay` repeats the run on the desk bit for bit.
+ * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead.
+ *
+ * C99, no allocation, no stdio, no globals but const. Bytes leave through a function of the caller. Use:
+ *
+ *     demo3_recorder log = { .write = my_write, .context = &my_device };
+ *     demo3_recorder_start(&log, &demo3_default, &x);
+ *     for (;;) { demo3_recorder_step(&log, &demo3_default, &x, ...); }
+ *
+ * What else writes the state between two steps (measured phases, an observer's correction) is noticed and logged by
+ * itself. Another table needs a new start. start may be called again at any time: a log can be replayed from each
+ * start on, so a ring buffer wants one every now and then.
+ *
+ * A log is a sequence of records, little-endian; a real is its bits, 8 bytes; every record ends in
+ * u32 check, the FNV-1a hash of its bytes before.
+ *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
+ *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
+ *   step   53, u16 flags, u32 count; where flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
+ *          where flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The table is there where it is not the default, member by member, a real or an i32 each, without the stream. */
+#ifndef DEMO3_RECORDER_H
+#define DEMO3_RECORDER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "demo3.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define DEMO3_RECORDER_FORMAT 1u           /* of the log */
+#define DEMO3_RECORDER_SOURCE 0xd5089f0au  /* of the texts of demo3.h and demo3.c: FNV-1a */
+#define DEMO3_RECORDER_TABLE  0x69c75902u  /* hash of the default table */
+#define DEMO3_RECORD_BYTES    205  /* longest record of a step; most have 40 */
+
+/* Bits of the flags of a step: members of the state that were written since the last step, and what else is there. */
+enum {
+    DEMO3_RECORD_POSITION = 1,                /* position was written */
+    DEMO3_RECORD_ATTITUDE = 2,                /* attitude was written */
+    DEMO3_RECORD_V = 4,                       /* V was written */
+    DEMO3_RECORD_PHI = 8,                     /* phi was written */
+    DEMO3_RECORD_PHI_DOT = 16,                /* phi_dot was written */
+    DEMO3_RECORD_SETTINGS = 32,               /* dt and order, when they change */
+    DEMO3_RECORD_STREAM = 64,                 /* the table's stream, when it changes */
+    DEMO3_RECORD_DRIVEN = 128,                /* by step_driven: phi_ddot instead of tau */
+    DEMO3_RECORD_LOCKS = 256,                 /* any flywheel is locked: a bit each */
+    DEMO3_RECORD_WRENCH = 512                 /* any run-time wrench is not zero */
+};
+
+/* A log in progress. The first two members are the caller's; the rest begins as zero. */
+typedef struct demo3_recorder {
+    void (*write)(void *context, const unsigned char *bytes, size_t count);  /* stores or sends; one call a step */
+    void *context;          /* passed to write */
+    uint32_t count;         /* number of the next step, modulo 2^32 */
+    uint32_t seen[5];       /* hash of each member of the state as it was left */
+    uint64_t dt;            /* bits of the last time step */
+    int order;              /* the last order */
+    int fresh;              /* not 0: no step since the last start */
+} demo3_recorder;
+
+/* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
+ *   log    its write and context are set; in and out
+ *   stand  the prepared table
+ *   x      state before the next step
+ * Returns OK, BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
+demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *stand, const demo3_state *x);
+
+/* recorder_step: step, and a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The others are those of step; also a step that is refused is logged.
+ * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
+ * Stack: DEMO3_RECORD_BYTES and less than 200 bytes more than step. */
+demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *stand, demo3_state *x,
+                                 const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
+                                 int order);
+
+/* recorder_step_driven: step_driven, and a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The others are those of step_driven; also a step that is refused is logged.
+ * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
+ * Stack: DEMO3_RECORD_BYTES and less than 200 bytes more than step_driven. */
+demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *stand, demo3_state *x,
+                                        const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,297 @@
+/* sat4_recorder.c: flight recorder of the stand "sat4". What a log holds: sat4_recorder.h.
+ * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead. */
+#include "sat4_recorder.h"
+
+#if SAT4_STRUCTURE != 0x60e5c883u || SAT4_PHYSICS != 0x347c0b3bu
+#error "sat4.h and sat4_recorder.c are of different stands"
+#endif
+
+#ifndef SAT4_CODE
+#define SAT4_CODE
+#endif
+
+/* Header and recorder have the same real: else this array has no size. */
+typedef char sat4_recorder_real[(sizeof(sat4_real) == 8) ? 1 : -1];
+
+typedef uint64_t sat4_record_word;  /* the bits of a real */
+
+/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+typedef struct sat4_page {
+    const sat4_recorder *log;
+    uint32_t check;
+    size_t used;
+    unsigned char bytes[SAT4_RECORD_BYTES];
+} sat4_page;
+
+static const unsigned char sat4_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char sat4_record_name[4] = {
+    0x73, 0x61, 0x74, 0x34
+};
+
+SAT4_CODE
+static sat4_record_word sat4_record_bits(sat4_real value)
+{
+    union { sat4_real real; sat4_record_word word; } both;
+    both.real = value;
+    return both.word;
+}
+
+SAT4_CODE
+static void sat4_begin(sat4_page *page, const sat4_recorder *log)
+{
+    page->log = log;
+    page->check = 2166136261u;
+    page->used = 0;
+}
+
+SAT4_CODE
+static void sat4_flush(sat4_page *page)
+{
+    if (page->log != NULL && page->used > 0) {
+        page->log->write(page->log->context, page->bytes, page->used);
+    }
+    page->used = 0;
+}
+
+/* The lowest bytes of a word, least significant first. */
+SAT4_CODE
+static void sat4_put(sat4_page *page, sat4_record_word value, int bytes)
+{
+    for (int i = 0; i < bytes; ++i) {
+        const unsigned char byte = (unsigned char)(value & 0xffu);
+        if (page->used == sizeof page->bytes) {
+            sat4_flush(page);
+        }
+        page->bytes[page->used++] = byte;
+        page->check = (page->check ^ byte) * 16777619u;
+        value >>= 8;
+    }
+}
+
+SAT4_CODE
+static void sat4_put_reals(sat4_page *page, const sat4_real *values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        sat4_put(page, sat4_record_bits(values[i]), 8);
+    }
+}
+
+/* The check, and out with what waits. */
+SAT4_CODE
+static void sat4_close(sat4_page *page)
+{
+    sat4_put(page, page->check, 4);
+    sat4_flush(page);
+}
+
+SAT4_CODE
+static void sat4_put_row(sat4_page *page, const sat4_row *from)
+{
+    sat4_put_reals(page, from->mu_c, 3);
+    sat4_put_reals(page, from->mu_s, 3);
+    sat4_put_reals(page, from->J_c, 6);
+    sat4_put_reals(page, from->J_s, 6);
+    sat4_put_reals(page, from->J_2c, 6);
+    sat4_put_reals(page, from->J_2s, 6);
+    sat4_put_reals(page, from->t_0, 3);
+    sat4_put_reals(page, from->t_c, 3);
+    sat4_put_reals(page, from->t_s, 3);
+    sat4_put_reals(page, &from->spin, 1);
+    sat4_put_reals(page, &from->spin_inv, 1);
+}
+
+SAT4_CODE
+static void sat4_put_sensor(sat4_page *page, const sat4_sensor *from)
+{
+    sat4_put_reals(page, from->origin, 3);
+    sat4_put_reals(page, from->axes, 9);
+}
+
+SAT4_CODE
+static void sat4_put_table(sat4_page *page, const sat4_table *from)
+{
+    sat4_put_reals(page, &from->mass, 1);
+    sat4_put_reals(page, &from->mass_inverse, 1);
+    sat4_put_reals(page, from->first_moment, 3);
+    sat4_put_reals(page, from->inertia, 6);
+    for (int i = 0; i < 4; ++i) {
+        sat4_put_row(page, &from->flywheel[i]);
+    }
+    for (int i = 0; i < 1; ++i) {
+        sat4_put_sensor(page, &from->sensor[i]);
+    }
+}
+
+SAT4_CODE
+static uint32_t sat4_record_hash(const sat4_real *values, int count)
+{
+    uint32_t hash = 2166136261u;
+    for (int i = 0; i < count; ++i) {
+        sat4_record_word word = sat4_record_bits(values[i]);
+        for (int k = 0; k < 8; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+            word >>= 8;
+        }
+    }
+    return hash;
+}
+
+/* A hash of each member of a state. */
+SAT4_CODE
+static void sat4_look(const sat4_state *x, uint32_t seen[5])
+{
+    seen[0] = sat4_record_hash(x->position, 3);
+    seen[1] = sat4_record_hash(x->attitude, 4);
+    seen[2] = sat4_record_hash(x->V, 6);
+    seen[3] = sat4_record_hash(x->phi, 4);
+    seen[4] = sat4_record_hash(x->phi_dot, 4);
+}
+
+SAT4_CODE
+sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *stand, const sat4_state *x)
+{
+    sat4_page page;
+    uint32_t table;
+    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+        return SAT4_BAD_ARGUMENT;
+    }
+    sat4_begin(&page, NULL);
+    sat4_put_table(&page, stand);
+    table = page.check;
+    sat4_begin(&page, log);
+    for (int i = 0; i < 8; ++i) {
+        sat4_put(&page, sat4_record_magic[i], 1);
+    }
+    sat4_put(&page, SAT4_RECORDER_FORMAT, 1);
+    sat4_put(&page, 8, 1);
+    sat4_put(&page, 4, 1);
+    for (int i = 0; i < 4; ++i) {
+        sat4_put(&page, sat4_record_name[i], 1);
+    }
+    sat4_put(&page, SAT4_STRUCTURE, 4);
+    sat4_put(&page, SAT4_PHYSICS, 4);
+    sat4_put(&page, SAT4_RECORDER_SOURCE, 4);
+    sat4_put(&page, 4, 2);
+    sat4_put(&page, 0, 2);
+    sat4_put(&page, table, 4);
+    sat4_put(&page, log->count, 4);
+    sat4_put_reals(&page, x->position, 3);
+    sat4_put_reals(&page, x->attitude, 4);
+    sat4_put_reals(&page, x->V, 6);
+    sat4_put_reals(&page, x->phi, 4);
+    sat4_put_reals(&page, x->phi_dot, 4);
+    if (table == SAT4_RECORDER_TABLE) {
+        sat4_put(&page, 0, 4);
+    } else {
+        sat4_put(&page, 1496, 4);
+        sat4_put_table(&page, stand);
+    }
+    sat4_close(&page);
+    sat4_look(x, log->seen);
+    log->fresh = 1;
+    return SAT4_OK;
+}
+
+/* The head of a step's record: flags, and what changed since the last one. */
+SAT4_CODE
+static void sat4_open(sat4_page *page, sat4_recorder *log, const sat4_table *stand,
+                     const sat4_state *x, sat4_real dt, int order, unsigned flags)
+{
+    const sat4_record_word step = sat4_record_bits(dt);
+    uint32_t seen[5];
+    sat4_look(x, seen);
+    for (int i = 0; i < 5; ++i) {
+        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
+    }
+    if (log->fresh || step != log->dt || order != log->order) {
+        flags |= SAT4_RECORD_SETTINGS;
+    }
+    (void)stand;
+    log->fresh = 0;
+    log->dt = step;
+    log->order = order;
+    sat4_begin(page, log);
+    sat4_put(page, 0x53, 1);
+    sat4_put(page, flags, 2);
+    sat4_put(page, log->count, 4);
+    if (flags & SAT4_RECORD_SETTINGS) {
+        sat4_put(page, step, 8);
+        sat4_put(page, (sat4_record_word)order, 4);
+    }
+    if (flags & SAT4_RECORD_POSITION) {
+        sat4_put_reals(page, x->position, 3);
+    }
+    if (flags & SAT4_RECORD_ATTITUDE) {
+        sat4_put_reals(page, x->attitude, 4);
+    }
+    if (flags & SAT4_RECORD_V) {
+        sat4_put_reals(page, x->V, 6);
+    }
+    if (flags & SAT4_RECORD_PHI) {
+        sat4_put_reals(page, x->phi, 4);
+    }
+    if (flags & SAT4_RECORD_PHI_DOT) {
+        sat4_put_reals(page, x->phi_dot, 4);
+    }
+}
+
+/* The tail: status and the hash of the state after the step. */
+SAT4_CODE
+static void sat4_finish_record(sat4_page *page, sat4_recorder *log,
+                              const sat4_state *x, sat4_status status)
+{
+    uint32_t hash = 2166136261u;
+    sat4_look(x, log->seen);
+    for (int i = 0; i < 5; ++i) {
+        hash = (hash ^ log->seen[i]) * 16777619u;
+    }
+    sat4_put(page, (sat4_record_word)status, 1);
+    sat4_put(page, hash, 4);
+    sat4_close(page);
+    ++log->count;
+}
+
+SAT4_CODE
+sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+                               const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
+                               int order)
+{
+    sat4_page page;
+    sat4_status status;
+    unsigned flags = 0;
+    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+        || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        flags |= (locked[s] != 0) ? SAT4_RECORD_LOCKS : 0u;
+    }
+    sat4_open(&page, log, stand, x, dt, order, flags);
+    sat4_put_reals(&page, tau, SAT4_N);
+    if (flags & SAT4_RECORD_LOCKS) {
+        for (int first = 0; first < SAT4_N; first += 8) {
+            unsigned mask = 0;
+            for (int s = first; s < SAT4_N && s < first + 8; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            sat4_put(&page, mask, 1);
+        }
+    }
+    status = sat4_step(stand, x, tau, locked, dt, order, x);
+    sat4_finish_record(&page, log, x, status);
+    return status;
+}
+
+SAT4_CODE
+sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order)
+{
+    sat4_page page;
+    sat4_status status;
+    unsigned flags = SAT4_RECORD_DRIVEN;
+    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+        || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_open(&page, log, stand, x, dt, order, flags);
+    sat4_put_reals(&page, phi_ddot, SAT4_N);
+    status = sat4_step_driven(stand, x, phi_ddot, dt, order, x);
+    sat4_finish_record(&page, log, x, status);
+    return status;
+}

@@ -1,0 +1,94 @@
+/* sat4_recorder.h: flight recorder of the stand "sat4". It logs the raw inputs of every step, so that
+ * `mahovik replay` repeats the run on the desk bit for bit.
+ * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
+ *
+ * C99, no allocation, no stdio, no globals but const. Bytes leave through a function of the caller. Use:
+ *
+ *     sat4_recorder log = { .write = my_write, .context = &my_device };
+ *     sat4_recorder_start(&log, &sat4_default, &x);
+ *     for (;;) { sat4_recorder_step(&log, &sat4_default, &x, ...); }
+ *
+ * What else writes the state between two steps (measured phases, an observer's correction) is noticed and logged by
+ * itself. Another table needs a new start. start may be called again at any time: a log can be replayed from each
+ * start on, so a ring buffer wants one every now and then.
+ *
+ * A log is a sequence of records, little-endian; a real is its bits, 8 bytes; every record ends in
+ * u32 check, the FNV-1a hash of its bytes before.
+ *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
+ *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
+ *   step   53, u16 flags, u32 count; where flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
+ *          where flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The table is there where it is not the default, member by member, a real or an i32 each, without the stream. */
+#ifndef SAT4_RECORDER_H
+#define SAT4_RECORDER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "sat4.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SAT4_RECORDER_FORMAT 1u           /* of the log */
+#define SAT4_RECORDER_SOURCE 0x1b63f6cdu  /* of the texts of sat4.h and sat4.c: FNV-1a */
+#define SAT4_RECORDER_TABLE  0xca9f3637u  /* hash of the default table */
+#define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
+
+/* Bits of the flags of a step: members of the state that were written since the last step, and what else is there. */
+enum {
+    SAT4_RECORD_POSITION = 1,                 /* position was written */
+    SAT4_RECORD_ATTITUDE = 2,                 /* attitude was written */
+    SAT4_RECORD_V = 4,                        /* V was written */
+    SAT4_RECORD_PHI = 8,                      /* phi was written */
+    SAT4_RECORD_PHI_DOT = 16,                 /* phi_dot was written */
+    SAT4_RECORD_SETTINGS = 32,                /* dt and order, when they change */
+    SAT4_RECORD_STREAM = 64,                  /* the table's stream, when it changes */
+    SAT4_RECORD_DRIVEN = 128,                 /* by step_driven: phi_ddot instead of tau */
+    SAT4_RECORD_LOCKS = 256,                  /* any flywheel is locked: a bit each */
+    SAT4_RECORD_WRENCH = 512                  /* any run-time wrench is not zero */
+};
+
+/* A log in progress. The first two members are the caller's; the rest begins as zero. */
+typedef struct sat4_recorder {
+    void (*write)(void *context, const unsigned char *bytes, size_t count);  /* stores or sends; one call a step */
+    void *context;          /* passed to write */
+    uint32_t count;         /* number of the next step, modulo 2^32 */
+    uint32_t seen[5];       /* hash of each member of the state as it was left */
+    uint64_t dt;            /* bits of the last time step */
+    int order;              /* the last order */
+    int fresh;              /* not 0: no step since the last start */
+} sat4_recorder;
+
+/* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
+ *   log    its write and context are set; in and out
+ *   stand  the prepared table
+ *   x      state before the next step
+ * Returns OK, BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
+sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *stand, const sat4_state *x);
+
+/* recorder_step: step, and a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The others are those of step; also a step that is refused is logged.
+ * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
+ * Stack: SAT4_RECORD_BYTES and less than 200 bytes more than step. */
+sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+                               const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
+                               int order);
+
+/* recorder_step_driven: step_driven, and a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The others are those of step_driven; also a step that is refused is logged.
+ * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
+ * Stack: SAT4_RECORD_BYTES and less than 200 bytes more than step_driven. */
+sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
