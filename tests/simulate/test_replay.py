@@ -197,6 +197,26 @@ def test_a_log_that_ends_early_is_replayed_to_there(bench8: Recorder) -> None:
     assert "ends inside the record of step 5" in found[-1].message
 
 
+def test_a_length_that_lies_is_no_end(bench8: Recorder) -> None:
+    """A flag that asks for more bytes than the log has, with whole records behind it."""
+    bench8.new("recorder")
+    bench8.fly(6, every=10**9)
+    data = bytearray(bench8.log)
+    data[len(data) - sum(map(len, bench8.calls[-2:])) + 1] |= 0x1F  # all members of the state, in the last but one
+    found = steps_of(bench8, bytes(data))
+    assert isinstance(found[-1], Damage)
+    assert not found[-1].end
+
+
+def test_a_lost_start_is_named(bench8: Recorder) -> None:
+    bench8.new("recorder")
+    bench8.fly(4, every=10**9)
+    first = bench8.log
+    bench8.new("recorder")
+    bench8.fly(4, every=10**9)
+    assert "comes where step 4 was expected" in damages(first + b"".join(bench8.calls[-4:]))[0]
+
+
 def test_damage_is_jumped_over_to_the_next_start(bench8: Recorder) -> None:
     bench8.new("recorder")
     bench8.fly(STEPS, every=5)

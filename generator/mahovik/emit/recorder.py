@@ -24,7 +24,7 @@ from mahovik.stand.model import Stand
 
 def source_hash(files: dict[str, str], name: str) -> int:
     """Which text of header and source flew: their hash."""
-    return fnv1a((files[f"{name}.h"] + files[f"{name}.c"]).encode("ascii"))
+    return fnv1a((files[f"{name}.h"] + files[f"{name}.c"]).encode("utf-8"))
 
 
 def recorder_files(stand: Stand, generated: Generated) -> dict[str, str]:

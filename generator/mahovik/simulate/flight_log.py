@@ -185,9 +185,23 @@ class _Reader:
                 return self._read_start(at)
             return self._read_step(at)
         except _EndError:
-            if self.next_start(at + 1) is None and self._data[at] in (STEP, MAGIC[0]):
+            if self._is_cut(at):
                 return Damage(f"the log ends inside {self._where(at)}", end=True), len(self._data)
-            return self._damaged(at), len(self._data)
+            return self._damaged(at), at
+
+    def _is_cut(self, at: int) -> bool:
+        """Does the log just end inside a record? Not where a whole one comes after it: then its length lies."""
+        if self._data[at] not in (STEP, MAGIC[0]) or self.next_start(at + 1) is not None:
+            return False
+        place = self._data.find(bytes([STEP]), at + 1)
+        while self._start is not None and place >= 0:
+            try:
+                if self._parse_step(place) is not None:
+                    return False
+            except _EndError:
+                pass
+            place = self._data.find(bytes([STEP]), place + 1)
+        return True
 
     def _where(self, at: int) -> str:
         if self._data.startswith(MAGIC, at):
@@ -195,9 +209,12 @@ class _Reader:
         return f"the record of step {self._next} at byte {at}"
 
     def _damaged(self, at: int) -> Damage:
+        return Damage(f"{self._where(at)} is damaged: its check does not fit; {self._rest(at)}")
+
+    def _rest(self, at: int) -> str:
+        """From where the log can be replayed again."""
         after = self.next_start(at + 1)
-        rest = "the log ends without another start" if after is None else f"the next start is at byte {after}"
-        return Damage(f"{self._where(at)} is damaged: its check does not fit; {rest}")
+        return "the log ends without another start" if after is None else f"the next start is at byte {after}"
 
     def _read_start(self, at: int) -> tuple[Start | Damage, int]:
         read = _Bytes(self._data, at)
@@ -225,11 +242,34 @@ class _Reader:
         return self._start, read.at
 
     def _read_step(self, at: int) -> tuple[Step | Damage, int]:
+        found = self._parse_step(at)
+        if found is None:
+            return self._damaged(at), at
+        step, after = found
+        if step.count != self._next:
+            return Damage(self._gap(step)), at
+        self._next = (step.count + 1) % 2**32
+        self._dt, self._order = step.dt, step.order
+        return step, after
+
+    def _gap(self, step: Step) -> str:
+        """What is missing before a step that is not the next one."""
+        last = step.count - 1
+        if step.count > self._next:
+            lost = f"step {last}" if last == self._next else f"steps {self._next} to {last}"
+            what = f"{lost} missing before byte {step.offset}: nothing to replay step {step.count} from"
+        else:
+            where = f"step {step.count} at byte {step.offset}"
+            what = f"{where} comes where step {self._next} was expected: a start is missing"
+        return f"{what}; {self._rest(step.offset)}"
+
+    def _parse_step(self, at: int) -> tuple[Step, int] | None:
+        """The record of a step and where the next one begins; None where its check does not fit. Raises _EndError."""
         start = self._start
         assert start is not None
         read = _Bytes(self._data, at, start.real)
         if read.number("B") != STEP:
-            return self._damaged(at), at
+            return None
         flags, count = read.number("H"), read.number("I")
         dt, order = self._dt, self._order
         if flags & FLAGS["SETTINGS"]:
@@ -248,18 +288,10 @@ class _Reader:
         wrench = read.reals(six) if flags & FLAGS["WRENCH"] else np.zeros(six, dtype=read.dtype)
         status, after = read.number("b"), read.number("I")
         if not read.checked():
-            return self._damaged(at), at
-        if count != self._next:
-            lost = f"step {self._next}" if count == self._next + 1 else f"steps {self._next} to {count - 1}"
-            if count < self._next:
-                lost = f"a start before step {count}, that came after step {self._next - 1},"
-            found = self.next_start(at + 1)
-            rest = "the log ends without another start" if found is None else f"the next start is at byte {found}"
-            return Damage(f"{lost} missing before byte {at}: nothing to replay step {count} from; {rest}"), at
-        self._next = (count + 1) % 2**32
-        self._dt, self._order = dt, order
+            return None
         driven = bool(flags & FLAGS["DRIVEN"])
-        return Step(at, count, written, dt, order, drive, driven, locked, wrench, stream, status, after), read.at
+        step = Step(at, count, written, dt, order, drive, driven, locked, wrench, stream, status, after)
+        return step, read.at
 
 
 def members(flywheels: int) -> dict[str, int]:

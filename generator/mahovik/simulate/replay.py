@@ -45,9 +45,10 @@ class Outcome:
 
 
 class Machine(Protocol):
-    """Runs the steps of one stand in one precision."""
+    """Runs the steps of one stand in one precision. `source` is the hash of the text of its C."""
 
     generated: Generated
+    source: int
 
     def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
         """Takes a state and a table; None: the default."""
@@ -71,6 +72,7 @@ class CMachine:
     def __init__(self, stand: Stand, real: str, folder: Path | None = None) -> None:
         self._c = _compiled(stand, real) if folder is None else CBackend(stand, real, folder)
         self.generated = self._c.generated
+        self.source = source_hash(self.generated.files if folder is None else _texts(folder, stand.name), stand.name)
         self._ffi = self._c.library.ffi
         self._prefix = stand.name
         self._x = self._ffi.new(f"{stand.name}_state *")
@@ -129,6 +131,7 @@ class InterpreterMachine:
 
     def __init__(self, stand: Stand, real: str) -> None:
         self.generated = generate_all(stand, real)
+        self.source = source_hash(self.generated.files, stand.name)
         self._interpreter = Interpreter(self.generated.program)
         self._x: Any = None
         self._table: Any = None
@@ -231,14 +234,17 @@ def check_stand(stand: Stand, start: Start, source: str) -> None:
 
 def explain(machine: Machine, start: Start) -> str:
     """What a difference may come from."""
-    name = machine.generated.layout.structure.name
-    here = source_hash(machine.generated.files, name)
-    if here != start.source:
+    if machine.source != start.source:
         return (
-            f"the C that flew is another text (source {start.source:08x}, here {here:08x}): "
+            f"the C that flew is another text (source {start.source:08x}, here {machine.source:08x}): "
             "give the folder it flew from with --against DIR"
         )
     return "the C is the same text: was it compiled with -ffp-contract=off and without -ffast-math?"
+
+
+def _texts(folder: Path, name: str) -> dict[str, str]:
+    """Header and source of a stand in a folder."""
+    return {f"{name}.{kind}": (folder / f"{name}.{kind}").read_text(encoding="utf-8") for kind in ("h", "c")}
 
 
 def status_name(status: int) -> str:
