@@ -3,16 +3,39 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
 from emit.selftests import made, run_selftest
+from mahovik.emit.generate import Generated
 from mahovik.stand import identities, load
+from mahovik.stand.model import Stand
+from mahovik.verify import judge_log
 
 SWEEP = 20
 FUNCTIONS = [f.name for f in made("demo3")[0].program.functions if f.public]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def run_here_once() -> Iterator[None]:
+    """The C of this machine is built and run once for each sweep."""
+    original = judge_log._hashes
+    known: dict[tuple[str, int], Any] = {}
+
+    def once(stand: Stand, made: Generated, sweep: int) -> Any:
+        key = (made.program.precision.name, sweep)
+        if key not in known:
+            known[key] = original(stand, made, sweep)
+        return known[key]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(judge_log, "_hashes", once)
+        patch.setattr(judge_log, "generate_all", lambda stand, real: made(stand.name, real)[0])
+        yield
 
 
 @pytest.fixture(scope="module")
