@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from math import floor, log2
 from typing import Any
 
@@ -66,7 +67,9 @@ def golden(program: Program, values: Values) -> Golden:
         for f in public:
             status, written = player.play(f, given)
             answers[f.name].append(
-                Answer(status, fnv1a(_bytes(status, written, program.precision)), tuple(_reals(written))[:LISTED])
+                Answer(
+                    status, fnv1a(_bytes(status, written, program.precision)), tuple(islice(_reals(written), LISTED))
+                )
             )
     return Golden(planned, cases, {name: tuple(found) for name, found in answers.items()}, player.sweep(SWEPT))
 

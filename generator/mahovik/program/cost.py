@@ -7,6 +7,7 @@ and are measured elsewhere. Of two branches the dearer is counted, so a count is
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from functools import lru_cache
 
 from mahovik.program.expression import (
     Binary,
@@ -51,8 +52,9 @@ class Cost:
 ZERO = Cost()
 
 
+@lru_cache(maxsize=256)
 def cost(function: Function) -> Cost:
-    """Operations of one call."""
+    """Operations of one call. A function is counted once: it never changes."""
     return _block(function.body, {})
 
 
