@@ -34,7 +34,7 @@ UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
 
 FACTOR = 16.0
-"""Units of rounding in a result, at most: twice what tools/float_bounds.py measures (docs/verification.md)."""
+"""Units of rounding in a result, at most: about twice what tools/float_bounds.py measures (docs/verification.md)."""
 
 DIGIT = 0.1
 """Part of an effect that rounding may be, so that a digit of the effect is left."""
@@ -98,8 +98,9 @@ def acceleration_terms(at: reference.Pieces, state: State) -> Array:
 
 
 def momentum_terms(at: reference.Pieces, state: State) -> Array:
-    """Of Z (6)."""
-    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + np.abs(at.I) @ np.abs(at.phi_dot))
+    """Of Z (6); what a flywheel adds is turned into E1, so it counts by its lengths."""
+    spun = sum((_lengths(column * speed) for column, speed in zip(at.I.T, at.phi_dot, strict=True)), np.zeros(6))
+    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + spun)
 
 
 def mount_terms(at: reference.Pieces, state: State) -> Array:
@@ -112,8 +113,13 @@ def mount_terms(at: reference.Pieces, state: State) -> Array:
         Theta = np.abs(s.Theta)
         own = sum((np.abs(P) for P in at.terms[s.body.name].values()), np.zeros(6))
         whole = Theta @ V_dot + np.abs(Phi(carried + f * s.phi_dot)) @ (Theta @ V) + own
-        found[row] = np.repeat([np.linalg.norm(whole[:3]), np.linalg.norm(whole[3:])], 3)
+        found[row] = _lengths(whole)
     return found
+
+
+def _lengths(screw: Array) -> Array:
+    """The lengths of the two halves, each in all its components."""
+    return np.repeat([np.linalg.norm(screw[:3]), np.linalg.norm(screw[3:])], 3)
 
 
 def _bodies(at: reference.Pieces) -> tuple[Placed, ...]:

@@ -1,0 +1,88 @@
+"""verify --real float: bounds met by right C and missed by wrong C, states of float, statuses on float's thresholds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from cli.run import DEMO3, refused, run
+from mahovik.emit.generate import generate
+from mahovik.lower.thresholds import THRESHOLDS
+from mahovik.program.types import FLOAT as SINGLE
+from mahovik.second import Second
+from mahovik.stand import Stand, load
+from mahovik.stands import path
+from mahovik.verify.bounds import DOUBLE, FLOAT
+from mahovik.verify.campaign import random_stands
+from mahovik.verify.compare import Judge
+from mahovik.verify.draw import draw
+from mahovik.verify.harness import verify_c
+from mahovik.verify.states import MAX_PHASE
+from strategies import stands
+from verify.build import everything
+
+
+def test_a_stand_with_everything_passes_in_float() -> None:
+    found = verify_c(everything("euler"), count=24, real="float")
+    assert found.passed
+    assert {row.verdict for row in found.rows} == {"ok"}
+    worst = {(row.want, row.quantity): row.worst for row in found.rows if row.want}
+    # float, and not double in disguise: but within its bounds
+    assert 1e-9 < worst["forward", "V_dot"] < FLOAT.of("forward", "V_dot")
+    assert all(row.second is None or row.second < DOUBLE.derivations for row in found.rows)
+
+
+@pytest.mark.parametrize("number", [0, 3, 6])
+def test_random_stands_of_no_six_and_many_flywheels(number: int) -> None:
+    *_, stand = random_stands(number + 1)
+    assert verify_c(stand, count=9, real="float", against=None).passed
+
+
+@settings(max_examples=3, deadline=None)
+@given(stands(max_flywheels=4))
+def test_any_stand_gives_the_bits_of_the_interpreter(stand: Stand) -> None:
+    found = verify_c(stand, count=6, real="float")
+    (row,) = (row for row in found.rows if row.quantity == "interpreter = C, bit for bit")
+    assert row.verdict == "ok"
+    assert found.passed
+
+
+def test_an_error_in_the_fourth_digit_of_one_term_is_caught(tmp_path: Path) -> None:
+    stand = load(path("bench8"))
+    files = generate(stand, "float")
+    right = "sum->mu[0] = stand->first_moment[0];"
+    assert right in files["bench8.c"]
+    files["bench8.c"] = files["bench8.c"].replace(right, right.replace("stand->", "1.0001F * stand->"))
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    found = verify_c(stand, count=9, real="float", against=tmp_path)
+    assert {"K", "V_dot"} & {row.quantity for row in found.failures}
+
+
+def test_states_are_those_that_float_takes() -> None:
+    for _, state in draw(everything(), 3, 40, "float"):
+        numbers = [*state.position, *state.V, *state.phi, *state.phi_dot, *state.tau, *(state.angles or ())]
+        assert all(float(np.float32(x)) == x for x in numbers)
+        assert max(map(abs, (*state.phi, *(state.angles or ()))), default=0.0) <= MAX_PHASE["float"] == SINGLE.max_phase
+
+
+def test_rank_is_decided_by_the_thresholds_of_float() -> None:
+    assert (FLOAT.cuts.rank, FLOAT.cuts.reached) == (THRESHOLDS["float"].rank, THRESHOLDS["float"].unreachable)
+    stand = load(path("bench8"))
+    judge = Judge(stand, FLOAT, Second(stand))
+    drawn = [state for _, state in draw(stand, 1, 30, "float")]
+    kept = [found for state in drawn if (found := judge.expected(state, "inverse")) is not None]
+    assert len(kept) >= len(drawn) / 4  # and not all of them hang on rounding
+
+
+def test_float_is_of_the_generated_c_alone() -> None:
+    assert "--real float: of the generated C" in refused("verify", DEMO3, "--real", "float", "--judges")
+
+
+def test_the_command() -> None:
+    result = run("verify", DEMO3, "--real", "float", "--states", "6")
+    assert result.exit_code == 0
+    assert "passed" in result.stdout
