@@ -31,11 +31,14 @@ def _member(f: Field, names: Names) -> str:
     return f"{names.type(f.type)} {f.name}{''.join(dimensions(names, f.shape))};"
 
 
-def prototype(function: Function, names: Names) -> str:
-    """Storage, return type, name and arguments, wrapped under the opening parenthesis."""
+def prototype(function: Function, names: Names, apart: frozenset[tuple[str, str]] = frozenset()) -> str:
+    """Storage, return type, name and arguments, wrapped under the opening parenthesis.
+
+    `apart`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
+    """
     returns = names.type(function.returns) if function.returns is not None else "void"
     head = f"{'' if function.public else 'static '}{returns} {names.function(function.name)}("
-    arguments = [_argument(a, names) for a in function.arguments] or ["void"]
+    arguments = [_argument(a, names, (function.name, a.name) in apart) for a in function.arguments] or ["void"]
     lines, line = [], head
     for number, argument in enumerate(arguments):
         text = argument + (")" if number == len(arguments) - 1 else ",")
@@ -47,10 +50,13 @@ def prototype(function: Function, names: Names) -> str:
     return "\n".join([*lines, line])
 
 
-def _argument(a: Argument, names: Names) -> str:
+def _argument(a: Argument, names: Names, apart: bool) -> str:
     const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
-    star = "*" if a.variable.pointer else ""
-    return f"{const}{names.type(a.type)} {star}{a.name}{''.join(dimensions(names, a.shape))}"
+    star = ("*restrict " if apart else "*") if a.variable.pointer else ""
+    sizes = "".join(dimensions(names, a.shape))
+    if apart and sizes:
+        sizes = f"[restrict {sizes.removeprefix('[')}"
+    return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
 
 
 def contract(function: Function, names: Names) -> list[str]:

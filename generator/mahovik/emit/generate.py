@@ -21,6 +21,7 @@ from mahovik.lower.layout import Layout
 from mahovik.lower.limits import limits
 from mahovik.lower.program import lower_layout
 from mahovik.lower.values import Values
+from mahovik.program.apart import apart
 from mahovik.program.expression import BitCast
 from mahovik.program.function import Function, Program
 from mahovik.program.types import DOUBLE, FLOAT, Struct
@@ -74,6 +75,7 @@ class _Printer:
         self._names = Names(program.name)
         self._expressions = Expressions(self._names, program.precision)
         self._statements = Statements(self._names, self._expressions)
+        self._apart = apart(program)
 
     def header(self) -> str:
         """The header: the manual of the generated code."""
@@ -160,7 +162,7 @@ class _Printer:
             comment = summary(f)
         return {
             "comment": comment,
-            "prototype": prototype(f, self._names),
+            "prototype": prototype(f, self._names, self._apart),
             "body": [*null_check(f, self._names), *self._statements.block(f.body, "    ")],
         }
 

@@ -21,8 +21,11 @@ from mahovik.program.types import Kind
 
 
 def passes(count: int) -> int:
-    """Passes for so many flywheels: each may be held and one in two freed again. Random stands need half of them."""
-    return 6 + 2 * min(count, 12)
+    """Passes for so many flywheels: each may be held once, some are freed again. Up to 64 flywheels; then no more.
+
+    Measured against SciPy (tests/lower/test_inverse.py): enough for all of hundreds of random demands within limits.
+    """
+    return 4 + max(2, min(count, 64))
 
 
 def solve_gram(lib: Library) -> Function:
@@ -68,7 +71,8 @@ def allocate(lib: Library) -> Function:
     w, p, y, held = work.place, options.place, phi_ddot.place, limited.place
     last = passes(int(layout.count)) - 1
     body = Body()
-    give = body.local("give", (layout.count,), comment="1/weight of the flywheels that are free, 0 of those held")
+    share = body.local("share", (layout.count,), comment="1/weight")
+    give = body.local("give", (layout.count,), comment="the share of flywheels that are free, 0 of those held")
     step = body.local("step", (layout.count,), comment="what the free flywheels shall give more")
     row = body.local("row", (6,), comment="factor of each row; 0: it does not count")
     gram = body.local("gram", (6, 6))
@@ -76,12 +80,14 @@ def allocate(lib: Library) -> Function:
     with body.loop("s", layout.count) as s:
         body.set(y[s], real(0))
         body.set(held[s], integer(0))
+        body.set(share[s], 1 / p.weight[s])
     with body.loop("pass", last + 1) as turn:
         most = body.local("most")
         body.set(most, real(0))
         with body.loop("s", layout.count) as s:
-            share = body.let("share", select(turn < last, 1 / p.weight[s], real(1)))
-            body.set(give[s], select(held[s] > 0, real(0), share))
+            with body.when(turn >= last):
+                body.set(share[s], real(1))
+            body.set(give[s], select(held[s] > 0, real(0), share[s]))
             body.set(most, select(give[s] > most, give[s], most))
         regular = body.let("regular", real(lib.thresholds.regular) * most)
         least = body.let("least", select(most > 0, regular, real(1)), "keeps the diagonal positive")
@@ -89,10 +95,14 @@ def allocate(lib: Library) -> Function:
         _left_over(lib, body, w, y, row, z)
         _gram(lib, body, w, row, give, gram, least)
         body.call(lib["solve_gram"], gram, z, least)
+        with body.loop("i", 6) as i:
+            body.set(z[i], row[i] * z[i])
         with body.loop("s", layout.count) as s:
-            body.set(step[s], real(0))
+            total = body.local("total")
+            body.set(total, real(0))
             with body.loop("i", 6) as i:
-                body.add(step[s], give[s] * (row[i] * w.W[i][s] * z[i]))
+                body.add(total, w.W[i][s] * z[i])
+            body.set(step[s], give[s] * total)
         with body.when(turn < 1):
             _clip(lib, body, w, p, y, held, step)
         with body.when(turn > 0):
@@ -193,11 +203,14 @@ def _left_over(lib: Library, body: Body, w: Place, y: Place, row: Place, z: Plac
 
 def _gram(lib: Library, body: Body, w: Place, row: Place, give: Place, gram: Place, least: Place) -> None:
     """B Omega^-1 B^T of the free flywheels, lower triangle."""
+    weighed = body.local("weighed", (lib.layout.count,), comment="a row of W Omega^-1")
     with body.loop("i", 6) as i:
+        with body.loop("s", lib.layout.count) as s:
+            body.set(weighed[s], w.W[i][s] * give[s])
         with body.loop("j", i + 1) as j:
             total = body.local("total")
             body.set(total, real(0))
             with body.loop("s", lib.layout.count) as s:
-                body.add(total, w.W[i][s] * give[s] * w.W[j][s])
+                body.add(total, weighed[s] * w.W[j][s])
             body.set(gram[i][j], row[i] * row[j] * total)
         body.add(gram[i][i], least)

@@ -95,3 +95,19 @@ def assign(body: Body, targets: Sequence[Place], values: sp.Matrix, binding: Bin
             body.add(target, translated)
         else:
             body.set(target, translated)
+
+
+def add_each(body: Body, sums: Mapping[Place, sp.Matrix], binding: Binding) -> None:
+    """sum[i] += values[i] for all i of vectors of one length, in a loop.
+
+    Raises ValueError where an element is not the first with another index.
+    """
+    for values in sums.values():
+        for k, value in enumerate(values):
+            first = value.subs({x: sp.Symbol(str(x).replace(f"[{k}]", "[0]")) for x in value.free_symbols})
+            if first != values[0]:
+                raise ValueError(f"{value} is not {values[0]} with another index")
+    with body.loop("i", len(next(iter(sums.values())))) as i:
+        each = {name: [x[i]] if isinstance(x, Place) and x.shape else x for name, x in binding.items()}
+        for target, values in sums.items():
+            body.add(target[i], translate(values[0], each))
