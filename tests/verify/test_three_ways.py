@@ -113,8 +113,8 @@ def test_refusals_of_one_or_two() -> None:
 
 
 def test_the_nearest_pair_is_taken_to_agree() -> None:
-    assert Three(3e-12, 2e-12, 1e-13).alone(1e-12, "C") == "C and second agree, reference differs"
-    assert Three(3e-12, 2e-12, 2e-12).alone(1e-12, "C") == "no two agree"
+    assert Three(3e-12, 2e-12, 1e-13).alone(1e-12, 1e-12, "C") == "C and second agree, reference differs"
+    assert Three(3e-12, 2e-12, 2e-12).alone(1e-12, 1e-12, "C") == "no two agree"
 
 
 def test_the_verdict_is_in_every_report() -> None:

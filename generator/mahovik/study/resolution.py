@@ -87,20 +87,19 @@ class Quantity:
 
 def acceleration_terms(at: reference.Pieces, state: State) -> Array:
     """Of V_dot (6): |K^-1| times every term of (8)."""
-    V, speed = np.abs(at.V_r), np.abs(at.phi_dot)
-    V_dot = forward(at, np.zeros(len(speed)))
+    V = np.abs(at.V_r)
+    V_dot = forward(at, np.zeros(len(at.phi_dot)))
     K = _mass_terms(at)
-    momentum = K @ V + np.abs(at.I) @ speed
-    turning = np.abs(at.J - Phi(at.V_r) @ at.I) @ speed
+    momentum = K @ V + _spun(at.I, at)
+    turning = _spun(at.J - Phi(at.V_r) @ at.I, at)
     right = _wrench_terms(at) + np.abs(Phi(at.V_r)) @ momentum + np.abs(at.K_dot) @ V + turning
     stream = np.abs(at.stream_rate())
     return np.asarray(inverse_magnitude(at.K) @ (right + K @ np.abs(at.V_r_dot(V_dot))) + stream)
 
 
 def momentum_terms(at: reference.Pieces, state: State) -> Array:
-    """Of Z (6); what a flywheel adds is turned into E1, so it counts by its lengths."""
-    spun = sum((_lengths(column * speed) for column, speed in zip(at.I.T, at.phi_dot, strict=True)), np.zeros(6))
-    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + spun)
+    """Of Z (6)."""
+    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + _spun(at.I, at))
 
 
 def mount_terms(at: reference.Pieces, state: State) -> Array:
@@ -115,6 +114,11 @@ def mount_terms(at: reference.Pieces, state: State) -> Array:
         whole = Theta @ V_dot + np.abs(Phi(carried + f * s.phi_dot)) @ (Theta @ V) + own
         found[row] = _lengths(whole)
     return found
+
+
+def _spun(columns: Array, at: reference.Pieces) -> Array:
+    """Of columns (6xN) times phi': what a flywheel adds is turned into E1, so it counts by its lengths."""
+    return np.asarray(sum((_lengths(c * speed) for c, speed in zip(columns.T, at.phi_dot, strict=True)), np.zeros(6)))
 
 
 def _lengths(screw: Array) -> Array:
