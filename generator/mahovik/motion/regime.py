@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 
@@ -65,7 +66,7 @@ class Regime:
 
     def wrench(self, t: float) -> dict[str, Vec6]:
         """Run-time wrenches by body at a time."""
-        return {body: table.at(t) for body, table in self.wrenches.items()}  # type: ignore[misc]  # six numbers
+        return {body: cast(Vec6, table.at(t)) for body, table in self.wrenches.items()}
 
     def breaks(self, until: float) -> list[float]:
         """Times inside (0, until) at which some law is not smooth, ascending."""

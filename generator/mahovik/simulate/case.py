@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
 from mahovik.motion.regime import Regime
-from mahovik.stand.model import Stand
+from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.state import State
 
 Array = NDArray[np.float64]
@@ -84,10 +85,10 @@ class Case:
         w, x, y, z = (float(c) / length for c in attitude)
         return replace(
             self.start,
-            position=tuple(float(c) for c in position),  # type: ignore[arg-type]
+            position=cast(Vec3, tuple(position.tolist())),
             angles=None,
             quaternion=(w, x, y, z),
-            V=tuple(float(c) for c in V),  # type: ignore[arg-type]
+            V=cast(Vec6, tuple(V.tolist())),
             phi=tuple(wrapped(phi).tolist()),
             phi_dot=tuple(phi_dot.tolist()),
             wrench=self.regime.wrench(t),

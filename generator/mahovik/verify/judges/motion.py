@@ -79,10 +79,12 @@ def end_of_motion(
     own = (y[:3], _matrix(q), y[7:13], y[13 : 13 + N], y[13 + N :])
     other = judge.pose_and_velocity(integrated(lambda y: judge.rates(y, tau), judge.own_coordinates(state)))
     sizes = _sizes(own)
+    return _parts(own, sizes), _parts(other, sizes)
+
+
+def _parts(values: tuple[Array, ...], sizes: tuple[Array, ...]) -> dict[str, Part]:
     names = ("position", "C", "V", "phi", "phi_dot")
-    return tuple(  # type: ignore[return-value]
-        {name: Part(value, size) for name, value, size in zip(names, side, sizes, strict=True)} for side in (own, other)
-    )
+    return {name: Part(value, size) for name, value, size in zip(names, values, sizes, strict=True)}
 
 
 def integrated(rates: Callable[[Array], Array], begin: Array) -> Array:
