@@ -141,6 +141,19 @@ def test_a_motion_that_leaves_its_ranges_keeps_its_rows() -> None:
     assert len(columns("a.csv")["t [s]"]) >= 1
 
 
+def test_parquet_holds_what_csv_does() -> None:
+    """To the last bit, names and order as well."""
+    from pyarrow import parquet
+
+    for name in ("run.csv", "run.parquet"):
+        result = run("simulate", BENCH8, "--until", "0.01", "--regime", regime(), "-o", name, "--mounts")
+        assert result.exit_code == 0, result.output
+    table = parquet.read_table("run.parquet").to_pydict()
+    assert list(table) == list(columns("run.csv"))
+    assert table == columns("run.csv")
+    assert len(set(table["tau w1 [N m]"])) > 5  # numbers with all their digits, not zeros
+
+
 def test_parquet_without_pyarrow_names_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
     def missing(name: str) -> object:
         if name.startswith("pyarrow"):
