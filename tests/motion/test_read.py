@@ -64,6 +64,13 @@ def test_phases_initial_speeds_and_defaults() -> None:
     assert not kept.by_torque
 
 
+def test_torque_beside_a_speed_that_varies_is_mixed() -> None:
+    head, ramp = HEAD + "[flywheel.left]\ntorque = 1\n[flywheel.right]\n", "ramp = { to = 5, duration = 1 }"
+    assert loads(head + ramp, SHAKER, 1.0).mixed
+    assert not loads(head + "speed = 3", SHAKER, 1.0).mixed
+    assert not loads(f"{HEAD}default = {{ {ramp} }}", SHAKER, 1.0).mixed
+
+
 def test_json_is_the_same_as_toml(tmp_path: Path) -> None:
     path = tmp_path / "r.json"
     path.write_text(
@@ -121,10 +128,6 @@ def test_tables(tmp_path: Path) -> None:
         (HEAD + REST + "[wrench]\ncarier = [0, 0, 0, 0, 0, 0]", 'unknown body "carier", did you mean "carrier"?'),
         (HEAD + REST + "[wrench]\ncarrier = [0, 0, 0]", "expected six numbers or the name of a CSV file"),
         (HEAD + REST + '[wrench]\ncarrier = [0, "1 N m", 0, 0, 0, 0]', 'wrench "carrier", Y: unit "N m" does not fit'),
-        (
-            HEAD + "[flywheel.left]\ntorque = 1\n[flywheel.right]\nramp = { to = 5, duration = 1 }",
-            'its speed is given and varies, but "left" is driven by torque',
-        ),
     ],
 )
 def test_bad_regimes(text: str, words: str) -> None:

@@ -67,8 +67,6 @@ def loads(
         problems.add("name", f"expected a string, found {show(name)}")
     flywheels = _flywheels(document, stand, problems, until, folder)
     wrenches = _wrenches(document, stand, problems, until, folder)
-    if not problems.lines:
-        _check_mixture(flywheels, problems)
     if problems.lines:
         raise RegimeError(problems.lines)
     return Regime(str(name), tuple(flywheels), wrenches)
@@ -180,17 +178,3 @@ def _wrenches(
         else:
             problems.add(where, f"expected six numbers or the name of a CSV file, found {show(given)}")
     return found
-
-
-def _check_mixture(flywheels: list[Driven], problems: Problems) -> None:
-    """Beside torques, a given speed must be constant."""
-    torques = [each.name for each in flywheels if each.by_torque]
-    if not torques:
-        return
-    for each in flywheels:
-        if not each.by_torque and not isinstance(each.law, Constant):
-            problems.add(
-                f"flywheel {show(each.name)}",
-                f"its speed is given and varies, but {show(torques[0])} is driven by torque: "
-                "beside torques only `speed` and `hold` are possible",
-            )

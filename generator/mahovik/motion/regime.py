@@ -39,13 +39,19 @@ class Regime:
 
     @cached_property
     def by_torque(self) -> bool:
-        """Is any flywheel driven by torque? Then the flywheels of given speed keep it constant."""
+        """Is any flywheel driven by torque?"""
         return any(each.by_torque for each in self.flywheels)
 
     @cached_property
-    def kept(self) -> tuple[bool, ...]:
-        """Flywheels whose speed is constant by law: phi'' = 0, as by a lock."""
-        return tuple(isinstance(each.law, Constant) for each in self.flywheels)
+    def given(self) -> tuple[bool, ...]:
+        """Flywheels whose speed is given."""
+        return tuple(not each.by_torque for each in self.flywheels)
+
+    @cached_property
+    def mixed(self) -> bool:
+        """Does a given speed vary beside flywheels that are driven by torque?"""
+        varying = any(not (each.by_torque or isinstance(each.law, Constant)) for each in self.flywheels)
+        return varying and self.by_torque
 
     def motion(self, t: Array) -> Motion:
         """phi from t = 0, phi', phi'' of all flywheels (times x N); of one driven by torque: zero."""
