@@ -18,6 +18,7 @@ import pytest
 from cli.run import BENCH8, DEMO3, process, refused, run
 from mahovik.simulate import output
 from mahovik.stands import path
+from mahovik.verify.files import write_all
 
 SPIN = 'schema = 1\ndefault = { speed = "600 rpm" }\n'
 
@@ -190,6 +191,41 @@ def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
     assert "stopped at t = " in said
     assert "what was computed is kept" in said
     assert len(columns("run.csv")["t [s]"]) > 1
+
+
+def test_ctrl_c_before_the_first_step_writes_nothing(own_folder: Path) -> None:
+    compiler = own_folder / "slow-cc"
+    compiler.write_text("#!/bin/sh\ntouch began\nexec sleep 60\n")
+    compiler.chmod(0o755)
+    command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
+    command += ["--until", "1", "-o", "run.csv"]
+    env = {**os.environ, "TMPDIR": str(own_folder), "CC": str(compiler)}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=own_folder, env=env) as program:
+        wait_until((own_folder / "began").exists)
+        program.send_signal(signal.SIGINT)
+        assert program.stderr is not None
+        said = program.stderr.read()
+        assert program.wait(30) == 130, said
+    assert said == "error: interrupted; no file is half written\n"
+    assert sorted(each.name for each in own_folder.iterdir()) == ["began", "slow-cc"]
+
+
+def test_ctrl_c_while_a_file_is_written_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    Path("a").write_text("old")
+    replace = os.replace
+    moved: list[Path] = []
+
+    def stop(source: Path, target: Path) -> None:
+        if target.name == "b" and not moved:
+            moved.append(target)
+            raise KeyboardInterrupt
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", stop)
+    with pytest.raises(KeyboardInterrupt):
+        write_all(Path(), {"a": "new", "b": "new"})
+    assert Path("a").read_text() == "old"
+    assert [each.name for each in Path().iterdir()] == ["a"]
 
 
 def test_no_compiler_is_one_line() -> None:

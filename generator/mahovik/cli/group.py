@@ -11,6 +11,9 @@ import click
 
 from mahovik.errors import MahovikError
 
+INTERRUPTED = 130
+"""Exit status after Ctrl-C: 128 and the number of the signal, as shells have it."""
+
 
 class Commands(click.Group):
     """A group whose commands end in `error: ...` lines and an exit status; no traceback for a user's mistake."""
@@ -22,6 +25,10 @@ class Commands(click.Group):
             for line in str(error).splitlines() or [type(error).__name__]:
                 click.echo(f"error: {line}", err=True)
             ctx.exit(error.exit_status)
+        except KeyboardInterrupt:
+            # a command that keeps what it has so far says so itself
+            click.echo("error: interrupted; no file is half written", err=True)
+            ctx.exit(INTERRUPTED)
         except BrokenPipeError:
             # the reader has left (`| head`): nothing more can be said, and nothing may be flushed at exit
             with contextlib.suppress(OSError, ValueError):

@@ -42,6 +42,9 @@ def write_all(folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str]
     except OSError as error:
         _restore(replaced)
         raise UsageError(f"{targets.get(name, folder)}: cannot be written: {error.strerror or error}") from None
+    except KeyboardInterrupt:
+        _restore(replaced)
+        raise
     finally:
         for draft in drafts.values():
             draft.unlink(missing_ok=True)
@@ -70,7 +73,7 @@ def _draft(folder: Path, name: str, content: bytes) -> Path:
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(path, 0o666 & ~mask)
-    except OSError:
+    except (OSError, KeyboardInterrupt):
         Path(path).unlink(missing_ok=True)
         raise
     return Path(path)
