@@ -46,7 +46,8 @@ def simulate(
 ) -> Run:
     """Runs a case. `progress` is told each time of output. Raises UsageError, ToolchainError.
 
-    A motion that leaves its ranges, and Ctrl-C, end the run early: `stopped` says why.
+    A motion that leaves its ranges, and Ctrl-C, end the run early: `stopped` says why. KeyboardInterrupt goes on
+    where there is nothing to keep.
     """
     motion = _motion(case, backend)
     names = tuple(columns.names(case.stand, mounts))
@@ -60,8 +61,9 @@ def simulate(
     except StateError as error:
         stopped = str(error)
     except KeyboardInterrupt:
-        reached = rows[-1][0] if rows else 0.0
-        stopped, interrupted = f"stopped at t = {reached:.6g} s of {case.until:g} s", True
+        if not rows:
+            raise
+        stopped, interrupted = f"stopped at t = {rows[-1][0]:.6g} s of {case.until:g} s", True
     data = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
     return Run(names, data, stopped, interrupted)
 
