@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 )
 @click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
 @click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
-@click.option("--judges", is_flag=True, help="Judge by Pinocchio and MuJoCo; for stands without fluid.")
+@click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, where it can, Basilisk; no fluid.")
 @real_option
 def verify(
     stand_file: str,

@@ -19,7 +19,7 @@ from mahovik.verify.compare import TOLERANCE, Row, difference
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import report
 from mahovik.verify.judges.motion import MOTION_TOLERANCE, UNTIL, end_of_motion, moderate
-from mahovik.verify.judges.rigid import OutsideJudge, Values, missing
+from mahovik.verify.judges.rigid import MovingJudge, OutsideJudge, Values, missing
 from mahovik.verify.report import Report
 from mahovik.verify.scales import scales
 from mahovik.verify.scales.magnitudes import Magnitudes
@@ -30,6 +30,9 @@ JUDGES = {
     "mujoco": ("mahovik.verify.judges.mujoco_judge", "MujocoJudge"),
 }
 """Module and class of every judge, imported only where it is asked."""
+
+PARTIAL = {"basilisk": ("mahovik.verify.judges.basilisk_judge", "BasiliskJudge", "pip install bsk")}
+"""Judges that know some stands only: without them, or for another stand, a row says that nothing is compared."""
 
 INSTALL = "pip install pin mujoco"
 
@@ -50,10 +53,14 @@ QUANTITIES = {
 }
 """What is compared, in words."""
 
+ALL = (*JUDGES, *PARTIAL)
+
+Judge = OutsideJudge | MovingJudge
+
 MOTION = f"free motion of {UNTIL:g} s"
 
 
-def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[OutsideJudge]:
+def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judge]:
     """The judges with the model of the stand. UsageError: not installed, or the stand has what they have not."""
     found = missing(stand)
     if found:
@@ -63,19 +70,35 @@ def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Outs
         )
     if not any(body.mass > 0.0 for body in stand.bodies):
         raise UsageError("--judges: no body of the stand has a mass")
-    judges = []
-    for name in names:
-        module, kind = JUDGES[name]
-        try:
-            judges.append(getattr(importlib.import_module(module), kind)(stand))
-        except ImportError as error:
-            raise UsageError(f"--judges: {name} is not installed ({error.name}): {INSTALL}") from None
-    return judges
+    return [_load(stand, name) for name in names]
 
 
-def verify_judges(stand: Stand, *, seed: int = 1, count: int = 200, names: Sequence[str] = tuple(JUDGES)) -> Report:
+def _load(stand: Stand, name: str) -> Judge:
+    module, kind, *install = JUDGES.get(name) or PARTIAL[name]
+    try:
+        return cast(Judge, getattr(importlib.import_module(module), kind)(stand))
+    except ImportError as error:
+        command = install[0] if install else INSTALL
+        raise UsageError(f"--judges: {name} is not installed ({error.name or error}): {command}") from None
+
+
+def verify_judges(stand: Stand, *, seed: int = 1, count: int = 200, names: Sequence[str] = ALL) -> Report:
     """Rows of every judge and quantity: generated C against the judge, relative to the natural scale."""
-    judges = load_judges(stand, names)
+    judges = load_judges(stand, [name for name in names if name in JUDGES])
+    absent = []
+    for name in names:
+        if name in PARTIAL:
+            try:
+                judges.append(_load(stand, name))
+            except UsageError as error:
+                reason = str(error).removeprefix("--judges: ")
+                absent.append(Row(name, "all quantities", verdict="not compared", reason=reason))
+    found = verify_by(stand, judges, seed=seed, count=count)
+    return replace(found, rows=(*found.rows, *absent))
+
+
+def verify_by(stand: Stand, judges: Sequence[Judge], *, seed: int = 1, count: int = 200) -> Report:
+    """The same by judges that have the stand already."""
     backend = CBackend(stand)
     rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
     for name, drawn in draw(stand, seed, count):
@@ -83,11 +106,10 @@ def verify_judges(stand: Stand, *, seed: int = 1, count: int = 200, names: Seque
         own, natural = ours(backend, state), natural_scales(stand, state)
         request = Request(name, state, ("matrices", "forward", "torque", "mounts", "points"))
         for judge in judges:
-            given = judge.evaluate(state)
-            for key in QUANTITIES:
-                if _empty(given[key]):
+            for key, value in judge.evaluate(state).items():
+                if _empty(value):
                     continue  # no flywheels, no points: nothing to agree on
-                off, reason = difference(own[key], given[key], natural[key])
+                off, reason = difference(own[key], value, natural[key])
                 rows[judge.name, key].note(off, request, reason)
     moved = [_motion_row(stand, backend, judge, seed) for judge in judges]
     noted = [row for row in (*rows.values(), *moved) if row.states]
@@ -145,7 +167,7 @@ def _empty(value: Any) -> bool:
     return not value if isinstance(value, dict) else np.size(value) == 0
 
 
-def _motion_row(stand: Stand, backend: CBackend, judge: OutsideJudge, seed: int) -> Row:
+def _motion_row(stand: Stand, backend: CBackend, judge: Judge, seed: int) -> Row:
     """Where the stand is in the end, by the C and by the judge, each integrated by itself."""
     state = moderate(stand, seed)
     row = Row(judge.name, MOTION, tolerance=MOTION_TOLERANCE)

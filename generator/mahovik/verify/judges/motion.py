@@ -14,7 +14,7 @@ from mahovik import reference
 from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.random_state import random_state
 from mahovik.stand.state import Quaternion, State
-from mahovik.verify.judges.rigid import Array, OutsideJudge, attitude, quaternion_rate
+from mahovik.verify.judges.rigid import Array, MovingJudge, OutsideJudge, attitude, quaternion_rate
 
 UNTIL = 2.0
 """s."""
@@ -51,7 +51,10 @@ def moderate(stand: Stand, seed: int) -> State:
 
 
 def end_of_motion(
-    stand: Stand, state: State, coupled: Callable[[State], tuple[Vec6, tuple[float, ...]]], judge: OutsideJudge
+    stand: Stand,
+    state: State,
+    coupled: Callable[[State], tuple[Vec6, tuple[float, ...]]],
+    judge: OutsideJudge | MovingJudge,
 ) -> tuple[dict[str, Part], dict[str, Part]]:
     """The state after UNTIL by `coupled`, which gives V* and phi'' of a state, and by the judge."""
     tau = np.array(state.tau)
@@ -77,7 +80,10 @@ def end_of_motion(
     y = integrated(rates, begin)
     q = y[3:7] / np.linalg.norm(y[3:7])
     own = (y[:3], _matrix(q), y[7:13], y[13 : 13 + N], y[13 + N :])
-    other = judge.pose_and_velocity(integrated(lambda y: judge.rates(y, tau), judge.own_coordinates(state)))
+    if isinstance(judge, MovingJudge):
+        other = judge.moved(state, UNTIL)
+    else:
+        other = judge.pose_and_velocity(integrated(lambda y: judge.rates(y, tau), judge.own_coordinates(state)))
     sizes = _sizes(own)
     return _parts(own, sizes), _parts(other, sizes)
 
