@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 
 from mahovik.motion.laws import Array, Constant, Law, Motion, RunUp, Torque, TorqueTable, WrenchTable
-from mahovik.motion.motor import drive
+from mahovik.motion.motor import drive, steepness
 from mahovik.stand.model import Motor, Vec6
 
 
@@ -68,6 +68,15 @@ class Regime:
             if isinstance(each.law, Torque | RunUp | TorqueTable):
                 speed = float(speeds[s])
                 found[s] = drive(motors[s], each.law.command(t, speed), speed)
+        return found
+
+    def steepness(self, low: Array, high: Array, motors: tuple[Motor | None, ...]) -> Array:
+        """Largest change of each drive torque by its speed, between two speeds (rad/s), N m s; zero of given speeds."""
+        found = np.zeros(len(self.flywheels))
+        for s, each in enumerate(self.flywheels):
+            if isinstance(each.law, Torque | RunUp | TorqueTable):
+                ends = float(low[s]), float(high[s])
+                found[s] = steepness(motors[s], each.law.steepness(*ends), *ends)
         return found
 
     def wrench(self, t: float) -> dict[str, Vec6]:
