@@ -17,6 +17,7 @@ from mahovik.stand.state import State
 
 Array = NDArray[np.float64]
 LARGE = 1e6  # rad; phases beyond are wrapped before they go into a state, whose range ends at 1e7
+MAX_STEP = 10.0  # s; longer ones the C refuses
 _TURN = 2 * math.pi
 
 
@@ -40,6 +41,8 @@ class Case:
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
                 raise UsageError(f"--{name} {value:g}: expected a time above 0, in s")
+        if self.dt > MAX_STEP:
+            raise UsageError(f"--dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
         if self.order not in (2, 4):
             raise UsageError(f"--order {self.order}: expected 4 or 2")
         if self.until / self.every > 1e7:
