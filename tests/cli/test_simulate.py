@@ -10,15 +10,17 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
+from mahovik.errors import StateError
 from mahovik.simulate import output
+from mahovik.simulate.moment import Moment
 from mahovik.stands import path
-from mahovik.verify.files import write_all
+from mahovik.verify.files import probe, write_all
 
 SPIN = 'schema = 1\ndefault = { speed = "600 rpm" }\n'
 
@@ -95,6 +97,8 @@ def test_motors_that_fall_short_are_told() -> None:
         (("--until", "0", "-o", "a.csv"), "--until 0: expected a time above 0"),
         (("--until", "nan", "-o", "a.csv"), "--until nan"),
         (("--until", "1", "--dt", "0", "-o", "a.csv"), "--dt 0: expected a time above 0"),
+        (("--until", "100", "--dt", "20", "-o", "a.csv"), "--dt 20: expected at most 10 s"),
+        (("--until", "1", "-o", "/proc/a.csv"), "/proc/a.csv: cannot be written"),
         (("--until", "1", "--every", "-1", "-o", "a.csv"), "--every -1"),
         (("--until", "1", "-o", "a.xls"), "expected a name that ends in .csv or .parquet"),
         (("--until", "1"), "Missing option '-o'"),
@@ -119,6 +123,69 @@ def test_regime_and_start_errors_are_lines() -> None:
     assert "s.json: V: expected 6 numbers" in refused(
         "simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv"
     )
+
+
+@pytest.mark.parametrize("key", ["wrench", "tau", "V_dot", "phi_ddot", "want"])
+def test_what_a_start_does_not_take_is_refused_by_name(key: str) -> None:
+    for text in ({key: [0.0] * 6}, {"state": {"V": [0.0] * 6, key: {}}}):
+        Path("s.json").write_text(json.dumps(text))
+        (line,) = refused("simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv").splitlines()
+        assert f'"{key}" is not part of a start, expected some of id, position, angles, quaternion, V, phi' in line
+
+
+@pytest.mark.parametrize("text", ['{"V": [0,0,0,0,0,0], "V": [1,0,0,0,0,0]}', '{"state": {"phi": [0], "phi": [1]}}'])
+def test_a_start_with_a_key_twice_is_refused(text: str) -> None:
+    Path("s.json").write_text(text)
+    assert "is there twice" in refused("simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv")
+
+
+@pytest.mark.parametrize(
+    "law", ["speed = 1e300", "speed = 2e5", "hold = true}\nwrench = {carrier=[0, 0, 1e12, 0, 0, 0]"]
+)
+def test_a_regime_out_of_range_leaves_what_is_there(law: str) -> None:
+    Path("a.csv").write_text("mine")
+    bad = regime(f"schema = 1\ndefault = {{ {law} }}\n")
+    (line,) = refused("simulate", DEMO3, "--until", "1", "--regime", bad, "-o", "a.csv").splitlines()
+    assert "is out of range, at most" in line
+    assert Path("a.csv").read_text() == "mine"
+
+
+def test_a_run_without_a_row_leaves_what_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    def nothing(self: object, mounts: bool) -> Iterator[Moment]:
+        raise StateError("at t = 0 s a step ends with RANGE")
+        yield
+
+    monkeypatch.setattr("mahovik.simulate.by_scipy.SciPyMotion.moments", nothing)
+    Path("a.csv").write_text("mine")
+    said = refused("simulate", DEMO3, "--until", "1", "--backend", "scipy", "-o", "a.csv")
+    assert said == "error: at t = 0 s a step ends with RANGE\n"
+    assert Path("a.csv").read_text() == "mine"
+
+
+def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*given: object) -> None:
+        pytest.fail("computed")
+
+    monkeypatch.setattr("mahovik.study.rest.rest", never)
+    Path("file").write_text("")
+    assert "a part of the path is a file" in refused("simulate", DEMO3, "--until", "1", "-o", "file/x/a.csv")
+    assert "/proc/a.csv: cannot be written" in refused("simulate", DEMO3, "--until", "1", "-o", "/proc/a.csv")
+    probe(Path("new/folder/a.csv"))
+    assert sorted(each.name for each in Path().iterdir()) == ["file"]
+
+
+@pytest.mark.parametrize("moment", ["import", "options"])
+def test_ctrl_c_before_the_command_begins(moment: str, own_folder: Path) -> None:
+    """While modules are imported, and while click reads its options."""
+    stop = "def stop(*given, **more): raise KeyboardInterrupt\n"
+    where = {
+        "import": "import builtins; real = builtins.__import__\n"
+        "builtins.__import__ = lambda name, *a, **k: stop() if name == 'click' else real(name, *a, **k)\n",
+        "options": "import click; click.Group.make_context = stop\n",
+    }[moment]
+    command = [sys.executable, "-c", f"{stop}{where}from mahovik.__main__ import run\nrun()", "rest", DEMO3]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=own_folder, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "error: interrupted; no file is half written\n")
 
 
 def test_no_equilibrium_asks_for_a_start() -> None:

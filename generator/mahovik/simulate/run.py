@@ -44,10 +44,10 @@ class Run:
 def simulate(
     case: Case, backend: str = "c", mounts: bool = False, progress: Callable[[float], None] | None = None
 ) -> Run:
-    """Runs a case. `progress` is told each time of output. Raises UsageError, ToolchainError.
+    """Runs a case. `progress` is told each time of output. Raises UsageError, ToolchainError, StateError.
 
-    A motion that leaves its ranges, and Ctrl-C, end the run early: `stopped` says why. KeyboardInterrupt goes on
-    where there is nothing to keep.
+    A motion that leaves its ranges, and Ctrl-C, end the run early: `stopped` says why. Where there is nothing to
+    keep, StateError and KeyboardInterrupt go on.
     """
     motion = _motion(case, backend)
     names = tuple(columns.names(case.stand, mounts))
@@ -59,6 +59,8 @@ def simulate(
             if progress is not None:
                 progress(moment.t)
     except StateError as error:
+        if not rows:
+            raise
         stopped = str(error)
     except KeyboardInterrupt:
         if not rows:
