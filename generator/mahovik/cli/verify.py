@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 )
 @click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
 @click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
-@click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, where it can, Basilisk; no fluid.")
+@click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, where it can, Basilisk.")
+@click.option("--bare", is_flag=True, help="With --judges: the stand without fluid, stream, suspension, legs.")
 @real_option
 def verify(
     stand_file: str,
@@ -44,6 +45,7 @@ def verify(
     want: str | None,
     timeout: float,
     judges: bool,
+    bare: bool,
     real: str,
 ) -> None:
     """Judge C or any program by the reference.
@@ -58,6 +60,8 @@ def verify(
         raise UsageError("--with, --against: one of them")
     if judges and (command is not None or against is not None):
         raise UsageError("--judges judges a fresh copy: not with --with, --against")
+    if bare and not judges:
+        raise UsageError("--bare goes with --judges")
     if want is not None and command is None:
         raise UsageError("--want goes with --with")
     wants = read_wants(want)
@@ -65,7 +69,7 @@ def verify(
     if judges:
         from mahovik.verify.judges.compare import verify_judges
 
-        found = verify_judges(stand, seed=seed, count=states)
+        found = verify_judges(stand, seed=seed, count=states, bare=bare)
     elif command is not None:
         from mahovik.verify.foreign import verify_program
 
@@ -151,6 +155,8 @@ def _print(found: Report) -> None:
     third = any(row.second is not None for row in found.rows)
     head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
     out.print(Text(head))
+    if found.left_out:
+        out.print(Text(f"the stand without: {', '.join(found.left_out)}", "yellow"))
     pairs = ("second>", "between>") if third else ()
     by = "judge" if any(row.tolerance for row in found.rows) else "want"
     rows = table("quantity", by, "states>", "worst>", *pairs, "at state", "verdict")
