@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
-.PHONY: help demo test setup generated verify-campaign lint clean
+.PHONY: help demo test setup generated verify-campaign verify-time lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -13,6 +13,7 @@ help:
 	@echo "make setup      virtual environment with everything in .venv (run .venv/bin/mahovik)"
 	@echo "make generated  write generated/ anew from the example stands"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
+	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -40,6 +41,9 @@ generated: setup
 
 verify-campaign: setup
 	$(BIN)/python tools/verify_campaign.py --stands 50
+
+verify-time: setup
+	$(BIN)/python tools/verify_time.py
 
 lint: setup
 	$(BIN)/ruff check generator tests tools
