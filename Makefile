@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
-.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign math-campaign flight control-loop lint clean
+.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -21,6 +21,7 @@ help:
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
+	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -76,6 +77,9 @@ flight: setup
 
 control-loop: setup
 	$(BIN)/python tools/control_loop.py
+
+verify-time: setup
+	$(BIN)/python tools/verify_time.py
 
 lint: setup
 	$(BIN)/ruff check generator tests tools

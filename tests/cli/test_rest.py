@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+import re
 from pathlib import Path
 
 import pytest
@@ -15,8 +17,23 @@ def test_a_table_for_people() -> None:
     result = run("rest", AUV6)
     assert result.exit_code == 0
     assert "auv6 rests, turned by 8.9" in result.stdout
-    assert "free to move" in result.stdout
-    assert "free to move" not in run("rest", BENCH8).stdout
+    assert "free to" in result.stdout
+    assert "free to" not in run("rest", BENCH8).stdout
+
+
+@pytest.mark.parametrize("name", ["auv6", "bench8", "shaker2"])
+def test_no_negative_zero_is_printed(name: str) -> None:
+    stdout = run("rest", str(path(name))).stdout
+    assert not re.search(r"-0(\.0*)?(?![.\d])", stdout), stdout
+    assert "-0.0" not in re.findall(r"-?[\d.e-]+", run("rest", str(path(name)), "--json").stdout)
+
+
+def test_free_directions_have_unit_axes_and_say_what_they_are() -> None:
+    rows = [line.split() for line in run("rest", AUV6).stdout.splitlines() if line.startswith((" shift", " turn"))]
+    assert [row[0] for row in rows] == ["shift"] * 3 + ["turn"]
+    assert math.hypot(*map(float, rows[3][-3:])) == pytest.approx(1.0, abs=1e-5)
+    free = json.loads(run("rest", AUV6, "--json").stdout)["free"]
+    assert math.hypot(*free[3][3:]) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_json_can_be_evaluated() -> None:

@@ -10,14 +10,17 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
+from mahovik.errors import StateError
 from mahovik.simulate import output
+from mahovik.simulate.moment import Moment
 from mahovik.stands import path
+from mahovik.verify.files import probe, write_all
 
 SPIN = 'schema = 1\ndefault = { speed = "600 rpm" }\n'
 
@@ -94,6 +97,8 @@ def test_motors_that_fall_short_are_told() -> None:
         (("--until", "0", "-o", "a.csv"), "--until 0: expected a time above 0"),
         (("--until", "nan", "-o", "a.csv"), "--until nan"),
         (("--until", "1", "--dt", "0", "-o", "a.csv"), "--dt 0: expected a time above 0"),
+        (("--until", "100", "--dt", "20", "-o", "a.csv"), "--dt 20: expected at most 10 s"),
+        (("--until", "1", "-o", "/proc/a.csv"), "/proc/a.csv: cannot be written"),
         (("--until", "1", "--every", "-1", "-o", "a.csv"), "--every -1"),
         (("--until", "1", "-o", "a.xls"), "expected a name that ends in .csv or .parquet"),
         (("--until", "1"), "Missing option '-o'"),
@@ -120,6 +125,69 @@ def test_regime_and_start_errors_are_lines() -> None:
     )
 
 
+@pytest.mark.parametrize("key", ["wrench", "tau", "V_dot", "phi_ddot", "want"])
+def test_what_a_start_does_not_take_is_refused_by_name(key: str) -> None:
+    for text in ({key: [0.0] * 6}, {"state": {"V": [0.0] * 6, key: {}}}):
+        Path("s.json").write_text(json.dumps(text))
+        (line,) = refused("simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv").splitlines()
+        assert f'"{key}" is not part of a start, expected some of id, position, angles, quaternion, V, phi' in line
+
+
+@pytest.mark.parametrize("text", ['{"V": [0,0,0,0,0,0], "V": [1,0,0,0,0,0]}', '{"state": {"phi": [0], "phi": [1]}}'])
+def test_a_start_with_a_key_twice_is_refused(text: str) -> None:
+    Path("s.json").write_text(text)
+    assert "is there twice" in refused("simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv")
+
+
+@pytest.mark.parametrize(
+    "law", ["speed = 1e300", "speed = 2e5", "hold = true}\nwrench = {carrier=[0, 0, 1e12, 0, 0, 0]"]
+)
+def test_a_regime_out_of_range_leaves_what_is_there(law: str) -> None:
+    Path("a.csv").write_text("mine")
+    bad = regime(f"schema = 1\ndefault = {{ {law} }}\n")
+    (line,) = refused("simulate", DEMO3, "--until", "1", "--regime", bad, "-o", "a.csv").splitlines()
+    assert "is out of range, at most" in line
+    assert Path("a.csv").read_text() == "mine"
+
+
+def test_a_run_without_a_row_leaves_what_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    def nothing(self: object, mounts: bool) -> Iterator[Moment]:
+        raise StateError("at t = 0 s a step ends with RANGE")
+        yield
+
+    monkeypatch.setattr("mahovik.simulate.by_scipy.SciPyMotion.moments", nothing)
+    Path("a.csv").write_text("mine")
+    said = refused("simulate", DEMO3, "--until", "1", "--backend", "scipy", "-o", "a.csv")
+    assert said == "error: at t = 0 s a step ends with RANGE\n"
+    assert Path("a.csv").read_text() == "mine"
+
+
+def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*given: object) -> None:
+        pytest.fail("computed")
+
+    monkeypatch.setattr("mahovik.study.rest.rest", never)
+    Path("file").write_text("")
+    assert "a part of the path is a file" in refused("simulate", DEMO3, "--until", "1", "-o", "file/x/a.csv")
+    assert "/proc/a.csv: cannot be written" in refused("simulate", DEMO3, "--until", "1", "-o", "/proc/a.csv")
+    probe(Path("new/folder/a.csv"))
+    assert sorted(each.name for each in Path().iterdir()) == ["file"]
+
+
+@pytest.mark.parametrize("moment", ["import", "options"])
+def test_ctrl_c_before_the_command_begins(moment: str, own_folder: Path) -> None:
+    """While modules are imported, and while click reads its options."""
+    stop = "def stop(*given, **more): raise KeyboardInterrupt\n"
+    where = {
+        "import": "import builtins; real = builtins.__import__\n"
+        "builtins.__import__ = lambda name, *a, **k: stop() if name == 'click' else real(name, *a, **k)\n",
+        "options": "import click; click.Group.make_context = stop\n",
+    }[moment]
+    command = [sys.executable, "-c", f"{stop}{where}from mahovik.__main__ import run\nrun()", "rest", DEMO3]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=own_folder, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "error: interrupted; no file is half written\n")
+
+
 def test_no_equilibrium_asks_for_a_start() -> None:
     said = refused("simulate", str(path("remus6")), "--until", "1", "-o", "a.csv", status=1)
     assert "nothing carries a force" in said
@@ -139,6 +207,19 @@ def test_a_motion_that_leaves_its_ranges_keeps_its_rows() -> None:
     assert "RANGE" in result.stderr
     assert "what was computed is kept" in result.stderr
     assert len(columns("a.csv")["t [s]"]) >= 1
+
+
+def test_parquet_holds_what_csv_does() -> None:
+    """To the last bit, names and order as well."""
+    from pyarrow import parquet
+
+    for name in ("run.csv", "run.parquet"):
+        result = run("simulate", BENCH8, "--until", "0.01", "--regime", regime(), "-o", name, "--mounts")
+        assert result.exit_code == 0, result.output
+    table = parquet.read_table("run.parquet").to_pydict()
+    assert list(table) == list(columns("run.csv"))
+    assert table == columns("run.csv")
+    assert len(set(table["tau w1 [N m]"])) > 5  # numbers with all their digits, not zeros
 
 
 def test_parquet_without_pyarrow_names_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -177,6 +258,41 @@ def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
     assert "stopped at t = " in said
     assert "what was computed is kept" in said
     assert len(columns("run.csv")["t [s]"]) > 1
+
+
+def test_ctrl_c_before_the_first_step_writes_nothing(own_folder: Path) -> None:
+    compiler = own_folder / "slow-cc"
+    compiler.write_text("#!/bin/sh\ntouch began\nexec sleep 60\n")
+    compiler.chmod(0o755)
+    command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
+    command += ["--until", "1", "-o", "run.csv"]
+    env = {**os.environ, "TMPDIR": str(own_folder), "CC": str(compiler)}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=own_folder, env=env) as program:
+        wait_until((own_folder / "began").exists)
+        program.send_signal(signal.SIGINT)
+        assert program.stderr is not None
+        said = program.stderr.read()
+        assert program.wait(30) == 130, said
+    assert said == "error: interrupted; no file is half written\n"
+    assert sorted(each.name for each in own_folder.iterdir()) == ["began", "slow-cc"]
+
+
+def test_ctrl_c_while_a_file_is_written_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    Path("a").write_text("old")
+    replace = os.replace
+    moved: list[Path] = []
+
+    def stop(source: Path, target: Path) -> None:
+        if target.name == "b" and not moved:
+            moved.append(target)
+            raise KeyboardInterrupt
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", stop)
+    with pytest.raises(KeyboardInterrupt):
+        write_all(Path(), {"a": "new", "b": "new"})
+    assert Path("a").read_text() == "old"
+    assert [each.name for each in Path().iterdir()] == ["a"]
 
 
 def test_no_compiler_is_one_line() -> None:

@@ -110,6 +110,38 @@ def test_the_generated_c_as_a_program_says_what_it_does_not_offer() -> None:
     assert "forward" not in missing
 
 
+def test_generalized_may_be_offered_without_i0_and_j0() -> None:
+    """As the second derivation does."""
+    casadi = run("verify", DEMO3, "--states", "4", "--with", f"{EVAL} --backend casadi", "--json")
+    assert casadi.exit_code == 0
+    verdicts = {row["quantity"]: row["verdict"] for row in json.loads(casadi.stdout)["rows"]}
+    assert {name for name in ("A", "D", "q_dot", "q_ddot", "I0", "J0") if verdicts[name] == "not offered"} == {
+        "I0",
+        "J0",
+    }
+
+
+DROPPING = """
+import json, subprocess, sys
+command = [sys.executable, "-c", "from mahovik.cli import main; main()", "eval", sys.argv[1], "--backend", "numpy"]
+for number, line in enumerate(subprocess.run(command, stdin=sys.stdin, capture_output=True).stdout.splitlines()):
+    result = json.loads(line)
+    if DROP:
+        result.pop(NAME, None)
+    print(json.dumps(result))
+"""
+
+
+@pytest.mark.parametrize(("name", "drop"), [("I0", "number > 0"), ("D", "True"), ("q_ddot", "True")])
+def test_what_is_left_out_now_and_then_or_not_allowed_to_be_is_missing(name: str, drop: str) -> None:
+    text = DROPPING.replace("DROP", drop).replace("NAME", repr(name))
+    command = f"{program(text)} {{stand}}"
+    result = run("verify", DEMO3, "--states", "6", "--with", command, "--want", "generalized", "--json")
+    assert result.exit_code == 1
+    failed = {row["quantity"]: row["reason"] for row in json.loads(result.stdout)["rows"] if row["verdict"] == "FAILED"}
+    assert failed == {name: "missing"}
+
+
 def test_a_want_that_is_demanded_must_be_offered() -> None:
     answer = (
         'import sys\nfor l in sys.stdin: import json; print(json.dumps({"id": json.loads(l)["id"], "error": "no"}))'
@@ -157,4 +189,5 @@ def test_results_without_their_quantities_fail() -> None:
     )
     assert result.exit_code == 1
     rows = json.loads(result.stdout)["rows"]
-    assert {row["reason"] for row in rows} == {"missing"}
+    assert {row["reason"] for row in rows if row["verdict"] == "FAILED"} == {"missing"}
+    assert {row["quantity"] for row in rows if row["verdict"] != "FAILED"} == {"I0", "J0"}

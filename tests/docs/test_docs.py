@@ -239,7 +239,7 @@ def _reads(quantity: str, kind: object) -> bool:
     from mahovik.stand import units
 
     try:
-        units.number(quantity, kind)  # type: ignore[arg-type]
+        units.number(quantity, kind)
     except units.QuantityError:
         return False
     return True

@@ -11,8 +11,11 @@ import pytest
 
 from mahovik import stands
 from mahovik.errors import RegimeError
-from mahovik.motion import load, loads, steady
+from mahovik.lower.limits import limits
+from mahovik.motion import load, loads, ranges, steady
 from mahovik.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
+from mahovik.program.types import DOUBLE
+from mahovik.simulate.case import MAX_STEP
 from mahovik.stand import load as load_stand
 
 SHAKER = load_stand(stands.path("shaker2"))
@@ -62,6 +65,13 @@ def test_phases_initial_speeds_and_defaults() -> None:
     kept = steady(SHAKER, [1.0, 2.0])
     assert [each.law for each in kept.flywheels] == [Constant(1.0), Constant(2.0)]
     assert not kept.by_torque
+
+
+def test_torque_beside_a_speed_that_varies_is_mixed() -> None:
+    head, ramp = HEAD + "[flywheel.left]\ntorque = 1\n[flywheel.right]\n", "ramp = { to = 5, duration = 1 }"
+    assert loads(head + ramp, SHAKER, 1.0).mixed
+    assert not loads(head + "speed = 3", SHAKER, 1.0).mixed
+    assert not loads(f"{HEAD}default = {{ {ramp} }}", SHAKER, 1.0).mixed
 
 
 def test_json_is_the_same_as_toml(tmp_path: Path) -> None:
@@ -115,16 +125,29 @@ def test_tables(tmp_path: Path) -> None:
         (left('sweep = { from = "1 m", to = 5, duration = 1 }'), 'sweep, from: unit "m" does not fit'),
         (left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 is not above 0"),
         (left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 is negative"),
+        (left("speed = 1e300"), 'left", speed: a speed of 1e+300 rad/s is out of range, at most 100000 in magnitude'),
+        (left("speed = -2e5"), "a speed of 200000 rad/s is out of range"),
+        (left("ramp = { to = 2e5, duration = 1 }"), "ramp: a speed of 200000 rad/s"),
+        (left("ramp = { to = 9e4, duration = 1e-5 }"), "ramp: an acceleration of 9e+09 rad/s2 is out of range"),
+        (left("ramp = { from = -9e4, to = 9e4, duration = 1e-320 }"), "ramp: an acceleration of inf rad/s2"),
+        (left('sweep = { from = 1, to = 9e4, duration = 1e-4, scale = "log" }'), "sweep: an acceleration of 1.02"),
+        (left("harmonic = { mean = 6e4, amplitude = 6e4, frequency = 1 }"), "harmonic: a speed of 120000 rad/s"),
+        (left("harmonic = { amplitude = 6e4, frequency = 1e5 }"), "harmonic: an acceleration of 3.7"),
+        (left("torque = 2e9"), "torque: a torque of 2e+09 N m is out of range"),
+        (left("run_up = { torque = 1, to = 2e5 }"), "run_up: a speed of 200000 rad/s"),
+        (left("run_up = { torque = 1e10, to = 2 }"), "run_up: a torque of 1e+10 N m"),
+        (left("speed = 1\nphase = 2e7"), 'flywheel "left", phase: an angle of 20000000 rad is out of range'),
+        (left("torque = 1\ninitial_speed = 2e5"), "initial_speed: an angular speed of 200000 rad/s is out of range"),
+        (
+            HEAD + REST + "[wrench]\ncarrier = [0, 0, 1e12, 0, 0, 0]",
+            'wrench "carrier", Z: a force of 1e+12 N is out of',
+        ),
         (left("speed = 1\ninitial_speed = 2"), "initial_speed: goes with a law of torque"),
         (left("table = 3"), "expected the name of a CSV file"),
         (HEAD + "flywheel = 3\n" + REST, "flywheel: expected a table of flywheels"),
         (HEAD + REST + "[wrench]\ncarier = [0, 0, 0, 0, 0, 0]", 'unknown body "carier", did you mean "carrier"?'),
         (HEAD + REST + "[wrench]\ncarrier = [0, 0, 0]", "expected six numbers or the name of a CSV file"),
         (HEAD + REST + '[wrench]\ncarrier = [0, "1 N m", 0, 0, 0, 0]', 'wrench "carrier", Y: unit "N m" does not fit'),
-        (
-            HEAD + "[flywheel.left]\ntorque = 1\n[flywheel.right]\nramp = { to = 5, duration = 1 }",
-            'its speed is given and varies, but "left" is driven by torque',
-        ),
     ],
 )
 def test_bad_regimes(text: str, words: str) -> None:
@@ -154,6 +177,52 @@ def test_bad_tables(content: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text(content)
     (line,) = problems(left('table = "a.csv"'), tmp_path)
     assert words in line
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("t,phi_dot\n0,1\n1,2e5\n", "a speed of 200000 rad/s is out of range"),
+        ("t,phi_dot\n0,0\n0.4,9.99e4\n0.6,9.99e4\n1,0\n", "a speed of 10"),  # between its points
+        ("t,phi_dot\n0,0\n1e-5,9e4\n1,9e4\n", "out of range"),
+        ("t,torque\n0,0\n1,-2e9\n", "a torque of 2e+09 N m is out of range"),
+    ],
+)
+def test_tables_out_of_range(content: str, words: str, tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text(content)
+    (line,) = problems(left('table = "a.csv"'), tmp_path)
+    assert words in line
+
+
+def test_a_table_of_wrenches_out_of_range(tmp_path: Path) -> None:
+    (tmp_path / "w.csv").write_text("t,Z\n0,0\n2,-3e9\n")
+    (line,) = problems(HEAD + REST + '[wrench]\nleft = "w.csv"', tmp_path)
+    assert 'wrench "left", Z: a force of -3e+09 N is out of range' in line
+
+
+def test_the_ranges_are_those_of_the_c() -> None:
+    c = {name: limit.value for name, limit in limits(DOUBLE).items()}
+    for name in ("MAX_SPEED", "MAX_ACCELERATION", "MAX_WRENCH", "MAX_PHASE"):
+        assert getattr(ranges, name) == c[name]
+    assert c["MAX_STEP"] == MAX_STEP
+
+
+@pytest.mark.parametrize("until", [0.1, 0.3, 0.7, 1.1, 2.3, 4.1, 1e-3, 123.457])
+def test_a_last_time_in_ms_that_is_until(until: float, tmp_path: Path) -> None:
+    """Converted it may be a hair below; half a step of output less is not the same."""
+    for end in (until, float(np.nextafter(until, 0.0))):
+        (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{end * 1e3!r},3\n")
+        loads(left('table = "a.csv"'), SHAKER, until, "r.toml", tmp_path)
+    (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{until * 1e3 * (1 - 1e-9)!r},3\n")
+    assert "but the simulation runs" in problems(left('table = "a.csv"'), tmp_path, until)[0]
+
+
+@pytest.mark.parametrize(
+    "text", ['{"schema": 1, "schema": 1}', '{"schema": 1, "default": {"speed": 1, "speed": 2}}'], ids=["head", "inside"]
+)
+def test_a_key_of_json_that_is_there_twice(text: str) -> None:
+    with pytest.raises(RegimeError, match=r'^r.json: not JSON: key "(schema|speed)" is there twice$'):
+        loads(text, SHAKER, 1.0, "r.json", is_json=True)
 
 
 def test_missing_files(tmp_path: Path) -> None:

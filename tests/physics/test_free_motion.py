@@ -36,7 +36,7 @@ def unpack(state, y):
     )
 
 
-def integrate(stand, state, acceleration):
+def integrate(stand, state, acceleration, seconds=SECONDS):
     """States at five times; acceleration(t, state) gives V* and phi''."""
 
     def rates(t, y):
@@ -51,12 +51,12 @@ def integrate(stand, state, acceleration):
 
     solution = solve_ivp(
         rates,
-        (0, SECONDS),
+        (0, seconds),
         pack(state, rotation(stand, state)),
         method="DOP853",
         rtol=1e-11,
         atol=1e-12,
-        t_eval=np.linspace(0, SECONDS, 5),
+        t_eval=np.linspace(0, seconds, 5),
     )
     assert solution.success, solution.message
     return [unpack(state, y) for y in solution.y.T]

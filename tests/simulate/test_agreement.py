@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 from functools import cache
 from types import MappingProxyType
@@ -41,6 +42,17 @@ speed = 40
 [flywheel.w3]
 run_up = { torque = 0.2, to = 30, band = 5 }
 """
+MIXED = """
+schema = 1
+[flywheel.w1]
+torque = 0.3
+initial_speed = -5
+[flywheel.w2]
+phase = 0.4
+harmonic = { mean = 40, amplitude = 10, frequency = 12 }
+[flywheel.w3]
+ramp = { from = -10, to = 80, duration = 0.03, start = 0.01 }
+"""
 
 
 @cache
@@ -71,14 +83,36 @@ def worst(a: Run, b: Run) -> float:
     return float((np.abs(a.data - b.data).max(0) / np.maximum(1.0, np.abs(b.data).max(0))).max())
 
 
-@pytest.mark.parametrize("text", [LAWS, TORQUES], ids=["laws", "torques"])
-def test_c_agrees_with_scipy(text: str) -> None:
+@pytest.mark.parametrize(
+    ("text", "dt"), [(LAWS, 1e-4), (TORQUES, 1e-4), (MIXED, 5e-5)], ids=["laws", "torques", "mixed"]
+)
+def test_c_agrees_with_scipy(text: str, dt: float) -> None:
     """Inputs that vary within a step count as constant there: an error of dt squared."""
     judge = simulate(case(busy(), text), "scipy", mounts=True)
-    coarse, fine = (simulate(case(busy(), text, dt=dt), mounts=True) for dt in (4e-4, 1e-4))
+    coarse, fine = (simulate(case(busy(), text, dt=step), mounts=True) for step in (4e-4, dt))
     assert worst(fine, judge) < 2e-6
-    assert worst(fine, judge) < worst(coarse, judge) / 8 + 1e-8
+    assert worst(fine, judge) < worst(coarse, judge) * 2 * (dt / 4e-4) ** 2 + 1e-8
     assert judge.data.shape == (6, len(judge.names))
+
+
+ORDERS = {
+    "constant speeds": ("default = { speed = 50 }", 4, 4.0),
+    "constant torques": ("default = { torque = 0.3, initial_speed = 30 }", 4, 4.0),
+    "constant torques, order 2": ("default = { torque = 0.3, initial_speed = 30 }", 2, 2.0),
+    "speeds that vary": ("default = { harmonic = { mean = 30, amplitude = 20, frequency = 15 } }", 4, 2.0),
+    "torques that vary": ("default = { run_up = { torque = 0.5, to = 60, band = 20 } }", 4, 2.0),
+    "mixed": (MIXED.partition("[flywheel.w3]")[0] + "[flywheel.w3]\ntorque = -0.2", 4, 2.0),
+}
+
+
+@pytest.mark.parametrize("name", ORDERS)
+def test_order_of_the_error_in_dt(name: str) -> None:
+    """Of the step's own order for constant inputs; inputs that vary count as constant in a step, of order two."""
+    text, order, expected = ORDERS[name]
+    text = text if "schema" in text else f"schema = 1\n{text}\n"
+    runs = [simulate(case(free(), text, dt=dt, order=order)).data[-1] for dt in (2e-3, 1e-3, 5e-4)]
+    coarse, fine = (np.linalg.norm(a - b) for a, b in itertools.pairwise(runs))
+    assert np.log2(coarse / fine) == pytest.approx(expected, abs=0.2)
 
 
 def test_constant_speeds_are_of_fourth_order() -> None:
@@ -87,10 +121,11 @@ def test_constant_speeds_are_of_fourth_order() -> None:
     assert worst(simulate(case(free(), text, dt=2e-4)), judge) < 1e-8
 
 
-def test_speed_laws_are_kept_exactly() -> None:
-    found = simulate(case(busy(), LAWS, every=0.0037))
-    motion = case(busy(), LAWS).motion(found["t [s]"])
-    for s, name in enumerate(("w1", "w2", "w3")):
+@pytest.mark.parametrize(("text", "first"), [(LAWS, 0), (MIXED, 1)], ids=["laws", "mixed"])
+def test_speed_laws_are_kept_exactly(text: str, first: int) -> None:
+    found = simulate(case(busy(), text, every=0.0037))
+    motion = case(busy(), text).motion(found["t [s]"])
+    for s, name in list(enumerate(("w1", "w2", "w3")))[first:]:
         for k, column in enumerate((f"phi {name} [rad]", f"phi_dot {name} [rad/s]", f"phi_ddot {name} [rad/s2]")):
             np.testing.assert_array_equal(found[column], motion[k][:, s])
 
@@ -120,8 +155,9 @@ def test_energy_is_the_work_of_constant_torques() -> None:
     assert gained == pytest.approx(work, rel=1e-7)
 
 
-def test_energy_is_the_work_of_the_torques_that_speed_laws_need() -> None:
-    found = simulate(case(free(), LAWS.partition("[wrench]")[0], every=1e-4))
+@pytest.mark.parametrize("text", [LAWS.partition("[wrench]")[0], MIXED], ids=["laws", "mixed"])
+def test_energy_is_the_work_of_the_torques_that_speed_laws_need(text: str) -> None:
+    found = simulate(case(free(), text, every=1e-4))
     power = sum(found[f"tau w{s} [N m]"] * found[f"phi_dot w{s} [rad/s]"] for s in (1, 2, 3))
     power = power[found["t [s]"] <= 0.0095]  # before the first corner
     work = np.trapezoid(power, dx=1e-4)

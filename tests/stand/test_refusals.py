@@ -371,3 +371,18 @@ def test_flat_discs_and_rods_are_bodies() -> None:
     assert loads(disc).carrier.inertia[2][2] == 1.0000000004
     assert loads(rod).flywheels[0].inertia[1][1] == 0.0
     assert refusal(BASE.replace("[1, 1, 1]", "[0.5, 0.5, 1.00000001]"))
+
+
+def test_a_key_that_cannot_be_read_does_not_hide_what_is_unphysical() -> None:
+    flat = WHEEL.replace("0.02, 0.01, 0.01", "0.05, 0.01, 0.01")
+    lines = refusal(BASE + flat + 'position = ["1 kg", 0, 0]\nmotr = { torque = 1 }\n')
+    assert len(lines) == 3
+    assert any("position[0]" in line for line in lines)
+    assert any('unknown key "motr"' in line for line in lines)
+    assert any("break the triangle inequality" in line for line in lines)
+
+
+@pytest.mark.parametrize("key", ['center_of_mass = ["1 kg", 0, 0]', "inertia_abot = 3", "center_of_mas = [1, 0, 0]"])
+def test_where_mass_properties_cannot_be_read_nothing_is_guessed_of_them(key: str) -> None:
+    (line,) = refusal(BASE + WHEEL.replace("0.02, 0.01, 0.01", "0.05, 0.01, 0.01") + key + "\n")
+    assert key.partition(" ")[0] in line

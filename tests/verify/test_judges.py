@@ -6,12 +6,13 @@ import builtins
 import json
 import sys
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 
-from cli.run import AUV6, DEMO3, refused, run
+from cli.run import AUV6, BENCH8, DEMO3, refused, run
 from mahovik.stand import Stand, load
 from mahovik.stand.random import BARE, random_stand
 from mahovik.stands import path
@@ -31,7 +32,7 @@ STANDS = {name: stripped(load(path(name))) for name in ("bench8", "sat4", "remus
 @pytest.mark.parametrize("name", STANDS)
 def test_they_agree_on_everything(name: str) -> None:
     stand = STANDS[name]
-    found = verify_judges(stand, count=14)
+    found = verify_judges(stand, count=14, names=tuple(JUDGES))
     assert found.passed, conclusion(found)
     assert {row.want for row in found.rows} == set(JUDGES)
     expected = {*QUANTITIES.values(), MOTION}
@@ -47,9 +48,22 @@ def test_what_they_have_not_is_refused_by_name() -> None:
     words = refused("verify", AUV6, "--judges")
     for feature in ("carrier: added_mass", "carrier: buoyancy", "carrier: damping", "stream"):
         assert feature in words
+    assert "add --bare" in words
+    assert "--bare goes with --judges" in refused("verify", AUV6, "--bare")
     assert missing(STANDS["auv6"]) == []
     assert missing(load(path("shaker2"))) == ["suspension"]
     assert "mass" in refused_stand(replace(DEMO, carrier=massless(DEMO.carrier), flywheels=()))
+
+
+def test_bare_judges_the_rest_and_names_what_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compare, "verify_judges", partial(verify_judges, until=0.1))
+    result = run("verify", BENCH8, "--judges", "--bare", "--states", "3")
+    assert result.exit_code == 0, result.output
+    assert "the stand without: suspension\n" in result.stdout
+    found = json.loads(run("verify", AUV6, "--judges", "--bare", "--states", "2", "--json").stdout)
+    assert found["passed"]
+    assert found["left_out"] == missing(load(AUV6))
+    assert "the stand without" not in run("verify", DEMO3, "--judges", "--bare", "--states", "2").stdout
 
 
 def massless(body: Any) -> Any:
@@ -76,7 +90,8 @@ def test_a_judge_that_is_not_installed_is_one_line_with_the_command(monkeypatch:
     assert "pip install pin mujoco" in line
 
 
-def test_the_command_prints_their_table() -> None:
+def test_the_command_prints_their_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compare, "verify_judges", partial(verify_judges, until=0.1))
     result = run("verify", DEMO3, "--judges", "--states", "4", "--json")
     assert result.exit_code == 0
     found = json.loads(result.stdout)
@@ -103,7 +118,7 @@ def test_a_wrong_model_is_caught_by_both(change: str, monkeypatch: pytest.Monkey
 
     for module in (mujoco_judge, pinocchio_judge):
         monkeypatch.setattr(module, "tree", wrong)
-    failures = verify_judges(STANDS["random, 1"], count=8).failures
+    failures = verify_judges(STANDS["random, 1"], count=8, names=tuple(JUDGES), until=0.3).failures
     assert {row.want for row in failures} == set(JUDGES)
 
 

@@ -6,17 +6,17 @@ import pytest
 
 from mahovik.stand import Stand, load
 from mahovik.stands import names, path
-from mahovik.verify.campaign import COUNTS, random_stands, verify_random
+from mahovik.verify.campaign import WHAT_MATTERS, random_stands, verify_random
 from mahovik.verify.report import conclusion
 
-STANDS = (*random_stands(len(COUNTS)), *(load(path(name)) for name in names()))
+STANDS = (*random_stands(WHAT_MATTERS), *(load(path(name)) for name in names()))
 STATES = 13  # at rest, four of the extreme kinds, ordinary ones with and without run-time wrenches
 
 BOTH = {("momentum", "energy"), ("forward", "V_dot"), ("coupled", "V_dot")}
 
 
 def test_the_counts_that_matter_are_there() -> None:
-    assert {0, 1, 5, 6, 7, 12, 64} <= {len(stand.flywheels) for stand in STANDS}
+    assert [len(stand.flywheels) for stand in STANDS[:WHAT_MATTERS]] == [0, 1, 5, 6, 7, 12, 64]
     assert {stand.angles for stand in STANDS} == {"ship", "aircraft", "euler"}
     assert any(stand.stream for stand in STANDS)
     assert any(s.mount != "carrier" for stand in STANDS for s in stand.flywheels)

@@ -1,7 +1,7 @@
 """The command line: one thin module a command. Nothing is computed here.
 
-Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage. What is heavy is imported inside the
-commands, so that `mahovik --help` answers at once.
+Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage; 130 Ctrl-C. What is heavy is
+imported inside the commands, so that `mahovik --help` answers at once.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def main() -> None:
         mahovik verify bench8.toml       that C against the literal reference
         mahovik simulate bench8.toml --until 5 --regime R.toml -o run.csv
 
-    Exit status: 0 good, 1 a check failed or some states, 2 bad input or usage.
+    Exit status: 0 good, 1 a check failed or some states, 2 bad input or usage, 130 Ctrl-C.
     """
 
 

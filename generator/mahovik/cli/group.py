@@ -11,9 +11,22 @@ import click
 
 from mahovik.errors import MahovikError
 
+INTERRUPTED = 130
+"""Exit status after Ctrl-C: 128 and the number of the signal, as shells have it."""
+
+INTERRUPTION = "error: interrupted; no file is half written"
+
 
 class Commands(click.Group):
     """A group whose commands end in `error: ...` lines and an exit status; no traceback for a user's mistake."""
+
+    def make_context(self, *given: Any, **more: Any) -> click.Context:
+        """As click's, which makes status 1 of Ctrl-C."""
+        try:
+            return super().make_context(*given, **more)
+        except KeyboardInterrupt:
+            click.echo(INTERRUPTION, err=True)
+            raise SystemExit(INTERRUPTED) from None
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
@@ -22,6 +35,10 @@ class Commands(click.Group):
             for line in str(error).splitlines() or [type(error).__name__]:
                 click.echo(f"error: {line}", err=True)
             ctx.exit(error.exit_status)
+        except KeyboardInterrupt:
+            # a command that keeps what it has so far says so itself
+            click.echo(INTERRUPTION, err=True)
+            ctx.exit(INTERRUPTED)
         except BrokenPipeError:
             # the reader has left (`| head`): nothing more can be said, and nothing may be flushed at exit
             with contextlib.suppress(OSError, ValueError):

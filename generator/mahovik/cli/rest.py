@@ -66,6 +66,11 @@ def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
     return phi
 
 
+def plain(x: float, digits: int = 9) -> float:
+    """Rounded for print, without a negative zero."""
+    return round(x, digits) + 0.0
+
+
 def _print(found: Rest, stand: Stand) -> None:
     out = console()
     state = found.state
@@ -75,15 +80,16 @@ def _print(found: Rest, stand: Stand) -> None:
     out.print(f"[bold]{stand.name}[/bold] rests, turned by {turn:.6g} deg from E0")
     rows = table("position of O1 in E0, m", "quaternion", "left of V_dot>")
     rows.add_row(
-        "  ".join(f"{x:.9f}" for x in state.position),
-        "  ".join(f"{x:.9f}" for x in state.quaternion or ()),
+        "  ".join(f"{plain(x):.9f}" for x in state.position),
+        "  ".join(f"{plain(x):.9f}" for x in state.quaternion or ()),
         f"{max(map(abs, found.V_dot)):.2g}",
     )
     out.print(rows)
     if found.free:
-        free = table("free to move, in E1: x", "y", "z", "about x", "about y", "about z")
+        free = table("free to", "shift in E1: x", "y", "z", "turn about an axis in E1: x", "y", "z")
         for direction in found.free:
-            free.add_row(*(f"{x:.6g}" for x in direction))
+            kinds = ("shift",) * any(direction[:3]) + ("turn",) * any(direction[3:])
+            free.add_row(" and ".join(kinds), *(f"{plain(x, 6):.6g}" for x in direction))
         out.print(free)
     if found.unstable:
         out.print("warning: unstable, the stand would leave this pose", style="yellow")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.group import INTERRUPTED
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -130,4 +131,4 @@ def _report(found: Run) -> None:
         click.echo(f"motor of {name}: cannot give what its law asks for; {missing:.4g} N m short at t = {t:.6g} s")
     if found.stopped is not None:
         click.echo(f"error: {found.stopped}; what was computed is kept", err=True)
-        raise SystemExit(130 if found.interrupted else 1)
+        raise SystemExit(INTERRUPTED if found.interrupted else 1)

@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 )
 @click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
 @click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
-@click.option("--judges", is_flag=True, help="Judge by Pinocchio and MuJoCo; for stands without fluid.")
+@click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, where it can, Basilisk.")
+@click.option("--bare", is_flag=True, help="With --judges: the stand without fluid, stream, suspension, legs.")
 @click.option(
     "--targets", metavar="NAME,...", help="The same bits on processors: all, quick, m7,rv64gc,...; both element types."
 )
@@ -48,6 +49,7 @@ def verify(
     timeout: float,
     judges: bool,
     targets: str | None,
+    bare: bool,
     real: str,
 ) -> None:
     """Judge C or any program by the reference.
@@ -62,6 +64,8 @@ def verify(
         raise UsageError("--with, --against: one of them")
     if judges and (command is not None or against is not None):
         raise UsageError("--judges judges a fresh copy: not with --with, --against")
+    if bare and not judges:
+        raise UsageError("--bare goes with --judges")
     if want is not None and command is None:
         raise UsageError("--want goes with --with")
     if targets is not None:
@@ -77,7 +81,7 @@ def verify(
     if judges:
         from mahovik.verify.judges.compare import verify_judges
 
-        found = verify_judges(stand, seed=seed, count=states)
+        found = verify_judges(stand, seed=seed, count=states, bare=bare)
     elif command is not None:
         from mahovik.verify.foreign import verify_program
 
@@ -164,6 +168,8 @@ def _print(found: Report) -> None:
     third = any(row.second is not None for row in found.rows)
     head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
     out.print(Text(head))
+    if found.left_out:
+        out.print(Text(f"the stand without: {', '.join(found.left_out)}", "yellow"))
     pairs = ("second>", "between>") if third else ()
     by = "judge" if any(row.want and row.want not in WANTS for row in found.rows) else "want"
     rows = table("quantity", by, "states>", "worst>", *pairs, "at state", "verdict")

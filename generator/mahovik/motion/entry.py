@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mahovik.motion import table
+from mahovik.motion import ranges, table
 from mahovik.motion.laws import (
     Constant,
     Harmonic,
@@ -197,4 +197,9 @@ LAWS: dict[str, Callable[[Entry], Law | None]] = {
 
 def law_of(entry: Entry) -> Law | None:
     """The law of an entry, or None with its problems noted."""
-    return LAWS[entry.law](entry)
+    law = LAWS[entry.law](entry)
+    out = None if law is None else ranges.problem(law)
+    if out is None:
+        return law
+    entry.refuse("", out)
+    return None

@@ -143,6 +143,10 @@ class Torque:
         """Torque commanded at the time t (s) and speed (rad/s), N m."""
         return self.value
 
+    def steepness(self, low: float, high: float) -> float:
+        """None: speed does not matter."""
+        return 0.0
+
 
 @dataclass(frozen=True)
 class RunUp:
@@ -161,6 +165,11 @@ class RunUp:
         """Torque commanded at the time t (s) and speed (rad/s), N m."""
         return self.value * math.tanh((self.to - speed) / self.band)
 
+    def steepness(self, low: float, high: float) -> float:
+        """Largest change of the torque by speed between two speeds (rad/s), N m s."""
+        nearest = min(max(self.to, low), high)
+        return self.value / self.band * (1.0 - math.tanh((self.to - nearest) / self.band) ** 2)
+
 
 @dataclass(frozen=True, eq=False)
 class TorqueTable:
@@ -177,6 +186,10 @@ class TorqueTable:
     def command(self, t: float, speed: float) -> float:
         """Torque commanded at the time t (s) and speed (rad/s), N m."""
         return float(np.interp(t, self.times, self.values))
+
+    def steepness(self, low: float, high: float) -> float:
+        """None: speed does not matter."""
+        return 0.0
 
 
 SpeedLaw = Constant | Ramp | LogSweep | Harmonic | SpeedTable

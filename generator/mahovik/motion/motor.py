@@ -32,6 +32,19 @@ def drive(motor: Motor | None, command: float, speed: float) -> float:
     return min(max(command, -most), most) + friction(motor, speed)
 
 
+def steepness(motor: Motor | None, command: float, low: float, high: float) -> float:
+    """Largest change of the whole drive torque by speed between two speeds (rad/s), N m s; an upper bound.
+
+    `command`: that of the commanded torque.
+    """
+    if motor is None:
+        return command
+    line = motor.torque / motor.speed if motor.torque is not None and motor.speed is not None else 0.0
+    at_rest = min(max(0.0, low), high)
+    slipping = motor.coulomb / motor.coulomb_speed * (1.0 - math.tanh(at_rest / motor.coulomb_speed) ** 2)
+    return max(command, line) + motor.viscous + slipping
+
+
 def needed(motor: Motor, tau: float, speed: float) -> float:
     """What the motor itself must give where the whole drive torque is `tau` (N m)."""
     return tau - friction(motor, speed)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.errors import RegimeError
-from mahovik.motion import table
+from mahovik.motion import ranges, table
 from mahovik.motion.entry import DRIVEN_KEYS, LAWS, Entry, law_of
 from mahovik.motion.laws import Constant, WrenchTable
 from mahovik.motion.regime import Driven, Regime
@@ -49,7 +49,7 @@ def loads(
 ) -> Regime:
     """Read and check a regime given as text; its tables lie in `folder`. Raises RegimeError."""
     try:
-        document = json.loads(text, parse_float=_decimal) if is_json else tomllib.loads(text, parse_float=_decimal)
+        document = _json(text) if is_json else tomllib.loads(text, parse_float=_decimal)
     except (json.JSONDecodeError, tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
         raise RegimeError([f"{source}: not {'JSON' if is_json else 'TOML'}: {error}"]) from None
     problems = Problems(source)
@@ -67,11 +67,23 @@ def loads(
         problems.add("name", f"expected a string, found {show(name)}")
     flywheels = _flywheels(document, stand, problems, until, folder)
     wrenches = _wrenches(document, stand, problems, until, folder)
-    if not problems.lines:
-        _check_mixture(flywheels, problems)
     if problems.lines:
         raise RegimeError(problems.lines)
     return Regime(str(name), tuple(flywheels), wrenches)
+
+
+def _json(text: str) -> Any:
+    """Of JSON, which leaves open which of two equal keys counts: there it is a ValueError, as it is in TOML."""
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for key, value in pairs:
+            if key in found:
+                raise ValueError(f"key {show(key)} is there twice")
+            found[key] = value
+        return found
+
+    return json.loads(text, parse_float=_decimal, object_pairs_hook=once)
 
 
 def _decimal(text: str) -> Decimal:
@@ -134,8 +146,8 @@ def _driven(
         problems.add(where, f"no law: expected one of {', '.join(LAWS)}")
         return nothing
     law = law_of(Entry(where, own[0], given[own[0]], problems, until, folder))
-    phase = _optional(where, given, "phase", ANGLE, problems)
-    speed = _optional(where, given, "initial_speed", SPEED, problems)
+    phase = _optional(where, given, "phase", ANGLE, problems, ranges.MAX_PHASE)
+    speed = _optional(where, given, "initial_speed", SPEED, problems, ranges.MAX_SPEED)
     if law is None:
         return nothing
     driven = Driven(name, law, phase, speed)
@@ -144,11 +156,18 @@ def _driven(
     return driven
 
 
-def _optional(where: str, given: dict[str, Any], key: str, dimension: Dimension, problems: Problems) -> float | None:
+def _optional(
+    where: str, given: dict[str, Any], key: str, dimension: Dimension, problems: Problems, most: float
+) -> float | None:
     if key not in given:
         return None
     try:
-        return number(given[key], dimension)
+        found = number(given[key], dimension)
+        out = ranges.out_of_range(dimension.words, found, most, dimension.si)
+        if out is None:
+            return found
+        problems.add(where, key, out)
+        return None
     except QuantityError as error:
         problems.add(where, key, str(error))
         return None
@@ -165,6 +184,7 @@ def _wrenches(
             for (letter, dimension), raw in zip(_WRENCH.items(), given, strict=True):
                 try:
                     values.append(number(raw, dimension))
+                    _in_range(where, letter, values[-1], problems)
                 except QuantityError as error:
                     problems.add(where, letter, str(error))
                     values.append(0.0)
@@ -177,20 +197,16 @@ def _wrenches(
                 continue
             columns = [read.columns.get(letter, np.zeros_like(read.times)) for letter in _WRENCH]
             found[body] = WrenchTable(read.times, np.column_stack(columns))
+            for letter, column in zip(_WRENCH, columns, strict=True):
+                _in_range(where, letter, float(column[np.argmax(np.abs(column))]), problems)
         else:
             problems.add(where, f"expected six numbers or the name of a CSV file, found {show(given)}")
     return found
 
 
-def _check_mixture(flywheels: list[Driven], problems: Problems) -> None:
-    """Beside torques, a given speed must be constant."""
-    torques = [each.name for each in flywheels if each.by_torque]
-    if not torques:
-        return
-    for each in flywheels:
-        if not each.by_torque and not isinstance(each.law, Constant):
-            problems.add(
-                f"flywheel {show(each.name)}",
-                f"its speed is given and varies, but {show(torques[0])} is driven by torque: "
-                "beside torques only `speed` and `hold` are possible",
-            )
+def _in_range(where: str, letter: str, value: float, problems: Problems) -> None:
+    """Note a component of a wrench that is too large."""
+    dimension = _WRENCH[letter]
+    out = ranges.out_of_range(dimension.words, value, ranges.MAX_WRENCH, dimension.si)
+    if out is not None:
+        problems.add(where, letter, out)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 
 from mahovik.motion.laws import Array, Constant, Law, Motion, RunUp, Torque, TorqueTable, WrenchTable
-from mahovik.motion.motor import drive
+from mahovik.motion.motor import drive, steepness
 from mahovik.stand.model import Motor, Vec6
 
 
@@ -38,13 +39,19 @@ class Regime:
 
     @cached_property
     def by_torque(self) -> bool:
-        """Is any flywheel driven by torque? Then the flywheels of given speed keep it constant."""
+        """Is any flywheel driven by torque?"""
         return any(each.by_torque for each in self.flywheels)
 
     @cached_property
-    def kept(self) -> tuple[bool, ...]:
-        """Flywheels whose speed is constant by law: phi'' = 0, as by a lock."""
-        return tuple(isinstance(each.law, Constant) for each in self.flywheels)
+    def given(self) -> tuple[bool, ...]:
+        """Flywheels whose speed is given."""
+        return tuple(not each.by_torque for each in self.flywheels)
+
+    @cached_property
+    def mixed(self) -> bool:
+        """Does a given speed vary beside flywheels that are driven by torque?"""
+        varying = any(not (each.by_torque or isinstance(each.law, Constant)) for each in self.flywheels)
+        return varying and self.by_torque
 
     def motion(self, t: Array) -> Motion:
         """phi from t = 0, phi', phi'' of all flywheels (times x N); of one driven by torque: zero."""
@@ -63,9 +70,18 @@ class Regime:
                 found[s] = drive(motors[s], each.law.command(t, speed), speed)
         return found
 
+    def steepness(self, low: Array, high: Array, motors: tuple[Motor | None, ...]) -> Array:
+        """Largest change of each drive torque by its speed, between two speeds (rad/s), N m s; zero of given speeds."""
+        found = np.zeros(len(self.flywheels))
+        for s, each in enumerate(self.flywheels):
+            if isinstance(each.law, Torque | RunUp | TorqueTable):
+                ends = float(low[s]), float(high[s])
+                found[s] = steepness(motors[s], each.law.steepness(*ends), *ends)
+        return found
+
     def wrench(self, t: float) -> dict[str, Vec6]:
         """Run-time wrenches by body at a time."""
-        return {body: table.at(t) for body, table in self.wrenches.items()}  # type: ignore[misc]  # six numbers
+        return {body: cast(Vec6, table.at(t)) for body, table in self.wrenches.items()}
 
     def breaks(self, until: float) -> list[float]:
         """Times inside (0, until) at which some law is not smooth, ascending."""

@@ -18,6 +18,10 @@ from mahovik.stand.units import TIME, Dimension, QuantityError, factor, show
 _HEAD = re.compile(r"\s*(\w+)\s*(?:\[(.*)\])?\s*")
 
 
+_ROUNDING = 4 * 2.0**-52
+"""Of the last time: what a unit such as ms may lose where it is converted."""
+
+
 class TableError(ValueError):
     """A table cannot be used; the text names the file and the reason."""
 
@@ -92,7 +96,7 @@ def _check_times(name: str, times: Array, until: float) -> None:
     if len(back):
         i = int(back[0])
         raise TableError(f"{name}, row {i + 3}: t = {times[i + 1]:g} s is not after {times[i]:g} s")
-    if times[0] > 0.0 or times[-1] < until:
+    if times[0] > 0.0 or times[-1] < until * (1.0 - _ROUNDING):
         raise TableError(
             f"{name}: covers t = {times[0]:g} s to {times[-1]:g} s, but the simulation runs from 0 to {until:g} s"
         )

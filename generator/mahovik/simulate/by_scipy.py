@@ -28,7 +28,8 @@ class SciPyMotion:
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        self._free = np.flatnonzero(~np.array(case.regime.kept, dtype=bool))
+        self._given = np.array(case.regime.given, dtype=bool)
+        self._free = np.flatnonzero(~self._given)
 
     def moments(self, mounts: bool) -> Iterator[Moment]:
         """See Motion."""
@@ -55,25 +56,23 @@ class SciPyMotion:
     def _state(self, t: float, y: Array) -> tuple[State, Array]:
         """The state of y at t, and phases counted through."""
         N = len(self.case.stand.flywheels)
+        (phi,), (phi_dot,), _ = self.case.motion(np.array([t]))
         if self.case.regime.by_torque:
-            phi, phi_dot = y[13 : 13 + N], y[13 + N :]
-        else:
-            phis, speeds, _ = self.case.motion(np.array([t]))
-            phi, phi_dot = phis[0], speeds[0]
+            phi, phi_dot = np.where(self._given, phi, y[13 : 13 + N]), np.where(self._given, phi_dot, y[13 + N :])
         return self.case.state(t, y[:3], y[3:7], y[7:13], phi, phi_dot), phi
 
     def _accelerations(self, t: float, state: State) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot, and torques by motors and regime."""
         at = reference.pieces(self.case.stand, state)
         tau = np.array(self.case.torques(t, np.array(state.phi_dot)))
+        phi_ddot = self.case.motion(np.array([t]))[2][0]
         if not self.case.regime.by_torque:
-            phi_ddot = self.case.motion(np.array([t]))[2][0]
             return forward(at, phi_ddot), phi_ddot, tau
         fP = np.array([f @ at.P[s.body.name] for s in at.flywheels])
-        right = np.concatenate([at.F - bias(at), tau - torque_velocity_terms(at) + fP])
-        kept = np.concatenate([np.arange(6), 6 + self._free])  # a flywheel of constant speed: no unknown, no row
-        solution = np.linalg.solve(full_mass_matrix(at)[np.ix_(kept, kept)], right[kept])
-        phi_ddot = np.zeros(len(tau))
+        known = np.where(self._given, phi_ddot, 0.0)
+        right = np.concatenate([at.F - bias(at) - at.I @ known, tau - torque_velocity_terms(at) + fP])
+        rows = np.concatenate([np.arange(6), 6 + self._free])  # a flywheel of given speed: no unknown, no row
+        solution = np.linalg.solve(full_mass_matrix(at)[np.ix_(rows, rows)], right[rows])
         phi_ddot[self._free] = solution[6:]
         return at.V_dot(solution[:6]), phi_ddot, tau
 

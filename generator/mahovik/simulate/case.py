@@ -5,17 +5,19 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
 from mahovik.motion.regime import Regime
-from mahovik.stand.model import Stand
+from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.state import State
 
 Array = NDArray[np.float64]
 LARGE = 1e6  # rad; phases beyond are wrapped before they go into a state, whose range ends at 1e7
+MAX_STEP = 10.0  # s; longer ones the C refuses
 _TURN = 2 * math.pi
 
 
@@ -39,6 +41,8 @@ class Case:
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
                 raise UsageError(f"--{name} {value:g}: expected a time above 0, in s")
+        if self.dt > MAX_STEP:
+            raise UsageError(f"--dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
         if self.order not in (2, 4):
             raise UsageError(f"--order {self.order}: expected 4 or 2")
         if self.until / self.every > 1e7:
@@ -84,10 +88,10 @@ class Case:
         w, x, y, z = (float(c) / length for c in attitude)
         return replace(
             self.start,
-            position=tuple(float(c) for c in position),  # type: ignore[arg-type]
+            position=cast(Vec3, tuple(position.tolist())),
             angles=None,
             quaternion=(w, x, y, z),
-            V=tuple(float(c) for c in V),  # type: ignore[arg-type]
+            V=cast(Vec6, tuple(V.tolist())),
             phi=tuple(wrapped(phi).tolist()),
             phi_dot=tuple(phi_dot.tolist()),
             wrench=self.regime.wrench(t),

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from mahovik.errors import UsageError
 from mahovik.simulate.run import Run
-from mahovik.verify.files import write
+from mahovik.verify.files import probe, write
 
 SUFFIXES = (".csv", ".parquet")
 
@@ -24,6 +24,7 @@ def check(path: Path) -> None:
             import_module("pyarrow.parquet")
         except ImportError:
             raise UsageError(f'-o {path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
+    probe(path)
 
 
 def save(run: Run, path: Path) -> None:

@@ -44,9 +44,10 @@ class Run:
 def simulate(
     case: Case, backend: str = "c", mounts: bool = False, progress: Callable[[float], None] | None = None
 ) -> Run:
-    """Runs a case. `progress` is told each time of output. Raises UsageError, ToolchainError.
+    """Runs a case. `progress` is told each time of output. Raises UsageError, ToolchainError, StateError.
 
-    A motion that leaves its ranges, and Ctrl-C, end the run early: `stopped` says why.
+    A motion that leaves its ranges, and Ctrl-C, end the run early: `stopped` says why. Where there is nothing to
+    keep, StateError and KeyboardInterrupt go on.
     """
     motion = _motion(case, backend)
     names = tuple(columns.names(case.stand, mounts))
@@ -58,10 +59,13 @@ def simulate(
             if progress is not None:
                 progress(moment.t)
     except StateError as error:
+        if not rows:
+            raise
         stopped = str(error)
     except KeyboardInterrupt:
-        reached = rows[-1][0] if rows else 0.0
-        stopped, interrupted = f"stopped at t = {reached:.6g} s of {case.until:g} s", True
+        if not rows:
+            raise
+        stopped, interrupted = f"stopped at t = {rows[-1][0]:.6g} s of {case.until:g} s", True
     data = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
     return Run(names, data, stopped, interrupted)
 

@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from mahovik.errors import StateError, UsageError
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
-from mahovik.verify.states import read_object, read_request
+from mahovik.verify.states import read_object, read_request, refuse_duplicates
+
+KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot")
+"""Of a state, what a motion begins with."""
+
+REST_KEYS = ("name", "state", "V_dot", "free", "unstable")
+"""What `mahovik rest --json` prints."""
 
 
 def load(path: Path, stand: Stand) -> State:
@@ -20,8 +27,20 @@ def load(path: Path, stand: Stand) -> State:
         raise UsageError(f"{path.name}: not UTF-8 text: {error}") from None
     try:
         found = read_object(text)
-        inner = found.get("state")
-        state = dict(inner) if isinstance(inner, dict) else found
-        return read_request(stand, {**state, "want": ["forward"]}).state
+        refuse_duplicates(found)
+        if "state" in found:
+            _known(found, REST_KEYS, "")
+            found = found["state"]
+            if not isinstance(found, dict):
+                raise StateError("state: expected an object")
+            refuse_duplicates(found)
+        _known(found, KEYS, "; the regime gives torques and wrenches")
+        return read_request(stand, {**found, "want": ["forward"]}).state
     except StateError as error:
         raise UsageError(f"{path.name}: {error}") from None
+
+
+def _known(found: dict[str, Any], keys: tuple[str, ...], hint: str) -> None:
+    for key in found:
+        if key not in keys:
+            raise StateError(f'"{key}" is not part of a start, expected some of {", ".join(keys)}{hint}')

@@ -28,6 +28,10 @@ from mahovik.stand.units import show
 
 AnyTable = TypeVar("AnyTable", bound=Table)
 
+_CHECKED = {
+    "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
+    "axis", "zero", "angles",
+}  # fmt: skip
 _TABLES = ("carrier", "suspension")
 _ARRAYS: dict[str, type[Table]] = {
     "leg": LegTable,
@@ -142,6 +146,23 @@ def _validate(problems: Problems, where: str, table: type[AnyTable], raw: Any) -
         return table.model_validate(raw)
     except ValidationError as error:
         problems.add_schema_errors(where, table, error)
+        return _readable(table, raw, error)
+
+
+def _readable(table: type[AnyTable], raw: Any, error: ValidationError) -> AnyTable | None:
+    """What is left without the keys that cannot be read, so that what is unphysical in it is told as well.
+
+    None where a bad key says, or may be meant to say, what the checks of a body take.
+    """
+    locations = [item["loc"] for item in error.errors(include_url=False)]
+    bad = {str(location[0]) for location in locations if location}
+    known = [info.alias or name for name, info in table.model_fields.items()]
+    meant = {nearest(key, known) for key in bad}
+    if not isinstance(raw, dict) or not all(locations) or meant & _CHECKED:
+        return None
+    try:
+        return table.model_validate({key: value for key, value in raw.items() if key not in bad})
+    except ValidationError:
         return None
 
 

@@ -3,7 +3,7 @@
 The effect of a flywheel's unbalance on a result is the difference that it makes to have this flywheel balanced and
 symmetric, by the reference in double. The rounding of float in the result is FACTOR units (2^-24) of the magnitudes of
 the terms that meet in it at this very state: weight, springs, gyroscopic terms, the accelerations that balance them.
-Where the rounding is more than a tenth of the effect in every component, float cannot be relied on to show the
+Where the rounding is more than half of the effect in every component, float cannot be relied on to show the
 unbalance, however right the C is.
 
 Evaluated with the flywheels at given speeds, at some phases: with the carrier at rest, where the unbalance stands
@@ -35,10 +35,10 @@ UNIT = 2.0**-24
 
 FACTOR = 32.0
 """Units of rounding in a result, at most: what tools/float_bounds.py measures (docs/verification.md), rounded up. Most
-are below 8; the largest are of flywheels whose `zero` is nearly along their `axis`, so that mounting axes lose digits."""
+are below 8; the largest are of flywheels whose mounting axes, nearly along one another, lose digits."""
 
-DIGIT = 0.1
-"""Part of an effect that rounding may be, so that a digit of the effect is left."""
+PART = 0.5
+"""Of an effect: what rounding at its worst may be, so that the effect is still to be seen."""
 
 DOUBLE_NOISE = 1e-13
 """Of the terms' magnitudes: an effect below it is rounding of the reference, of a flywheel without unbalance."""
@@ -176,7 +176,7 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
                 known = best.get((number, want), (0.0, math.inf))
                 best[number, want] = max(known, (effect, rounding), key=lambda pair: pair[0] / pair[1])
         for (number, want), (effect, rounding) in best.items():
-            if 0.0 < effect * DIGIT < rounding:
+            if 0.0 < effect * PART < rounding:
                 flywheel, words = stand.flywheels[number], QUANTITIES[want].words
                 found[number, want] = Shortfall(flywheel.name, speeds[number], want, words, motion, effect, rounding)
     return [found[key] for key in sorted(found)]

@@ -32,7 +32,9 @@ _DIFFERENCE = 1e-5  # m, rad: of the differences that give the stiffness
 
 @dataclass(frozen=True)
 class Rest:
-    """The equilibrium: its state, what acceleration is left there, free directions (twists in E1), stability.
+    """The equilibrium: its state, what acceleration is left there, free directions, stability.
+
+    `free`: twists in E1, m and rad; about an axis of length 1, with the shift per rad, or a shift of length 1.
 
     `unstable`: the stiffness has a negative direction, the stand would leave this pose.
     """
@@ -189,7 +191,7 @@ class _Search:
 
     def found(self, V_dot: Array, S: Array, soft: Array) -> Rest:
         """The result at the present state; `soft`: its free directions (rows), scaled."""
-        free = tuple(cast(Vec6, _tuple(row)) for row in reduced(soft @ self.scale))
+        free = tuple(cast(Vec6, _tuple(unit(row))) for row in reduced(soft @ self.scale))
         values = np.linalg.eigvals(S)
         least = -max(FREE * float(np.abs(values).max()), 1e-9)
         return Rest(self.state, cast(Vec6, _tuple(V_dot)), free, bool(values.real.min() < least))
@@ -245,6 +247,12 @@ def reduced(rows: Array) -> Array:
     return np.asarray(np.round(rows, 6) + 0.0)
 
 
+def unit(twist: Array) -> Array:
+    """The twist with a rotation of length 1, its shift per rad; without rotation, a shift of length 1."""
+    turning = float(np.linalg.norm(twist[3:]))
+    return np.asarray(twist / (turning or float(np.linalg.norm(twist))))
+
+
 def limited(step: Array) -> Array:
     """The step, shortened where it turns or shifts too far."""
     longest = max(float(np.abs(step[:3]).max()) / _SHIFT, float(np.abs(step[3:]).max()) / _TURN, 1.0)
@@ -256,4 +264,4 @@ def _direction(vector: Array) -> str:
 
 
 def _tuple(values: Array) -> tuple[float, ...]:
-    return tuple(float(x) for x in values)
+    return tuple(float(x) + 0.0 for x in values)  # no negative zeros

@@ -19,6 +19,9 @@ from mahovik.verify.report import Report
 COUNTS = (0, 1, 5, 6, 7, 12, 64, 3, 2, 8, 4, 10)
 """Flywheels of the stands, in turn: every kind of inverse problem, none, and many."""
 
+WHAT_MATTERS = 7
+"""So many stands from the first have the counts that matter: 0, 1, 5, 6, 7, 12, 64."""
+
 KINDS = (EVERYTHING, Features(), BARE, Features())
 """Features of the stands, in turn; of those drawn, every second takes run-time wrenches on all bodies."""
 
@@ -33,9 +36,14 @@ def random_stands(count: int) -> Iterator[Stand]:
         yield stand if number % 2 else with_all_inputs(stand)
 
 
-def verify_random(stand: Stand, states: int, seed: int = 1, real: str = "double") -> Report:
-    """Compiled C against both derivations; a C that takes run-time wrenches on some bodies is given none on others."""
-    backend = CBackend(stand, real)
+def verify_random(
+    stand: Stand, states: int, seed: int = 1, real: str = "double", backend: CBackend | None = None
+) -> Report:
+    """Compiled C against both derivations; `backend`: where it is compiled already.
+
+    A C that takes run-time wrenches on some bodies is given none on others.
+    """
+    backend = backend or CBackend(stand, real)
     everywhere = all(body.wrench_input for body in stand.bodies)
     drawn = draw(stand, seed, states, real, wrenches=everywhere)
     rows = judge(stand, backend, drawn, backend.wants, BOUNDS[real], second=Second(stand))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -136,8 +136,8 @@ class Judge:
             return None
         return None if want == "inverse" and self._ambiguous(found, state) else found
 
-    def compare(self, request: Request, want: str, found: Mapping[str, Any]) -> float:
-        """Note the differences of one state; returns the largest from the reference."""
+    def compare(self, request: Request, want: str, found: Mapping[str, Any], left_out: Collection[str] = ()) -> float:
+        """Note the differences of one state, but of what is `left_out`; returns the largest from the reference."""
         expected = self.expected(request.state, want)
         if expected is None:
             return 0.0
@@ -145,6 +145,8 @@ class Judge:
         second, refusal = self._second_values(request.state, want)
         largest = 0.0
         for quantity, value in expected.items():
+            if quantity in left_out:
+                continue
             off, reason = difference(found.get(quantity), value, natural[quantity], floor)
             largest = max(largest, off)
             row = self._row(want, quantity)
@@ -158,14 +160,16 @@ class Judge:
                 row.note(off, request, reason)
         return largest
 
-    def refused(self, request: Request, want: str, reason: str) -> None:
-        """Note a state that was refused though the reference evaluates it."""
+    def refused(self, request: Request, want: str, reason: str, left_out: Collection[str] = ()) -> None:
+        """Note a state that was refused though the reference evaluates it; of what is `left_out`, nothing."""
         expected = self.expected(request.state, want)
         if expected is None:
             return
         natural, floor = self._scales(request.state, want), self._bounds.floor
         second, refusal = self._second_values(request.state, want)
         for quantity, value in expected.items():
+            if quantity in left_out:
+                continue
             row = self._row(want, quantity)
             if refusal:
                 row.note_three(Three(math.inf, math.inf, 0.0), request, f"{reason}; {refusal}")

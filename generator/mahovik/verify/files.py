@@ -16,6 +16,19 @@ def write(path: Path, text: str | bytes) -> None:
     write_all(path.parent, {path.name: text})
 
 
+def probe(path: Path) -> None:
+    """Raises UsageError where `write` could not: tries with an empty file beside it, which is taken away again."""
+    made = _make(path.parent)
+    try:
+        _draft(path.parent, path.name, b"").unlink()
+    except OSError as error:
+        raise UsageError(f"{path}: cannot be written: {error.strerror or error}") from None
+    finally:
+        for each in made:
+            with contextlib.suppress(OSError):
+                each.rmdir()
+
+
 def write_all(folder: Path, files: Mapping[str, str | bytes] | Mapping[str, str]) -> tuple[Path, ...]:
     """Write several files into a folder, which is made if need be: all of them or none. Raises UsageError.
 
@@ -71,7 +84,7 @@ def _draft(folder: Path, name: str, content: bytes) -> Path:
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(path, 0o666 & ~mask)
-    except OSError:
+    except (OSError, KeyboardInterrupt):
         Path(path).unlink(missing_ok=True)
         raise
     return Path(path)

@@ -21,6 +21,9 @@ from mahovik.verify.harness import askable, report
 from mahovik.verify.report import Report
 from mahovik.verify.states import Request
 
+OPTIONAL = {"generalized": ("I0", "J0")}
+"""Quantities that a program may leave out of a want that it offers: (10) and (11) can be had without them."""
+
 
 def verify_program(
     stand: Stand,
@@ -97,17 +100,27 @@ def _rows(
     judge = Judge(stand, uniform(tolerance), Second(stand), "program")
     wants = list(dict.fromkeys(request.want[0] for request in requests))
     offered = {request.want[0] for request, result in zip(requests, found, strict=True) if "error" not in result}
+    left_out = {want: _left_out(want, requests, found) for want in offered}
     for request, result in zip(requests, found, strict=True):
         want = request.want[0]
         if want not in offered:
             continue
         if "error" in result:
-            judge.refused(request, want, f"refused: {result['error']}"[:200])
+            judge.refused(request, want, f"refused: {result['error']}"[:200], left_out[want])
         else:
-            judge.compare(request, want, result)
+            judge.compare(request, want, result, left_out[want])
     rows = judge.rows()
+    for want in wants:
+        for quantity in left_out.get(want, ()):
+            rows.append(Row(want, quantity, verdict="not offered", reason="in none of its results"))
     for want in wants:
         if want not in offered:
             reason = next(str(r["error"])[:200] for q, r in zip(requests, found, strict=True) if q.want[0] == want)
             rows.append(Row(want, want, verdict="MISSING" if required else "not offered", reason=reason))
     return rows
+
+
+def _left_out(want: str, requests: Sequence[Request], found: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
+    """Quantities that it may leave out and that are in no result; one that is there at times must always be."""
+    results = [result for request, result in zip(requests, found, strict=True) if request.want[0] == want]
+    return tuple(name for name in OPTIONAL.get(want, ()) if not any(name in result for result in results))

@@ -14,7 +14,7 @@ from mahovik.verify.evaluate import state_line
 
 @dataclass(frozen=True)
 class Report:
-    """What was compared, of which stand, and how it came out."""
+    """What was compared, of which stand (without what `left_out` names), and how it came out."""
 
     stand: str
     structure: str
@@ -25,6 +25,7 @@ class Report:
     tolerance: float
     rows: tuple[Row, ...]
     error: str = ""
+    left_out: tuple[str, ...] = ()
 
     @property
     def passed(self) -> bool:
@@ -73,6 +74,7 @@ def as_json(report: Report) -> str:
         "structure": report.structure,
         "physics": report.physics,
         "judged": report.judged,
+        "left_out": report.left_out,
         "seed": report.seed,
         "states": report.states,
         "tolerance": report.tolerance,

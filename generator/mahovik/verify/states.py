@@ -64,8 +64,7 @@ def identifier(found: dict[str, Any]) -> Any:
 
 def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> Request:
     """The request in a line's object. StateError names the key, what was found and what was expected."""
-    if isinstance(found, _Duplicated):
-        raise StateError(f'key "{found.key}" is there twice')
+    refuse_duplicates(found)
     for key, value in found.items():
         if key not in KEYS:
             raise StateError(f'unknown key "{key}", did you mean "{nearest(key, list(KEYS))}"?')
@@ -100,6 +99,12 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
 def read_line(stand: Stand, line: str, real: str = "double") -> Request:
     """The request in a line of text. Raises StateError."""
     return read_request(stand, read_object(line), real)
+
+
+def refuse_duplicates(found: dict[str, Any]) -> None:
+    """Raises StateError where an object that `read_object` gave has a key twice."""
+    if isinstance(found, _Duplicated):
+        raise StateError(f'key "{found.key}" is there twice')
 
 
 def _integer(digits: str) -> int | float:

@@ -20,7 +20,7 @@ from mahovik.verify.compare import Row, difference
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import report
 from mahovik.verify.judges.motion import MOTION_TOLERANCE, UNTIL, end_of_motion, moderate
-from mahovik.verify.judges.rigid import OutsideJudge, Values, missing
+from mahovik.verify.judges.rigid import MovingJudge, OutsideJudge, Values, missing, stripped
 from mahovik.verify.report import Report
 from mahovik.verify.scales import scales
 from mahovik.verify.scales.magnitudes import Magnitudes
@@ -31,6 +31,9 @@ JUDGES = {
     "mujoco": ("mahovik.verify.judges.mujoco_judge", "MujocoJudge"),
 }
 """Module and class of every judge, imported only where it is asked."""
+
+PARTIAL = {"basilisk": ("mahovik.verify.judges.basilisk_judge", "BasiliskJudge", "pip install bsk")}
+"""Judges that know some stands only: without them, or for another stand, a row says that nothing is compared."""
 
 INSTALL = "pip install pin mujoco"
 
@@ -51,46 +54,93 @@ QUANTITIES = {
 }
 """What is compared, in words."""
 
-MOTION = f"free motion of {UNTIL:g} s"
+ALL = (*JUDGES, *PARTIAL)
+
+Judge = OutsideJudge | MovingJudge
 
 
-def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[OutsideJudge]:
+def motion_of(seconds: float) -> str:
+    """The motion as a quantity, in words."""
+    return f"free motion of {seconds:g} s"
+
+
+MOTION = motion_of(UNTIL)
+
+
+def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judge]:
     """The judges with the model of the stand. UsageError: not installed, or the stand has what they have not."""
     found = missing(stand)
     if found:
         raise UsageError(
             f"--judges: Pinocchio and MuJoCo know rigid bodies on joints, and not {', '.join(found)}: "
-            "take these out of a copy of the stand file to have the rest judged"
+            "add --bare to have the stand judged without"
         )
     if not any(body.mass > 0.0 for body in stand.bodies):
         raise UsageError("--judges: no body of the stand has a mass")
-    judges = []
+    return [_load(stand, name) for name in names]
+
+
+def _load(stand: Stand, name: str) -> Judge:
+    module, kind, *install = JUDGES.get(name) or PARTIAL[name]
+    try:
+        return cast(Judge, getattr(importlib.import_module(module), kind)(stand))
+    except ImportError as error:
+        command = install[0] if install else INSTALL
+        raise UsageError(f"--judges: {name} is not installed ({error.name or error}): {command}") from None
+
+
+def verify_judges(
+    stand: Stand,
+    *,
+    seed: int = 1,
+    count: int = 200,
+    names: Sequence[str] = ALL,
+    bare: bool = False,
+    until: float = UNTIL,
+) -> Report:
+    """Rows of every judge and quantity: generated C against the judge, relative to the natural scale.
+
+    `bare`: of the stand without what no judge has; the report names it. `until`: s, of the free motion.
+    """
+    if bare:
+        found = verify_judges(stripped(stand), seed=seed, count=count, names=names, until=until)
+        return replace(found, left_out=tuple(missing(stand)))
+    judges = load_judges(stand, [name for name in names if name in JUDGES])
+    absent = []
     for name in names:
-        module, kind = JUDGES[name]
-        try:
-            judges.append(getattr(importlib.import_module(module), kind)(stand))
-        except ImportError as error:
-            raise UsageError(f"--judges: {name} is not installed ({error.name}): {INSTALL}") from None
-    return judges
+        if name in PARTIAL:
+            try:
+                judges.append(_load(stand, name))
+            except UsageError as error:
+                reason = str(error).removeprefix("--judges: ")
+                absent.append(Row(name, "all quantities", verdict="not compared", reason=reason))
+    found = verify_by(stand, judges, seed=seed, count=count, until=until)
+    return replace(found, rows=(*found.rows, *absent))
 
 
-def verify_judges(stand: Stand, *, seed: int = 1, count: int = 200, names: Sequence[str] = tuple(JUDGES)) -> Report:
-    """Rows of every judge and quantity: generated C against the judge, relative to the natural scale."""
-    judges = load_judges(stand, names)
-    backend = CBackend(stand)
+def verify_by(
+    stand: Stand,
+    judges: Sequence[Judge],
+    *,
+    seed: int = 1,
+    count: int = 200,
+    until: float = UNTIL,
+    backend: CBackend | None = None,
+) -> Report:
+    """The same by judges that have the stand already; `backend`: its C, where it is compiled already."""
+    backend = backend or CBackend(stand)
     rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
     for name, drawn in draw(stand, seed, count):
         state = near(drawn)
         own, natural = ours(backend, state), natural_scales(stand, state)
         request = Request(name, state, ("matrices", "forward", "torque", "mounts", "points"))
         for judge in judges:
-            given = judge.evaluate(state)
-            for key in QUANTITIES:
-                if _empty(given[key]):
+            for key, value in judge.evaluate(state).items():
+                if _empty(value):
                     continue  # no flywheels, no points: nothing to agree on
-                off, reason = difference(own[key], given[key], natural[key])
+                off, reason = difference(own[key], value, natural[key])
                 rows[judge.name, key].note(off, request, reason)
-    moved = [_motion_row(stand, backend, judge, seed) for judge in judges]
+    moved = [_motion_row(stand, backend, judge, seed, until) for judge in judges]
     noted = [row for row in (*rows.values(), *moved) if row.states]
     for row in noted:
         row.tolerance = row.tolerance or DOUBLE.default
@@ -146,17 +196,17 @@ def _empty(value: Any) -> bool:
     return not value if isinstance(value, dict) else np.size(value) == 0
 
 
-def _motion_row(stand: Stand, backend: CBackend, judge: OutsideJudge, seed: int) -> Row:
+def _motion_row(stand: Stand, backend: CBackend, judge: Judge, seed: int, until: float) -> Row:
     """Where the stand is in the end, by the C and by the judge, each integrated by itself."""
     state = moderate(stand, seed)
-    row = Row(judge.name, MOTION, tolerance=MOTION_TOLERANCE)
+    row = Row(judge.name, motion_of(until), tolerance=MOTION_TOLERANCE)
 
     def coupled(moved: State) -> tuple[Vec6, tuple[float, ...]]:
         found = backend.evaluate(moved, ("coupled",))
         return found["V_dot"], found["phi_ddot"]
 
     request = Request("moderate", replace(state, wrench=MappingProxyType({})), ("coupled",))
-    own, other = end_of_motion(stand, state, coupled, judge)
+    own, other = end_of_motion(stand, state, coupled, judge, until)
     for part, value in own.items():
         off, _ = difference(value.values, other[part].values, value.scale)
         if off > row.worst or not row.states:

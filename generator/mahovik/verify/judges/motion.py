@@ -1,4 +1,4 @@
-"""A free motion of two seconds under constant drive torques: by the C, and by a judge in its own coordinates."""
+"""A free motion of some seconds under constant drive torques: by the C, and by a judge in its own coordinates."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from mahovik import reference
 from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.random_state import random_state
 from mahovik.stand.state import Quaternion, State
-from mahovik.verify.judges.rigid import Array, OutsideJudge, attitude, quaternion_rate
+from mahovik.verify.judges.rigid import Array, MovingJudge, OutsideJudge, attitude, quaternion_rate
 
 UNTIL = 2.0
-"""s."""
+"""s; of what is published. Tests that break a judge on purpose see it sooner."""
 
 INTEGRATION = 1e-13
 """Relative tolerance of a step of either integration."""
@@ -51,9 +51,13 @@ def moderate(stand: Stand, seed: int) -> State:
 
 
 def end_of_motion(
-    stand: Stand, state: State, coupled: Callable[[State], tuple[Vec6, tuple[float, ...]]], judge: OutsideJudge
+    stand: Stand,
+    state: State,
+    coupled: Callable[[State], tuple[Vec6, tuple[float, ...]]],
+    judge: OutsideJudge | MovingJudge,
+    until: float = UNTIL,
 ) -> tuple[dict[str, Part], dict[str, Part]]:
-    """The state after UNTIL by `coupled`, which gives V* and phi'' of a state, and by the judge."""
+    """The state after `until` s by `coupled`, which gives V* and phi'' of a state, and by the judge."""
     tau = np.array(state.tau)
     turn = attitude(stand, state).as_quat(scalar_first=True)
     begin = np.concatenate([state.position, turn, state.V, state.phi, state.phi_dot])
@@ -74,34 +78,40 @@ def end_of_motion(
         V_dot, phi_ddot = coupled(moved)
         return np.concatenate([_matrix(q) @ V[:3], quaternion_rate(q, V[3:]), V_dot, phi_dot, phi_ddot])
 
-    y = integrated(rates, begin)
+    y = integrated(rates, begin, until)
     q = y[3:7] / np.linalg.norm(y[3:7])
     own = (y[:3], _matrix(q), y[7:13], y[13 : 13 + N], y[13 + N :])
-    other = judge.pose_and_velocity(integrated(lambda y: judge.rates(y, tau), judge.own_coordinates(state)))
-    sizes = _sizes(own)
+    if isinstance(judge, MovingJudge):
+        other = judge.moved(state, until)
+    else:
+        theirs = integrated(lambda y: judge.rates(y, tau), judge.own_coordinates(state), until)
+        other = judge.pose_and_velocity(theirs)
+    sizes = _sizes(own, until)
+    return _parts(own, sizes), _parts(other, sizes)
+
+
+def _parts(values: tuple[Array, ...], sizes: tuple[Array, ...]) -> dict[str, Part]:
     names = ("position", "C", "V", "phi", "phi_dot")
-    return tuple(  # type: ignore[return-value]
-        {name: Part(value, size) for name, value, size in zip(names, side, sizes, strict=True)} for side in (own, other)
-    )
+    return {name: Part(value, size) for name, value, size in zip(names, values, sizes, strict=True)}
 
 
-def integrated(rates: Callable[[Array], Array], begin: Array) -> Array:
-    """y after UNTIL."""
+def integrated(rates: Callable[[Array], Array], begin: Array, until: float = UNTIL) -> Array:
+    """y after `until` s."""
     options: dict[str, Any] = {"method": "DOP853", "rtol": INTEGRATION, "atol": INTEGRATION}
-    found = solve_ivp(lambda _, y: rates(y), (0.0, UNTIL), begin, **options)
+    found = solve_ivp(lambda _, y: rates(y), (0.0, until), begin, **options)
     return np.asarray(found.y[:, -1])
 
 
-def _sizes(own: tuple[Array, ...]) -> tuple[Array, ...]:
+def _sizes(own: tuple[Array, ...], until: float) -> tuple[Array, ...]:
     """Scales: ways and turns by how far things move in the time, velocities by the fastest of them."""
     position, C, V, phi, phi_dot = own
     v, omega = float(np.linalg.norm(V[:3])), float(np.linalg.norm(V[3:]))
     spin = float(np.abs(phi_dot).max(initial=0.0)) + omega
     return (
-        np.full(3, float(np.linalg.norm(position)) + v * UNTIL),
-        np.full_like(C, 1.0 + spin * UNTIL),
+        np.full(3, float(np.linalg.norm(position)) + v * until),
+        np.full_like(C, 1.0 + spin * until),
         np.repeat([v, omega + spin], 3),
-        np.full_like(phi, 1.0 + spin * UNTIL),
+        np.full_like(phi, 1.0 + spin * until),
         np.full_like(phi_dot, spin),
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,14 +19,29 @@ SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """Names of SciPy; capitals: about moving axes."""
 
 
-class OutsideJudge(Protocol):
+class StateJudge(Protocol):
     """A program of others with the model of one stand. Everything it returns is in the terms of model.md."""
 
     name: str
     version: str
 
     def evaluate(self, state: State) -> Values:
-        """K, I, bias (6), V_dot_forward, V_dot, phi_ddot of `tau`, base_wrench, tau, mount_wrench, points."""
+        """K, I, bias (6), V_dot_forward, V_dot, phi_ddot of `tau`, base_wrench, tau, mount_wrench, points.
+
+        What the program has not is left out.
+        """
+
+
+@runtime_checkable
+class MovingJudge(StateJudge, Protocol):
+    """One that integrates by itself."""
+
+    def moved(self, state: State, seconds: float) -> tuple[Array, Array, Array, Array, Array]:
+        """Position (3), C (3x3), V (6), phi (N), phi_dot (N) after a motion under the drive torques of the state."""
+
+
+class OutsideJudge(StateJudge, Protocol):
+    """One that gives rates, which are integrated for it."""
 
     def rates(self, y: Array, tau: Array) -> Array:
         """y' of a motion under drive torques, in the judge's own coordinates."""

@@ -1,0 +1,91 @@
+"""Limits in which the equations become others that are known, over random stands that shrink."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from mahovik.reference import evaluate, pieces
+from mahovik.stand.model import Instrument
+from physics.general import isolated, rows, without_added_mass
+from physics.motions import cross, rotation, vec
+from physics.properties import PROPERTY, cases, near, scale, value
+from physics.test_limits import about_center_of_mass, balanced
+
+
+@PROPERTY
+@given(case=cases(stream=False))
+def test_gyrostat_splits_into_translation_and_eulers_equation(case, shown):
+    """Balanced, symmetric flywheels, no added mass, O1 at the centre of mass; run-time wrenches act."""
+    stand, state = case
+    shown(stand, state)
+    stand = about_center_of_mass(balanced(without_added_mass(isolated(stand))), state)
+    at, V_dot = pieces(stand, state), value(stand, state, "forward", "V_dot")
+    size = np.abs(at.K) @ scale(stand, state, "forward")["V_dot"]
+    v, omega = np.split(at.V, 2)
+    m = sum(body.mass for body in stand.bodies)
+    near(m * (V_dot[:3] + np.cross(omega, v)), at.F[:3], size[:3])
+
+    # J omega' + h' + omega x (J omega + h) = moment, h = sum of J11 phi' along the spin axes
+    h, h_dot = np.zeros(3), np.zeros(3)
+    for s, phi_dot, phi_ddot in zip(stand.flywheels, state.phi_dot, state.phi_ddot, strict=True):
+        axis = Rotation.from_euler("ZY", [s.mounting.psi, s.mounting.theta]).apply([1, 0, 0])
+        h, h_dot = h + s.inertia[0][0] * phi_dot * axis, h_dot + s.inertia[0][0] * phi_ddot * axis
+    J = at.K[3:, 3:]
+    near(J @ V_dot[3:] + h_dot + np.cross(omega, J @ omega + h), at.F[3:], size[3:])
+
+
+def solid(seed):
+    """A weightless rigid body, and its spatial inertia about O1 in E1."""
+    rng = np.random.default_rng(seed)
+    m, rc, O, angles = rng.uniform(0.2, 2.0), *rng.uniform(-0.3, 0.3, (2, 3)), rng.uniform(-1.2, 1.2, 3)
+    a, b, c = rng.uniform(0.01, 0.1, 3)
+    central, C = np.diag([b + c, a + c, a + b]), Rotation.from_euler("ZYX", angles).as_matrix()
+    r = O + C @ rc
+    J1 = C @ central @ C.T - m * cross(r) @ cross(r)
+    Lambda = np.block([[m * np.eye(3), -m * cross(r)], [m * cross(r), J1]])
+    body = Instrument(
+        name="fluid",
+        mass=float(m),
+        center_of_mass=vec(rc),
+        inertia=rows(central),
+        inertia_about="center_of_mass",
+        buoyancy=None,
+        damping=None,
+        wrench_input=True,
+        position=vec(O),
+        angles=vec(angles),
+        added_mass=None,
+    )
+    return body, (Lambda + Lambda.T) / 2
+
+
+@PROPERTY
+@given(case=cases(stream=False), seed=st.integers(0, 2**16), on_instrument=st.booleans())
+def test_added_mass_of_the_form_of_a_body_acts_as_that_body(case, seed, on_instrument, shown):
+    """The body's weight is taken off by a wrench. An instrument's added mass is about O1 in E1 as well."""
+    stand, state = case
+    shown(stand, state)
+    stand = without_added_mass(stand)
+    body, Lambda = solid(seed)
+    if on_instrument and stand.instruments:
+        first, *rest = stand.instruments
+        fluid = replace(stand, instruments=(replace(first, added_mass=rows(Lambda)), *rest))
+    else:
+        fluid = replace(stand, carrier=replace(stand.carrier, added_mass=rows(Lambda)))
+    solid_stand = replace(stand, instruments=(*stand.instruments, body))
+    weight = body.mass * (rotation(stand, state) @ Rotation.from_euler("ZYX", body.angles).as_matrix()).T
+    cancel = -weight @ np.array(stand.gravity)
+    lift = {"fluid": vec([*cancel, *np.cross(body.center_of_mass, cancel)])}
+    lifted = replace(state, wrench={**state.wrench, **lift})
+    for want in ("matrices", "forward", "torque", "coupled"):
+        size, expected = scale(solid_stand, lifted, want), evaluate(solid_stand, lifted, [want])
+        for name, found in evaluate(fluid, state, [want]).items():
+            near(found, expected[name], size[name])
+    for name in ("Z", "Z0", "energy"):
+        expected = value(solid_stand, lifted, "momentum", name)
+        near(value(fluid, state, "momentum", name), expected, scale(solid_stand, lifted, "momentum")[name])

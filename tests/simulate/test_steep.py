@@ -1,0 +1,111 @@
+"""Torques that fall steeply with speed: the C follows SciPy at the default step, or says that it cannot."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mahovik import stands
+from mahovik.errors import UsageError
+from mahovik.motion import loads
+from mahovik.motion.laws import RunUp
+from mahovik.motion.motor import drive, steepness
+from mahovik.simulate import Case, Run, simulate
+from mahovik.simulate.by_c import CMotion
+from mahovik.simulate.steepness import Steepness
+from mahovik.stand import Stand, load, rest_state
+from mahovik.stand.model import Motor
+from mahovik.study.rest import rest
+
+SHAKER = load(stands.path("shaker2"))
+
+
+def case(text: str, stand: Stand = SHAKER, dt: float = 1e-4) -> Case:
+    return Case(stand, loads(f"schema = 1\n{text}\n", stand, 0.05), rest(stand).state, 0.05, every=0.01, dt=dt)
+
+
+def run_up(torque: float, **more: float) -> str:
+    rest_of_it = "".join(f", {key} = {value}" for key, value in more.items())
+    return f'default = {{ run_up = {{ torque = {torque}, to = "300 rpm"{rest_of_it} }} }}'
+
+
+def apart(a: Run, b: Run, quantity: str) -> float:
+    assert (a.stopped, b.stopped) == (None, None)
+    return float(max(np.abs(a[name] - b[name]).max() for name in a.names if name.startswith(quantity)))
+
+
+@pytest.mark.parametrize("torque", [0.3, 3.0, 20.0])
+def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
+    """The figures of docs/simulation.md. Torques of 20 N m settle to 0.03 N m, so both are asked of them."""
+    judge = simulate(case(run_up(torque)), "scipy")
+    found = simulate(case(run_up(torque)))
+    assert apart(found, judge, "tau") < 1e-4
+    assert apart(found, judge, "phi_dot") < 1e-5
+    assert apart(found, judge, "v_dot") < 1e-4
+    if torque >= 3.0:
+        assert np.abs(found["tau left [N m]"][1:]).max() < 0.031
+
+
+def test_a_steep_run_up_beside_a_speed_that_varies() -> None:
+    text = '[flywheel.left]\nrun_up = { torque = 5, to = "300 rpm" }\n'
+    text += "[flywheel.right]\nharmonic = { mean = 20, amplitude = 10, frequency = 12 }"
+    judge = simulate(case(text), "scipy")
+    found = simulate(case(text))
+    assert apart(found, judge, "phi_dot left") < 1e-4
+    assert apart(found, judge, "tau left") < 5e-3  # 16 N m a rad/s
+    for name in ("phi right [rad]", "phi_dot right [rad/s]"):
+        np.testing.assert_array_equal(found[name], judge[name])
+
+
+def test_dry_friction_that_sets_in_steeply() -> None:
+    """0.05 N m within 1e-3 rad/s: brings a flywheel to a stop, and holds it there."""
+    motor = Motor(1.0, 100.0, None, None, None, 0.0, 0.05, 1e-3)
+    stand = replace(SHAKER, flywheels=tuple(replace(s, motor=motor) for s in SHAKER.flywheels))
+    text = "default = { torque = 0, initial_speed = 0.05 }"
+    judge, found = simulate(case(text, stand), "scipy"), simulate(case(text, stand))
+    assert np.abs(judge["phi_dot left [rad/s]"][1:]).max() < 1e-2
+    assert apart(found, judge, "phi_dot") < 1e-5
+    assert apart(found, judge, "tau") < 1e-3
+
+
+def test_what_is_too_steep_is_refused_before_the_run() -> None:
+    with pytest.raises(UsageError, match=r"flywheel left: its torque falls by up to 5e\+03 N m a rad/s.* wider `band`"):
+        simulate(case(run_up(50.0, band=0.01)))
+    CMotion(case(run_up(50.0, band=0.01), dt=1e-6))  # as the refusal proposes: taken
+
+
+def test_gentle_laws_are_not_cut() -> None:
+    """So the order of their error in dt is that of the step."""
+    mobility = np.eye(2) * 100.0
+    for text in ("default = { torque = 3 }", "default = { speed = 3 }", run_up(0.3, band=20.0)):
+        steep = Steepness(case(text))
+        assert steep.matters == ("run_up" in text)
+        if steep.matters:
+            assert steep.parts(1e-4, mobility, np.zeros(2), np.zeros(2)) == 1
+
+
+def test_a_step_is_cut_where_it_comes_near_the_band() -> None:
+    steep, mobility = Steepness(case(run_up(20.0))), np.eye(2) * 1000.0
+    far, near, rate = np.zeros(2), np.full(2, 29.0), np.full(2, 2e4)
+    assert steep.parts(1e-4, mobility, far, rate) == 1
+    assert steep.parts(1e-4, mobility, near, 0 * rate) == 1
+    assert steep.parts(1e-4, mobility, near, rate) > 20
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_steepness_bounds_every_difference(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    law = RunUp(*rng.uniform(0.1, 2.0, 1), *rng.uniform(-9, 9, 1), *rng.uniform(0.1, 2.0, 1))
+    motor = Motor(rng.uniform(0.5, 3.0), 8.0, None, None, None, 0.05, 0.3, 0.4)
+    for each in (None, motor):
+        low, high = sorted(rng.uniform(-12, 12, 2))
+        speeds = np.linspace(low, high, 2001)
+        torques = [drive(each, law.command(0.0, w), w) for w in speeds]
+        most = np.abs(np.diff(torques) / np.diff(speeds)).max()
+        assert most <= steepness(each, law.steepness(low, high), low, high) * (1 + 1e-9) + 1e-12
+
+
+def test_a_stand_at_rest_without_a_regime_has_no_steep_law() -> None:
+    assert not Steepness(Case(SHAKER, case("default = { hold = true }").regime, rest_state(SHAKER), 1.0)).matters

@@ -1,0 +1,197 @@
+"""Basilisk as a judge: agrees where its wheel is exact, is far off where it is not, and says what it has not."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import sys
+from dataclasses import replace
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cli.run import DEMO3, run
+from mahovik.errors import UsageError
+from mahovik.stand import Stand, load
+from mahovik.stand.random import BARE, random_stand
+from mahovik.stand.random_state import random_state
+from mahovik.stands import path
+from mahovik.verify.c_backend import CBackend
+from mahovik.verify.judges import compare
+from mahovik.verify.judges.basilisk_wheel import hub, unlike, wheels, with_its_wheels
+from mahovik.verify.judges.compare import QUANTITIES, motion_of, verify_by, verify_judges
+from mahovik.verify.judges.rigid import missing, stripped
+from mahovik.verify.report import Report, conclusion
+
+if importlib.util.find_spec("Basilisk") is None:
+    if os.environ.get("CI"):
+        raise ImportError("no Basilisk: pip install bsk")
+    pytest.skip("no Basilisk: pip install bsk", allow_module_level=True)
+
+from mahovik.verify.judges import basilisk_judge
+from mahovik.verify.judges.basilisk_judge import BasiliskJudge
+
+FEATURES = replace(BARE, instruments=2)
+RAW = {name: stripped(load(path(name))) for name in ("bench8", "remus6", "sat4")} | {
+    f"random, {N}": random_stand(np.random.default_rng(N), N, FEATURES) for N in (1, 5)
+}
+ITS = {name: with_its_wheels(stand) for name, stand in RAW.items()}
+QUICK, UNTIL = 5, 0.3
+"""States of a comparison, the first at rest; s of its motion, about a turn. docs/judges.md has more of both."""
+SHORT = motion_of(UNTIL)
+OFFERED = {*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), SHORT}
+
+
+def judged(stand: Stand, *given: Any) -> Report:
+    return verify_by(stand, [BasiliskJudge(stand, *given)], count=QUICK, until=UNTIL, backend=compiled(stand))
+
+
+@cache
+def compiled(stand: Stand) -> CBackend:
+    """Once for all tests of a stand: what is broken on purpose is the judge."""
+    return CBackend(stand)
+
+
+def worst(report: Report) -> dict[str, float]:
+    return {row.quantity: row.worst for row in report.rows}
+
+
+@pytest.mark.parametrize("name", ITS)
+def test_it_agrees_where_its_wheel_is_exact(name: str) -> None:
+    found = judged(ITS[name])
+    assert found.passed, conclusion(found)
+    assert {row.quantity for row in found.rows} == OFFERED
+    assert all(row.worst < 1e-14 for row in found.rows if row.quantity != SHORT)
+    assert all(abs(wheel.tensor[0, 2]) > 0.0 or wheel.static > 0.0 for wheel in wheels(ITS[name]))
+
+
+def test_a_stand_without_flywheels() -> None:
+    stand = with_its_wheels(random_stand(np.random.default_rng(0), 0, FEATURES))
+    found = judged(stand)
+    assert found.passed, conclusion(found)
+    assert {row.quantity for row in found.rows} == OFFERED - {QUANTITIES["phi_ddot"]}
+
+
+def test_the_cut_leaves_the_mass_and_its_place() -> None:
+    for name, stand in RAW.items():
+        for old, new in zip(wheels(stand), wheels(ITS[name]), strict=True):
+            assert new.mass == old.mass
+            assert new.static == old.static
+            np.testing.assert_array_equal(new.center, old.center)
+            np.testing.assert_allclose(new.tensor[0, [0, 2]], old.tensor[0, [0, 2]], rtol=1e-12, atol=1e-18)
+            np.testing.assert_allclose(np.trace(new.tensor), np.trace(old.tensor), rtol=1e-12)
+
+
+@pytest.mark.parametrize("fault", ["static", "dynamic", "place", "mass"])
+def test_a_wrong_wheel_is_caught(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One wheel of those that Basilisk is given: the sign of an unbalance, or one number in the ninth digit."""
+
+    def wrong(stand: Stand) -> Any:
+        *others, last = wheels(stand)
+        products = np.zeros((3, 3))
+        products[0, 2] = products[2, 0] = last.tensor[0, 2]
+        changes: dict[str, Any] = {
+            "static": {"static": -last.static},
+            "dynamic": {"tensor": last.tensor - 2.0 * products},
+            "place": {"center": last.center * (1.0 + 1e-9)},
+            "mass": {"mass": last.mass * (1.0 + 1e-9)},
+        }
+        return (*others, replace(last, **changes[fault]))
+
+    monkeypatch.setattr(basilisk_judge, "wheels", wrong)
+    failed = {row.quantity for row in judged(ITS["random, 1"]).failures}
+    assert QUANTITIES["V_dot"] in failed
+    assert QUANTITIES["phi_ddot"] in failed or fault in ("place", "mass")
+
+
+def test_two_transverse_moments_are_refused_and_taken_in_silence_when_asked() -> None:
+    stand = with_its_wheels(RAW["sat4"], asymmetric=True)
+    assert unlike(stand) == ["transverse moments that differ (rw1, rw2, rw3, rw4)"]
+    with pytest.raises(UsageError, match="transverse moments that differ"):
+        BasiliskJudge(stand)
+    found = worst(judged(stand, "JitterFullyCoupled", True))
+    assert found[QUANTITIES["K"]] < 1e-14  # its mass properties have both moments
+    assert min(found[QUANTITIES["V_dot"]], found[QUANTITIES["phi_ddot"]], found[SHORT]) > 1e-7
+
+
+def test_what_it_leaves_out_is_the_torque_of_the_difference_about_the_axis() -> None:
+    """On a carrier too heavy to be moved, C - Basilisk is (Jt - Jg) omega_2 omega_3 of its manual, over Js + m d^2."""
+    stand = with_its_wheels(RAW["random, 1"], asymmetric=True)
+    heavy = replace(
+        stand,
+        instruments=(),
+        flywheels=(replace(stand.flywheels[0], mount="carrier"),),
+        carrier=replace(
+            stand.carrier,
+            mass=1e12,
+            center_of_mass=(0.0, 0.0, 0.0),
+            inertia=((1e12, 0.0, 0.0), (0.0, 1e12, 0.0), (0.0, 0.0, 1e12)),
+        ),
+    )
+    (wheel,) = wheels(heavy)
+    state = replace(random_state(heavy, np.random.default_rng(2)), wrench={})
+    turn = np.array(state.phi[0])
+    c, s = np.cos(turn), np.sin(turn)
+    axes = wheel.axes @ np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+    omega = axes.T @ np.array(state.V[3:])
+    Js, Jt, Jg = np.diag(wheel.tensor)
+    expected = (Jt - Jg) * omega[1] * omega[2] / (Js + wheel.static**2 / wheel.mass)
+    ours = CBackend(heavy).evaluate(state, ("coupled",))["phi_ddot"][0]
+    theirs = BasiliskJudge(heavy, "JitterFullyCoupled", True).evaluate(state)["phi_ddot"][0]
+    assert abs(expected) > 1e-3
+    assert ours - theirs == pytest.approx(expected, rel=1e-6)  # 1e-10 is what the carrier still moves
+
+
+def test_simple_jitter_is_exact_for_balanced_wheels_only() -> None:
+    demo = load(path("demo3"))
+    found = judged(demo, "JitterSimple")
+    assert found.passed, conclusion(found)
+    unbalanced = worst(judged(ITS["remus6"], "JitterSimple"))
+    assert set(unbalanced) == OFFERED
+    assert min(unbalanced.values()) > 1e-6
+
+
+def test_simple_jitter_carries_the_wheels_in_its_hub() -> None:
+    stand = ITS["sat4"]
+    total = sum(body.mass for body in stand.bodies)
+    assert hub(stand, bearing_wheels=True)[0] == pytest.approx(total, rel=1e-15)
+    assert hub(stand)[0] == pytest.approx(total - sum(s.mass for s in stand.flywheels), rel=1e-15)
+
+
+def test_the_command_compares_or_says_in_a_line_why_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compare, "verify_judges", partial(verify_judges, until=UNTIL))
+    found = json.loads(run("verify", DEMO3, "--judges", "--states", "3", "--json").stdout)
+    assert {row["quantity"] for row in found["rows"] if row["want"] == "basilisk"} == OFFERED
+    assert "basilisk" in found["judged"]
+    result = run("verify", str(path("sat4")), "--judges", "--states", "2", "--json")
+    assert result.exit_code == 0
+    other = json.loads(result.stdout)
+    (row,) = [row for row in other["rows"] if row["want"] == "basilisk"]
+    assert row["verdict"] == "not compared"
+    assert "transverse moments that differ (rw1, rw2, rw3, rw4)" in row["reason"]
+    assert "\n" not in row["reason"]
+    assert "basilisk" not in other["judged"]
+
+
+def test_what_it_has_not_is_named() -> None:
+    bench = load(path("bench8"))
+    words = unlike(bench)
+    assert words[: len(missing(bench))] == missing(bench)
+    assert "gravity that is the same everywhere" in words
+    assert any(word.startswith("a product of inertia J23 (w1, w2") for word in words)
+    assert any(word.startswith("dynamic unbalance that is not across the static one (w1, w2") for word in words)
+    weightless = replace(ITS["sat4"], carrier=replace(ITS["sat4"].carrier, mass=0.0))
+    assert unlike(weightless) == ["a carrier without mass"]
+
+
+def test_without_it_the_others_judge(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(sys.modules, "mahovik.verify.judges.basilisk_judge", raising=False)
+    monkeypatch.setitem(sys.modules, "Basilisk", None)
+    found = verify_judges(load(path("demo3")), count=2, until=UNTIL)
+    assert found.passed, conclusion(found)
+    (row,) = [row for row in found.rows if row.want == "basilisk"]
+    assert row.verdict == "not compared"
+    assert row.reason.endswith("pip install bsk")
