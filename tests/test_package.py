@@ -72,8 +72,9 @@ def installed(site, tmp_path):
 def test_what_travels(wheel):
     names = zipfile.ZipFile(wheel).namelist()
     assert wheel.name == f"mahovik-{__version__}-py3-none-any.whl"
-    templates = {f"mahovik/templates/{file.name}" for file in (ROOT / "templates").glob("stand.*")}
-    assert len(templates) == 2
+    folder = ROOT / "templates"
+    templates = {f"mahovik/templates/{file.relative_to(folder)}" for file in folder.rglob("*") if file.is_file()}
+    assert {"mahovik/templates/stand.c.j2", "mahovik/templates/stand.h.j2"} < templates
     stands = {f"mahovik/stands/{name}.toml" for name in examples.names()}
     assert templates | stands | {"mahovik/py.typed"} <= set(names)
     assert [n for n in names if not n.startswith(("mahovik/", f"mahovik-{__version__}.dist-info/"))] == []
@@ -86,7 +87,9 @@ def test_the_installed_package_generates_the_same_c(installed, tmp_path):
     found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
     installed("-c", code, "generate", found, "-o", "out")
     written = {file.name: file.read_text(encoding="ascii") for file in (tmp_path / "out").iterdir()}
-    assert written == generate(load(examples.path("bench8")))
+    expected = generate(load(examples.path("bench8")))
+    assert expected.items() <= written.items()
+    assert {"bench8_selftest.c", "README.md", "manifest.json"} <= written.keys()
 
 
 def test_the_installed_command_knows_its_version_and_examples(installed, tmp_path):
@@ -99,4 +102,4 @@ def test_the_installed_command_knows_its_version_and_examples(installed, tmp_pat
 
 def test_the_command_is_declared(wheel):
     entries = zipfile.ZipFile(wheel).read(f"mahovik-{__version__}.dist-info/entry_points.txt").decode()
-    assert "mahovik = mahovik.cli:main" in entries
+    assert "mahovik = mahovik.__main__:run" in entries

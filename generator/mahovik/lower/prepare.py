@@ -130,8 +130,8 @@ def prepare(lib: Library) -> Function:
         notes=(
             "The same operations made the table of the generator: for the parameters of the stand file, equal bits.",
             "RANGE also where a mass is negative or axes have no direction.",
-            "NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are negative "
-            "or break the triangle inequality"
+            "NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are "
+            "negative or break the triangle inequality"
             + (", added mass that is not symmetric and positive semidefinite" if layout.added_mass else "")
             + f" (to {lib.thresholds.unphysical:g} of the largest element)"
             + ("; a flywheel without spin inertia" if layout.flywheels else "")
