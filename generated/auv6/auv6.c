@@ -75,7 +75,7 @@ static auv6_real auv6_real_of(auv6_word word)
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
 AUV6_CODE
-static void auv6_sincos(auv6_real x, auv6_real *sine, auv6_real *cosine)
+static void auv6_sincos(auv6_real x, auv6_real *restrict sine, auv6_real *restrict cosine)
 {
     /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
     const auv6_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
@@ -198,7 +198,7 @@ static auv6_status auv6_check_state(const auv6_state *x)
 
 /* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
 AUV6_CODE
-static void auv6_rotation(const auv6_real q[4], auv6_real C[9])
+static void auv6_rotation(const auv6_real q[4], auv6_real C[restrict 9])
 {
     const auv6_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -214,7 +214,7 @@ static void auv6_rotation(const auv6_real q[4], auv6_real C[9])
 
 /* C^T a: from the outer axes to the turned ones. */
 AUV6_CODE
-static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_real out[3])
+static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_real out[restrict 3])
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -224,7 +224,7 @@ static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_re
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 AUV6_CODE
 static void auv6_add_flywheel(const auv6_row *row, auv6_real s, auv6_real c, auv6_real phi_dot,
-                              auv6_real phi_ddot, auv6_sums *sum)
+                              auv6_real phi_ddot, auv6_sums *restrict sum)
 {
     const auv6_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
     const auv6_real s2 = 2.0 * c * s;
@@ -242,18 +242,10 @@ static void auv6_add_flywheel(const auv6_row *row, auv6_real s, auv6_real c, auv
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
     /* inertia and its rate: K_dot of (6) */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    for (int i = 0; i < 6; ++i) {
+        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
+        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
+    }
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -269,7 +261,7 @@ static void auv6_add_flywheel(const auv6_row *row, auv6_real s, auv6_real c, auv
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 AUV6_CODE
-static void auv6_start_sums(const auv6_table *stand, auv6_sums *sum)
+static void auv6_start_sums(const auv6_table *stand, auv6_sums *restrict sum)
 {
     sum->mu[0] = stand->first_moment[0];
     sum->mu[1] = stand->first_moment[1];
@@ -286,7 +278,7 @@ static void auv6_start_sums(const auv6_table *stand, auv6_sums *sum)
 
 /* adds the damping of one body to its wrench, both in the body's own frame, (7). */
 AUV6_CODE
-static void auv6_damp(const auv6_damper *damper, const auv6_real V[6], auv6_real P[6])
+static void auv6_damp(const auv6_damper *damper, const auv6_real V[6], auv6_real P[restrict 6])
 {
     auv6_real x[12];  /* u v w p q r and their magnitudes */
     x[0] = V[0];  x[1] = V[1];  x[2] = V[2];
@@ -311,7 +303,7 @@ static void auv6_damp(const auv6_damper *damper, const auv6_real V[6], auv6_real
 /* total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
 AUV6_CODE
 static void auv6_external(const auv6_table *stand, const auv6_sums *sum, const auv6_real V[6],
-                          const auv6_real g[3], auv6_real F[6])
+                          const auv6_real g[3], auv6_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -329,7 +321,7 @@ static void auv6_external(const auv6_table *stand, const auv6_sums *sum, const a
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 AUV6_CODE
 static void auv6_momentum_screw(const auv6_table *stand, const auv6_sums *sum, const auv6_real V[6],
-                                auv6_real Z[6])
+                                auv6_real Z[restrict 6])
 {
     Z[0] = stand->A[0] * V[0] + stand->A[3] * V[1] + stand->A[4] * V[2] + stand->G[0] * V[3]
         + (stand->G[3] + sum->mu[2]) * V[4] + (stand->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
@@ -348,7 +340,7 @@ static void auv6_momentum_screw(const auv6_table *stand, const auv6_sums *sum, c
 /* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 AUV6_CODE
 static void auv6_subtract_rates(const auv6_sums *sum, const auv6_real V[6], const auv6_real Z[6],
-                                auv6_real F[6])
+                                auv6_real F[restrict 6])
 {
     F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
     F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
@@ -366,7 +358,7 @@ static void auv6_subtract_rates(const auv6_sums *sum, const auv6_real V[6], cons
 
 /* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 AUV6_CODE
-static auv6_status auv6_solve3(const auv6_real S[6], const auv6_real b[3], auv6_real y[3])
+static auv6_status auv6_solve3(const auv6_real S[6], const auv6_real b[3], auv6_real y[restrict 3])
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return AUV6_NOT_POSITIVE_DEFINITE; }
     const auv6_real r1 = 1.0 / S[0];
@@ -391,7 +383,7 @@ static auv6_status auv6_solve3(const auv6_real S[6], const auv6_real b[3], auv6_
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 AUV6_CODE
 static auv6_status auv6_solve_carrier(const auv6_table *stand, const auv6_sums *sum, const auv6_real F[6],
-                                      auv6_real y[6])
+                                      auv6_real y[restrict 6])
 {
     auv6_status status;
     auv6_real B[9];  /* <mu> + Lambda_21: lower left block of K */
@@ -436,7 +428,7 @@ static auv6_status auv6_solve_carrier(const auv6_table *stand, const auv6_sums *
  * (8). */
 AUV6_CODE
 static auv6_status auv6_accelerate(const auv6_table *stand, const auv6_state *x,
-                                   const auv6_real phi_ddot[AUV6_N], auv6_real V_dot[6])
+                                   const auv6_real phi_ddot[AUV6_N], auv6_real V_dot[restrict 6])
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -525,7 +517,7 @@ auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real 
 
 /* M = Phi K + K*, (9). */
 AUV6_CODE
-static void auv6_velocity_matrix(const auv6_real V[6], auv6_equations *out)
+static void auv6_velocity_matrix(const auv6_real V[6], auv6_equations *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -722,7 +714,7 @@ auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_mom
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 AUV6_CODE
 static void auv6_couple(const auv6_row *row, auv6_real s, auv6_real c, const auv6_real V[6],
-                        const auv6_real swing[3], auv6_coupling *out)
+                        const auv6_real swing[3], auv6_coupling *restrict out)
 {
     const auv6_real c2 = 1.0 - 2.0 * (s * s);
     const auv6_real s2 = 2.0 * c * s;
@@ -796,8 +788,8 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 AUV6_CODE
-static void auv6_eliminate(const auv6_real I[6], auv6_real spin_inv, auv6_real rate, auv6_schur *K,
-                           auv6_real F[6])
+static void auv6_eliminate(const auv6_real I[6], auv6_real spin_inv, auv6_real rate, auv6_schur *restrict K,
+                           auv6_real F[restrict 6])
 {
     auv6_real scaled[6];  /* I / Theta_ff */
     scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
@@ -815,7 +807,7 @@ static void auv6_eliminate(const auv6_real I[6], auv6_real spin_inv, auv6_real r
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 AUV6_CODE
-static auv6_status auv6_solve_schur(const auv6_schur *K, const auv6_real F[6], auv6_real y[6])
+static auv6_status auv6_solve_schur(const auv6_schur *K, const auv6_real F[6], auv6_real y[restrict 6])
 {
     auv6_status status;
     const auv6_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -868,7 +860,8 @@ static auv6_status auv6_solve_schur(const auv6_schur *K, const auv6_real F[6], a
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 AUV6_CODE
 static auv6_status auv6_move(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
-                             const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N])
+                             const int locked[AUV6_N], auv6_real V_dot[restrict 6],
+                             auv6_real phi_ddot[restrict AUV6_N])
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -960,7 +953,7 @@ auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv
 
 /* to = x + h rate; phases are brought within half a turn. */
 AUV6_CODE
-static void auv6_advance(const auv6_state *x, const auv6_state *rate, auv6_real h, auv6_state *to)
+static void auv6_advance(const auv6_state *x, const auv6_state *rate, auv6_real h, auv6_state *restrict to)
 {
     for (int i = 0; i < 3; ++i) {
         to->position[i] = x->position[i] + h * rate->position[i];
@@ -981,7 +974,7 @@ static void auv6_advance(const auv6_state *x, const auv6_state *rate, auv6_real 
 
 /* brings the quaternion to unit length; RANGE where the state has left its ranges. */
 AUV6_CODE
-static auv6_status auv6_finish(auv6_state *x)
+static auv6_status auv6_finish(auv6_state *restrict x)
 {
     const auv6_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -997,7 +990,7 @@ static auv6_status auv6_finish(auv6_state *x)
 /* rates of the state under drive torques. */
 AUV6_CODE
 static auv6_status auv6_rate(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
-                             const int locked[AUV6_N], auv6_state *rate)
+                             const int locked[AUV6_N], auv6_state *restrict rate)
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -1119,7 +1112,7 @@ auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_r
 /* rates of the state under given flywheel accelerations. */
 AUV6_CODE
 static auv6_status auv6_rate_driven(const auv6_table *stand, const auv6_state *x,
-                                    const auv6_real phi_ddot[AUV6_N], auv6_state *rate)
+                                    const auv6_real phi_ddot[AUV6_N], auv6_state *restrict rate)
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -1335,7 +1328,7 @@ auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int pe
 /* change of the damping of one body with its twist, (7). */
 AUV6_CODE
 static void auv6_damp_slope(const auv6_damper *damper, const auv6_real V[6], const auv6_real change[6],
-                            auv6_real P[6])
+                            auv6_real P[restrict 6])
 {
     auv6_real x[12];  /* u v w p q r and their magnitudes */
     auv6_real dx[12];  /* their changes */
@@ -1378,7 +1371,7 @@ static void auv6_damp_slope(const auv6_damper *damper, const auv6_real V[6], con
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 AUV6_CODE
 static void auv6_twist_slope(const auv6_table *stand, const auv6_real V[6], const auv6_real Z[6],
-                             const auv6_equations *m, auv6_real slope[36])
+                             const auv6_equations *m, auv6_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1415,7 +1408,7 @@ static void auv6_twist_slope(const auv6_table *stand, const auv6_real V[6], cons
 /* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
 AUV6_CODE
 static void auv6_row_slope(const auv6_row *row, const auv6_real weight[12], const auv6_real V[6],
-                           const auv6_real V_dot[6], const auv6_real g[3], auv6_real out[6])
+                           const auv6_real V_dot[6], const auv6_real g[3], auv6_real out[restrict 6])
 {
     auv6_sums change;  /* of the sums */
     auv6_real Z[6];  /* change of the momentum screw */
@@ -1936,7 +1929,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 AUV6_CODE
-static void auv6_orthogonalise(auv6_inverse_work *work)
+static void auv6_orthogonalise(auv6_inverse_work *restrict work)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -1996,7 +1989,7 @@ static void auv6_orthogonalise(auv6_inverse_work *work)
 
 /* cholesky factor of the mass matrix, in place: K = G G^T. */
 AUV6_CODE
-static auv6_status auv6_factor(auv6_inverse_work *work)
+static auv6_status auv6_factor(auv6_inverse_work *restrict work)
 {
     for (int j = 0; j < 6; ++j) {
         auv6_real pivot = work->G[j][j];
@@ -2020,7 +2013,7 @@ static auv6_status auv6_factor(auv6_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 AUV6_CODE
 static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
-                               auv6_inverse_work *work)
+                               auv6_inverse_work *restrict work)
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
@@ -2124,7 +2117,7 @@ static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, con
 
 /* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 AUV6_CODE
-static void auv6_solve_gram(auv6_real gram[6][6], auv6_real z[6], auv6_real least)
+static void auv6_solve_gram(auv6_real gram[restrict 6][6], auv6_real z[restrict 6], auv6_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2156,9 +2149,10 @@ static void auv6_solve_gram(auv6_real gram[6][6], auv6_real z[6], auv6_real leas
  * do, (12). */
 AUV6_CODE
 static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_options *options, int rank,
-                          auv6_real phi_ddot[AUV6_N], int limited[AUV6_N])
+                          auv6_real phi_ddot[restrict AUV6_N], int limited[restrict AUV6_N])
 {
-    auv6_real give[AUV6_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    auv6_real share[AUV6_N];  /* 1/weight */
+    auv6_real give[AUV6_N];  /* the share of flywheels that are free, 0 of those held */
     auv6_real step[AUV6_N];  /* what the free flywheels shall give more */
     auv6_real row[6];  /* factor of each row; 0: it does not count */
     auv6_real gram[6][6];
@@ -2166,12 +2160,15 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
     for (int s = 0; s < AUV6_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 18; ++pass) {
+    for (int pass = 0; pass < 10; ++pass) {
         auv6_real most = 0.0;
         for (int s = 0; s < AUV6_N; ++s) {
-            const auv6_real share = (pass < 17) ? 1.0 / options->weight[s] : 1.0;
-            give[s] = (limited[s] > 0) ? 0.0 : share;
+            if (pass >= 9) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
             most = (give[s] > most) ? give[s] : most;
         }
         const auv6_real regular = 1.0e-12 * most;
@@ -2189,22 +2186,30 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
             }
             z[i] = row[i] * left;
         }
+        auv6_real weighed[AUV6_N];  /* a row of W Omega^-1 */
         for (int i = 0; i < 6; ++i) {
+            for (int s = 0; s < AUV6_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
             for (int j = 0; j < i + 1; ++j) {
                 auv6_real total = 0.0;
                 for (int s = 0; s < AUV6_N; ++s) {
-                    total += work->W[i][s] * give[s] * work->W[j][s];
+                    total += weighed[s] * work->W[j][s];
                 }
                 gram[i][j] = row[i] * row[j] * total;
             }
             gram[i][i] += least;
         }
         auv6_solve_gram(gram, z, least);
+        for (int i = 0; i < 6; ++i) {
+            z[i] = row[i] * z[i];
+        }
         for (int s = 0; s < AUV6_N; ++s) {
-            step[s] = 0.0;
+            auv6_real total = 0.0;
             for (int i = 0; i < 6; ++i) {
-                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+                total += work->W[i][s] * z[i];
             }
+            step[s] = give[s] * total;
         }
         if (pass < 1) {
             for (int s = 0; s < AUV6_N; ++s) {
@@ -2525,7 +2530,7 @@ auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, cons
 AUV6_CODE
 static void auv6_sense(const auv6_sensor *sensor, const auv6_real r[3], const auv6_real V[6],
                        const auv6_real V_dot[6], const auv6_real C[9], const auv6_real g[3],
-                       auv6_reading *out)
+                       auv6_reading *restrict out)
 {
     auv6_real velocity[3];  /* in E1 */
     auv6_real force[3];  /* acceleration less gravity, in E1 */
@@ -2670,7 +2675,7 @@ auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], 
 
 /* I0 = K A, J0 = K D + M A, (11). */
 AUV6_CODE
-static void auv6_products(const auv6_equations *m, auv6_generalized *out)
+static void auv6_products(const auv6_equations *m, auv6_generalized *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2779,7 +2784,8 @@ auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const au
 
 /* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 AUV6_CODE
-static auv6_status auv6_frame_of_axes(const auv6_real axis[3], const auv6_real zero[3], auv6_real R[9])
+static auv6_status auv6_frame_of_axes(const auv6_real axis[3], const auv6_real zero[3],
+                                      auv6_real R[restrict 9])
 {
     auv6_status status = auv6_within(axis, 3, AUV6_MAX_PARAMETER);
     if (status != AUV6_OK) { return status; }
@@ -2814,7 +2820,8 @@ static auv6_status auv6_frame_of_axes(const auv6_real axis[3], const auv6_real z
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 AUV6_CODE
 static void auv6_carry(auv6_real m, const auv6_real b[3], const auv6_real J[6], const auv6_real O[3],
-                       const auv6_real R[9], auv6_real mu[3], auv6_real J1[6], auv6_real t[3])
+                       const auv6_real R[9], auv6_real mu[restrict 3], auv6_real J1[restrict 6],
+                       auv6_real t[restrict 3])
 {
     auv6_real b1[3];  /* R b */
     auv6_real RJ[9];  /* R J */
@@ -2928,7 +2935,7 @@ static auv6_status auv6_check_dry_body(const auv6_dry_body *body)
 /* origin and axes (at phi = 0) of a flywheel in E1. */
 AUV6_CODE
 static auv6_status auv6_place_flywheel(const auv6_parameters *parameters, const auv6_flywheel *w,
-                                       auv6_real O[3], auv6_real R[9])
+                                       auv6_real O[restrict 3], auv6_real R[restrict 9])
 {
     auv6_status status = auv6_within(w->position, 3, AUV6_MAX_PARAMETER);
     if (status != AUV6_OK) { return status; }
@@ -3007,8 +3014,8 @@ static auv6_status auv6_check_added_mass(const auv6_real added_mass[6][6])
 
 /* constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
 AUV6_CODE
-static auv6_status auv6_translation_block(const auv6_parameters *parameters, auv6_real mass, auv6_real A[6],
-                                          auv6_real A_inv[6])
+static auv6_status auv6_translation_block(const auv6_parameters *parameters, auv6_real mass,
+                                          auv6_real A[restrict 6], auv6_real A_inv[restrict 6])
 {
     A[0] = mass + parameters->added_mass[0][0];
     A[1] = mass + parameters->added_mass[1][1];
@@ -3257,7 +3264,7 @@ auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *stand)
 
 /* L^T of a twist, to mounting axes at Os. */
 AUV6_CODE
-static void auv6_carry_twist(const auv6_mount *mount, const auv6_real V[6], auv6_real U[6])
+static void auv6_carry_twist(const auv6_mount *mount, const auv6_real V[6], auv6_real U[restrict 6])
 {
     auv6_real velocity[3];  /* of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -3275,7 +3282,7 @@ static void auv6_carry_twist(const auv6_mount *mount, const auv6_real V[6], auv6
 AUV6_CODE
 static void auv6_mount_wrench(const auv6_mount *mount, auv6_real s, auv6_real c, auv6_real phi_dot,
                               auv6_real phi_ddot, const auv6_real V[6], const auv6_real V_dot[6],
-                              const auv6_real g[3], auv6_real W[6])
+                              const auv6_real g[3], auv6_real W[restrict 6])
 {
     auv6_real U[6];  /* twist of the mount at Os */
     auv6_real turned[6];  /* in Es */

@@ -32,7 +32,7 @@ extern "C" {
 #endif
 
 #define AUV6_RECORDER_FORMAT 1u           /* of the log */
-#define AUV6_RECORDER_SOURCE 0x06c6f3cau  /* of the texts of auv6.h and auv6.c: FNV-1a */
+#define AUV6_RECORDER_SOURCE 0xed160d50u  /* of the texts of auv6.h and auv6.c: FNV-1a */
 #define AUV6_RECORDER_TABLE  0x7c3dd86du  /* hash of the default table */
 #define AUV6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
 

@@ -75,7 +75,7 @@ static bench8_real bench8_real_of(bench8_word word)
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
 BENCH8_CODE
-static void bench8_sincos(bench8_real x, bench8_real *sine, bench8_real *cosine)
+static void bench8_sincos(bench8_real x, bench8_real *restrict sine, bench8_real *restrict cosine)
 {
     /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
     const bench8_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
@@ -238,7 +238,7 @@ static bench8_status bench8_check_state(const bench8_state *x)
 
 /* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
 BENCH8_CODE
-static void bench8_rotation(const bench8_real q[4], bench8_real C[9])
+static void bench8_rotation(const bench8_real q[4], bench8_real C[restrict 9])
 {
     const bench8_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -254,7 +254,7 @@ static void bench8_rotation(const bench8_real q[4], bench8_real C[9])
 
 /* C^T a: from the outer axes to the turned ones. */
 BENCH8_CODE
-static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], bench8_real out[3])
+static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], bench8_real out[restrict 3])
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -264,7 +264,7 @@ static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], b
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 BENCH8_CODE
 static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_real c, bench8_real phi_dot,
-                                bench8_real phi_ddot, bench8_sums *sum)
+                                bench8_real phi_ddot, bench8_sums *restrict sum)
 {
     const bench8_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
     const bench8_real s2 = 2.0 * c * s;
@@ -282,18 +282,10 @@ static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_rea
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
     /* inertia and its rate: K_dot of (6) */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    for (int i = 0; i < 6; ++i) {
+        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
+        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
+    }
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -309,7 +301,7 @@ static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_rea
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 BENCH8_CODE
-static void bench8_start_sums(const bench8_table *stand, bench8_sums *sum)
+static void bench8_start_sums(const bench8_table *stand, bench8_sums *restrict sum)
 {
     sum->mu[0] = stand->first_moment[0];
     sum->mu[1] = stand->first_moment[1];
@@ -326,7 +318,7 @@ static void bench8_start_sums(const bench8_table *stand, bench8_sums *sum)
 
 /* rotation vector of a quaternion of about unit length; its length is at most pi. */
 BENCH8_CODE
-static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[3])
+static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restrict 3])
 {
     /* q and -q are the same rotation: take the shorter way */
     const bench8_real side = (q[0] < 0.0) ? -1.0 : 1.0;
@@ -343,7 +335,7 @@ static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[3])
  * (7). */
 BENCH8_CODE
 static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, const bench8_real C[9],
-                           bench8_real F[6])
+                           bench8_real F[restrict 6])
 {
     bench8_real shift[3];
     bench8_real shift1[3];  /* C^T (O1 - position) */
@@ -374,7 +366,7 @@ static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, 
 /* total external wrench of weight, suspension, from checked inputs, (7). */
 BENCH8_CODE
 static void bench8_external(const bench8_table *stand, const bench8_state *x, const bench8_sums *sum,
-                            const bench8_real C[9], const bench8_real g[3], bench8_real F[6])
+                            const bench8_real C[9], const bench8_real g[3], bench8_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -389,7 +381,7 @@ static void bench8_external(const bench8_table *stand, const bench8_state *x, co
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 BENCH8_CODE
 static void bench8_momentum_screw(const bench8_table *stand, const bench8_sums *sum, const bench8_real V[6],
-                                  bench8_real Z[6])
+                                  bench8_real Z[restrict 6])
 {
     Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -405,7 +397,7 @@ static void bench8_momentum_screw(const bench8_table *stand, const bench8_sums *
 /* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 BENCH8_CODE
 static void bench8_subtract_rates(const bench8_sums *sum, const bench8_real V[6], const bench8_real Z[6],
-                                  bench8_real F[6])
+                                  bench8_real F[restrict 6])
 {
     F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
     F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
@@ -423,7 +415,7 @@ static void bench8_subtract_rates(const bench8_sums *sum, const bench8_real V[6]
 
 /* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 BENCH8_CODE
-static bench8_status bench8_solve3(const bench8_real S[6], const bench8_real b[3], bench8_real y[3])
+static bench8_status bench8_solve3(const bench8_real S[6], const bench8_real b[3], bench8_real y[restrict 3])
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r1 = 1.0 / S[0];
@@ -448,7 +440,7 @@ static bench8_status bench8_solve3(const bench8_real S[6], const bench8_real b[3
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 BENCH8_CODE
 static bench8_status bench8_solve_carrier(const bench8_table *stand, const bench8_sums *sum,
-                                          const bench8_real F[6], bench8_real y[6])
+                                          const bench8_real F[6], bench8_real y[restrict 6])
 {
     bench8_status status;
     bench8_real rho[3];  /* mass centre from O1, in E1 */
@@ -480,7 +472,7 @@ static bench8_status bench8_solve_carrier(const bench8_table *stand, const bench
  * (8). */
 BENCH8_CODE
 static bench8_status bench8_accelerate(const bench8_table *stand, const bench8_state *x,
-                                       const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
+                                       const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[restrict 6])
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -549,7 +541,7 @@ bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, be
 
 /* M = Phi K + K*, (9). */
 BENCH8_CODE
-static void bench8_velocity_matrix(const bench8_real V[6], bench8_equations *out)
+static void bench8_velocity_matrix(const bench8_real V[6], bench8_equations *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -709,7 +701,7 @@ bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 BENCH8_CODE
 static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c, const bench8_real V[6],
-                          const bench8_real swing[3], bench8_coupling *out)
+                          const bench8_real swing[3], bench8_coupling *restrict out)
 {
     const bench8_real c2 = 1.0 - 2.0 * (s * s);
     const bench8_real s2 = 2.0 * c * s;
@@ -769,8 +761,8 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 BENCH8_CODE
-static void bench8_eliminate(const bench8_real I[6], bench8_real spin_inv, bench8_real rate, bench8_schur *K,
-                             bench8_real F[6])
+static void bench8_eliminate(const bench8_real I[6], bench8_real spin_inv, bench8_real rate,
+                             bench8_schur *restrict K, bench8_real F[restrict 6])
 {
     bench8_real scaled[6];  /* I / Theta_ff */
     scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
@@ -788,7 +780,8 @@ static void bench8_eliminate(const bench8_real I[6], bench8_real spin_inv, bench
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 BENCH8_CODE
-static bench8_status bench8_solve_schur(const bench8_schur *K, const bench8_real F[6], bench8_real y[6])
+static bench8_status bench8_solve_schur(const bench8_schur *K, const bench8_real F[6],
+                                        bench8_real y[restrict 6])
 {
     bench8_status status;
     const bench8_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -842,7 +835,7 @@ static bench8_status bench8_solve_schur(const bench8_schur *K, const bench8_real
 BENCH8_CODE
 static bench8_status bench8_move(const bench8_table *stand, const bench8_state *x,
                                  const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                 bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N])
+                                 bench8_real V_dot[restrict 6], bench8_real phi_ddot[restrict BENCH8_N])
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -922,7 +915,8 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
 
 /* to = x + h rate; phases are brought within half a turn. */
 BENCH8_CODE
-static void bench8_advance(const bench8_state *x, const bench8_state *rate, bench8_real h, bench8_state *to)
+static void bench8_advance(const bench8_state *x, const bench8_state *rate, bench8_real h,
+                           bench8_state *restrict to)
 {
     for (int i = 0; i < 3; ++i) {
         to->position[i] = x->position[i] + h * rate->position[i];
@@ -943,7 +937,7 @@ static void bench8_advance(const bench8_state *x, const bench8_state *rate, benc
 
 /* brings the quaternion to unit length; RANGE where the state has left its ranges. */
 BENCH8_CODE
-static bench8_status bench8_finish(bench8_state *x)
+static bench8_status bench8_finish(bench8_state *restrict x)
 {
     const bench8_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -960,7 +954,7 @@ static bench8_status bench8_finish(bench8_state *x)
 BENCH8_CODE
 static bench8_status bench8_rate(const bench8_table *stand, const bench8_state *x,
                                  const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                 bench8_state *rate)
+                                 bench8_state *restrict rate)
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -1080,7 +1074,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
 /* rates of the state under given flywheel accelerations. */
 BENCH8_CODE
 static bench8_status bench8_rate_driven(const bench8_table *stand, const bench8_state *x,
-                                        const bench8_real phi_ddot[BENCH8_N], bench8_state *rate)
+                                        const bench8_real phi_ddot[BENCH8_N], bench8_state *restrict rate)
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -1296,7 +1290,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 BENCH8_CODE
 static void bench8_twist_slope(const bench8_table *stand, const bench8_real Z[6], const bench8_equations *m,
-                               bench8_real slope[36])
+                               bench8_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1325,7 +1319,7 @@ static void bench8_twist_slope(const bench8_table *stand, const bench8_real Z[6]
 /* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
 BENCH8_CODE
 static void bench8_row_slope(const bench8_row *row, const bench8_real weight[12], const bench8_real V[6],
-                             const bench8_real V_dot[6], const bench8_real g[3], bench8_real out[6])
+                             const bench8_real V_dot[6], const bench8_real g[3], bench8_real out[restrict 6])
 {
     bench8_sums change;  /* of the sums */
     bench8_real Z[6];  /* change of the momentum screw */
@@ -1796,7 +1790,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 BENCH8_CODE
-static void bench8_orthogonalise(bench8_inverse_work *work)
+static void bench8_orthogonalise(bench8_inverse_work *restrict work)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -1856,7 +1850,7 @@ static void bench8_orthogonalise(bench8_inverse_work *work)
 
 /* cholesky factor of the mass matrix, in place: K = G G^T. */
 BENCH8_CODE
-static bench8_status bench8_factor(bench8_inverse_work *work)
+static bench8_status bench8_factor(bench8_inverse_work *restrict work)
 {
     for (int j = 0; j < 6; ++j) {
         bench8_real pivot = work->G[j][j];
@@ -1880,7 +1874,7 @@ static bench8_status bench8_factor(bench8_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 BENCH8_CODE
 static bench8_status bench8_demand(const bench8_table *stand, const bench8_state *x,
-                                   const bench8_real V_dot[6], bench8_inverse_work *work)
+                                   const bench8_real V_dot[6], bench8_inverse_work *restrict work)
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
@@ -1958,7 +1952,7 @@ static bench8_status bench8_demand(const bench8_table *stand, const bench8_state
 
 /* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 BENCH8_CODE
-static void bench8_solve_gram(bench8_real gram[6][6], bench8_real z[6], bench8_real least)
+static void bench8_solve_gram(bench8_real gram[restrict 6][6], bench8_real z[restrict 6], bench8_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -1990,9 +1984,10 @@ static void bench8_solve_gram(bench8_real gram[6][6], bench8_real z[6], bench8_r
  * do, (12). */
 BENCH8_CODE
 static void bench8_allocate(const bench8_inverse_work *work, const bench8_inverse_options *options, int rank,
-                            bench8_real phi_ddot[BENCH8_N], int limited[BENCH8_N])
+                            bench8_real phi_ddot[restrict BENCH8_N], int limited[restrict BENCH8_N])
 {
-    bench8_real give[BENCH8_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    bench8_real share[BENCH8_N];  /* 1/weight */
+    bench8_real give[BENCH8_N];  /* the share of flywheels that are free, 0 of those held */
     bench8_real step[BENCH8_N];  /* what the free flywheels shall give more */
     bench8_real row[6];  /* factor of each row; 0: it does not count */
     bench8_real gram[6][6];
@@ -2000,12 +1995,15 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
     for (int s = 0; s < BENCH8_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 22; ++pass) {
+    for (int pass = 0; pass < 12; ++pass) {
         bench8_real most = 0.0;
         for (int s = 0; s < BENCH8_N; ++s) {
-            const bench8_real share = (pass < 21) ? 1.0 / options->weight[s] : 1.0;
-            give[s] = (limited[s] > 0) ? 0.0 : share;
+            if (pass >= 11) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
             most = (give[s] > most) ? give[s] : most;
         }
         const bench8_real regular = 1.0e-12 * most;
@@ -2023,22 +2021,30 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
             }
             z[i] = row[i] * left;
         }
+        bench8_real weighed[BENCH8_N];  /* a row of W Omega^-1 */
         for (int i = 0; i < 6; ++i) {
+            for (int s = 0; s < BENCH8_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
             for (int j = 0; j < i + 1; ++j) {
                 bench8_real total = 0.0;
                 for (int s = 0; s < BENCH8_N; ++s) {
-                    total += work->W[i][s] * give[s] * work->W[j][s];
+                    total += weighed[s] * work->W[j][s];
                 }
                 gram[i][j] = row[i] * row[j] * total;
             }
             gram[i][i] += least;
         }
         bench8_solve_gram(gram, z, least);
+        for (int i = 0; i < 6; ++i) {
+            z[i] = row[i] * z[i];
+        }
         for (int s = 0; s < BENCH8_N; ++s) {
-            step[s] = 0.0;
+            bench8_real total = 0.0;
             for (int i = 0; i < 6; ++i) {
-                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+                total += work->W[i][s] * z[i];
             }
+            step[s] = give[s] * total;
         }
         if (pass < 1) {
             for (int s = 0; s < BENCH8_N; ++s) {
@@ -2430,7 +2436,7 @@ bench8_status bench8_target(const bench8_real position[3], const bench8_real ang
 
 /* I0 = K A, J0 = K D + M A, (11). */
 BENCH8_CODE
-static void bench8_products(const bench8_equations *m, bench8_generalized *out)
+static void bench8_products(const bench8_equations *m, bench8_generalized *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2538,7 +2544,7 @@ bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, 
 /* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 BENCH8_CODE
 static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench8_real zero[3],
-                                          bench8_real R[9])
+                                          bench8_real R[restrict 9])
 {
     bench8_status status = bench8_within(axis, 3, BENCH8_MAX_PARAMETER);
     if (status != BENCH8_OK) { return status; }
@@ -2574,8 +2580,8 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 BENCH8_CODE
 static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_real J[6],
-                         const bench8_real O[3], const bench8_real R[9], bench8_real mu[3],
-                         bench8_real J1[6], bench8_real t[3])
+                         const bench8_real O[3], const bench8_real R[9], bench8_real mu[restrict 3],
+                         bench8_real J1[restrict 6], bench8_real t[restrict 3])
 {
     bench8_real b1[3];  /* R b */
     bench8_real RJ[9];  /* R J */
@@ -2668,7 +2674,8 @@ static bench8_status bench8_check_body(const bench8_body *body)
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
 BENCH8_CODE
-static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real O[3], bench8_real R[9])
+static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real O[restrict 3],
+                                           bench8_real R[restrict 9])
 {
     bench8_status status = bench8_within(w->position, 3, BENCH8_MAX_PARAMETER);
     if (status != BENCH8_OK) { return status; }
@@ -2807,7 +2814,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
 
 /* L^T of a twist, to mounting axes at Os. */
 BENCH8_CODE
-static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6], bench8_real U[6])
+static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6], bench8_real U[restrict 6])
 {
     bench8_real velocity[3];  /* of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -2825,7 +2832,7 @@ static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6]
 BENCH8_CODE
 static void bench8_mount_wrench(const bench8_mount *mount, bench8_real s, bench8_real c, bench8_real phi_dot,
                                 bench8_real phi_ddot, const bench8_real V[6], const bench8_real V_dot[6],
-                                const bench8_real g[3], bench8_real W[6])
+                                const bench8_real g[3], bench8_real W[restrict 6])
 {
     bench8_real U[6];  /* twist of the mount at Os */
     bench8_real turned[6];  /* in Es */

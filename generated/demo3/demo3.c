@@ -75,7 +75,7 @@ static demo3_real demo3_real_of(demo3_word word)
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
 DEMO3_CODE
-static void demo3_sincos(demo3_real x, demo3_real *sine, demo3_real *cosine)
+static void demo3_sincos(demo3_real x, demo3_real *restrict sine, demo3_real *restrict cosine)
 {
     /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
     const demo3_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
@@ -198,7 +198,7 @@ static demo3_status demo3_check_state(const demo3_state *x)
 
 /* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
 DEMO3_CODE
-static void demo3_rotation(const demo3_real q[4], demo3_real C[9])
+static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
 {
     const demo3_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -215,7 +215,7 @@ static void demo3_rotation(const demo3_real q[4], demo3_real C[9])
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 DEMO3_CODE
 static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c, demo3_real phi_dot,
-                               demo3_real phi_ddot, demo3_sums *sum)
+                               demo3_real phi_ddot, demo3_sums *restrict sum)
 {
     const demo3_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
     const demo3_real s2 = 2.0 * c * s;
@@ -233,18 +233,10 @@ static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c,
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
     /* inertia and its rate: K_dot of (6) */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    for (int i = 0; i < 6; ++i) {
+        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
+        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
+    }
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -260,7 +252,7 @@ static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c,
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 DEMO3_CODE
-static void demo3_start_sums(const demo3_table *stand, demo3_sums *sum)
+static void demo3_start_sums(const demo3_table *stand, demo3_sums *restrict sum)
 {
     sum->mu[0] = stand->first_moment[0];
     sum->mu[1] = stand->first_moment[1];
@@ -278,7 +270,7 @@ static void demo3_start_sums(const demo3_table *stand, demo3_sums *sum)
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 DEMO3_CODE
 static void demo3_momentum_screw(const demo3_table *stand, const demo3_sums *sum, const demo3_real V[6],
-                                 demo3_real Z[6])
+                                 demo3_real Z[restrict 6])
 {
     Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -294,7 +286,7 @@ static void demo3_momentum_screw(const demo3_table *stand, const demo3_sums *sum
 /* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 DEMO3_CODE
 static void demo3_subtract_rates(const demo3_sums *sum, const demo3_real V[6], const demo3_real Z[6],
-                                 demo3_real F[6])
+                                 demo3_real F[restrict 6])
 {
     F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
     F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
@@ -312,7 +304,7 @@ static void demo3_subtract_rates(const demo3_sums *sum, const demo3_real V[6], c
 
 /* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 DEMO3_CODE
-static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], demo3_real y[3])
+static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], demo3_real y[restrict 3])
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
     const demo3_real r1 = 1.0 / S[0];
@@ -337,7 +329,7 @@ static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], d
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 DEMO3_CODE
 static demo3_status demo3_solve_carrier(const demo3_table *stand, const demo3_sums *sum,
-                                        const demo3_real F[6], demo3_real y[6])
+                                        const demo3_real F[6], demo3_real y[restrict 6])
 {
     demo3_status status;
     demo3_real rho[3];  /* mass centre from O1, in E1 */
@@ -369,7 +361,7 @@ static demo3_status demo3_solve_carrier(const demo3_table *stand, const demo3_su
  * (8). */
 DEMO3_CODE
 static demo3_status demo3_accelerate(const demo3_table *stand, const demo3_state *x,
-                                     const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6])
+                                     const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[restrict 6])
 {
     demo3_status status;
     demo3_sums sum;
@@ -410,7 +402,7 @@ demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x,
 
 /* M = Phi K + K*, (9). */
 DEMO3_CODE
-static void demo3_velocity_matrix(const demo3_real V[6], demo3_equations *out)
+static void demo3_velocity_matrix(const demo3_real V[6], demo3_equations *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -567,7 +559,7 @@ demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 DEMO3_CODE
 static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c, const demo3_real V[6],
-                         const demo3_real swing[3], demo3_coupling *out)
+                         const demo3_real swing[3], demo3_coupling *restrict out)
 {
     const demo3_real c2 = 1.0 - 2.0 * (s * s);
     const demo3_real s2 = 2.0 * c * s;
@@ -623,8 +615,8 @@ demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const 
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 DEMO3_CODE
-static void demo3_eliminate(const demo3_real I[6], demo3_real spin_inv, demo3_real rate, demo3_schur *K,
-                            demo3_real F[6])
+static void demo3_eliminate(const demo3_real I[6], demo3_real spin_inv, demo3_real rate,
+                            demo3_schur *restrict K, demo3_real F[restrict 6])
 {
     demo3_real scaled[6];  /* I / Theta_ff */
     scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
@@ -642,7 +634,7 @@ static void demo3_eliminate(const demo3_real I[6], demo3_real spin_inv, demo3_re
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 DEMO3_CODE
-static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6], demo3_real y[6])
+static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6], demo3_real y[restrict 6])
 {
     demo3_status status;
     const demo3_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -695,7 +687,8 @@ static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 DEMO3_CODE
 static demo3_status demo3_move(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
-                               const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N])
+                               const int locked[DEMO3_N], demo3_real V_dot[restrict 6],
+                               demo3_real phi_ddot[restrict DEMO3_N])
 {
     demo3_status status;
     demo3_sums sum;
@@ -771,7 +764,8 @@ demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const
 
 /* to = x + h rate; phases are brought within half a turn. */
 DEMO3_CODE
-static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_real h, demo3_state *to)
+static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_real h,
+                          demo3_state *restrict to)
 {
     for (int i = 0; i < 3; ++i) {
         to->position[i] = x->position[i] + h * rate->position[i];
@@ -792,7 +786,7 @@ static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_r
 
 /* brings the quaternion to unit length; RANGE where the state has left its ranges. */
 DEMO3_CODE
-static demo3_status demo3_finish(demo3_state *x)
+static demo3_status demo3_finish(demo3_state *restrict x)
 {
     const demo3_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -808,7 +802,7 @@ static demo3_status demo3_finish(demo3_state *x)
 /* rates of the state under drive torques. */
 DEMO3_CODE
 static demo3_status demo3_rate(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
-                               const int locked[DEMO3_N], demo3_state *rate)
+                               const int locked[DEMO3_N], demo3_state *restrict rate)
 {
     demo3_status status;
     demo3_real C[9];  /* attitude */
@@ -928,7 +922,7 @@ demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const de
 /* rates of the state under given flywheel accelerations. */
 DEMO3_CODE
 static demo3_status demo3_rate_driven(const demo3_table *stand, const demo3_state *x,
-                                      const demo3_real phi_ddot[DEMO3_N], demo3_state *rate)
+                                      const demo3_real phi_ddot[DEMO3_N], demo3_state *restrict rate)
 {
     demo3_status status;
     demo3_real C[9];  /* attitude */
@@ -1143,7 +1137,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
 
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 DEMO3_CODE
-static void demo3_twist_slope(const demo3_real Z[6], const demo3_equations *m, demo3_real slope[36])
+static void demo3_twist_slope(const demo3_real Z[6], const demo3_equations *m, demo3_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1167,7 +1161,7 @@ static void demo3_twist_slope(const demo3_real Z[6], const demo3_equations *m, d
 /* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
 DEMO3_CODE
 static void demo3_row_slope(const demo3_row *row, const demo3_real weight[12], const demo3_real V[6],
-                            const demo3_real V_dot[6], demo3_real out[6])
+                            const demo3_real V_dot[6], demo3_real out[restrict 6])
 {
     demo3_sums change;  /* of the sums */
     demo3_real Z[6];  /* change of the momentum screw */
@@ -1631,7 +1625,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 DEMO3_CODE
-static void demo3_orthogonalise(demo3_inverse_work *work)
+static void demo3_orthogonalise(demo3_inverse_work *restrict work)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -1691,7 +1685,7 @@ static void demo3_orthogonalise(demo3_inverse_work *work)
 
 /* cholesky factor of the mass matrix, in place: K = G G^T. */
 DEMO3_CODE
-static demo3_status demo3_factor(demo3_inverse_work *work)
+static demo3_status demo3_factor(demo3_inverse_work *restrict work)
 {
     for (int j = 0; j < 6; ++j) {
         demo3_real pivot = work->G[j][j];
@@ -1715,7 +1709,7 @@ static demo3_status demo3_factor(demo3_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 DEMO3_CODE
 static demo3_status demo3_demand(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
-                                 demo3_inverse_work *work)
+                                 demo3_inverse_work *restrict work)
 {
     demo3_status status;
     demo3_sums sum;
@@ -1790,7 +1784,7 @@ static demo3_status demo3_demand(const demo3_table *stand, const demo3_state *x,
 
 /* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 DEMO3_CODE
-static void demo3_solve_gram(demo3_real gram[6][6], demo3_real z[6], demo3_real least)
+static void demo3_solve_gram(demo3_real gram[restrict 6][6], demo3_real z[restrict 6], demo3_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -1822,9 +1816,10 @@ static void demo3_solve_gram(demo3_real gram[6][6], demo3_real z[6], demo3_real 
  * do, (12). */
 DEMO3_CODE
 static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_options *options, int rank,
-                           demo3_real phi_ddot[DEMO3_N], int limited[DEMO3_N])
+                           demo3_real phi_ddot[restrict DEMO3_N], int limited[restrict DEMO3_N])
 {
-    demo3_real give[DEMO3_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    demo3_real share[DEMO3_N];  /* 1/weight */
+    demo3_real give[DEMO3_N];  /* the share of flywheels that are free, 0 of those held */
     demo3_real step[DEMO3_N];  /* what the free flywheels shall give more */
     demo3_real row[6];  /* factor of each row; 0: it does not count */
     demo3_real gram[6][6];
@@ -1832,12 +1827,15 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
     for (int s = 0; s < DEMO3_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 12; ++pass) {
+    for (int pass = 0; pass < 7; ++pass) {
         demo3_real most = 0.0;
         for (int s = 0; s < DEMO3_N; ++s) {
-            const demo3_real share = (pass < 11) ? 1.0 / options->weight[s] : 1.0;
-            give[s] = (limited[s] > 0) ? 0.0 : share;
+            if (pass >= 6) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
             most = (give[s] > most) ? give[s] : most;
         }
         const demo3_real regular = 1.0e-12 * most;
@@ -1855,22 +1853,30 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
             }
             z[i] = row[i] * left;
         }
+        demo3_real weighed[DEMO3_N];  /* a row of W Omega^-1 */
         for (int i = 0; i < 6; ++i) {
+            for (int s = 0; s < DEMO3_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
             for (int j = 0; j < i + 1; ++j) {
                 demo3_real total = 0.0;
                 for (int s = 0; s < DEMO3_N; ++s) {
-                    total += work->W[i][s] * give[s] * work->W[j][s];
+                    total += weighed[s] * work->W[j][s];
                 }
                 gram[i][j] = row[i] * row[j] * total;
             }
             gram[i][i] += least;
         }
         demo3_solve_gram(gram, z, least);
+        for (int i = 0; i < 6; ++i) {
+            z[i] = row[i] * z[i];
+        }
         for (int s = 0; s < DEMO3_N; ++s) {
-            step[s] = 0.0;
+            demo3_real total = 0.0;
             for (int i = 0; i < 6; ++i) {
-                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+                total += work->W[i][s] * z[i];
             }
+            step[s] = give[s] * total;
         }
         if (pass < 1) {
             for (int s = 0; s < DEMO3_N; ++s) {
@@ -2256,7 +2262,7 @@ demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[
 
 /* I0 = K A, J0 = K D + M A, (11). */
 DEMO3_CODE
-static void demo3_products(const demo3_equations *m, demo3_generalized *out)
+static void demo3_products(const demo3_equations *m, demo3_generalized *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2363,7 +2369,8 @@ demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, cons
 
 /* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 DEMO3_CODE
-static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_real zero[3], demo3_real R[9])
+static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_real zero[3],
+                                        demo3_real R[restrict 9])
 {
     demo3_status status = demo3_within(axis, 3, DEMO3_MAX_PARAMETER);
     if (status != DEMO3_OK) { return status; }
@@ -2399,7 +2406,8 @@ static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_re
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 DEMO3_CODE
 static void demo3_carry(demo3_real m, const demo3_real b[3], const demo3_real J[6], const demo3_real O[3],
-                        const demo3_real R[9], demo3_real mu[3], demo3_real J1[6], demo3_real t[3])
+                        const demo3_real R[9], demo3_real mu[restrict 3], demo3_real J1[restrict 6],
+                        demo3_real t[restrict 3])
 {
     demo3_real b1[3];  /* R b */
     demo3_real RJ[9];  /* R J */
@@ -2492,7 +2500,8 @@ static demo3_status demo3_check_body(const demo3_body *body)
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
 DEMO3_CODE
-static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real O[3], demo3_real R[9])
+static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real O[restrict 3],
+                                         demo3_real R[restrict 9])
 {
     demo3_status status = demo3_within(w->position, 3, DEMO3_MAX_PARAMETER);
     if (status != DEMO3_OK) { return status; }
@@ -2631,7 +2640,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stan
 
 /* L^T of a twist, to mounting axes at Os. */
 DEMO3_CODE
-static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], demo3_real U[6])
+static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], demo3_real U[restrict 6])
 {
     demo3_real velocity[3];  /* of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -2649,7 +2658,7 @@ static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], d
 DEMO3_CODE
 static void demo3_mount_wrench(const demo3_mount *mount, demo3_real s, demo3_real c, demo3_real phi_dot,
                                demo3_real phi_ddot, const demo3_real V[6], const demo3_real V_dot[6],
-                               demo3_real W[6])
+                               demo3_real W[restrict 6])
 {
     demo3_real U[6];  /* twist of the mount at Os */
     demo3_real turned[6];  /* in Es */

@@ -32,7 +32,7 @@ extern "C" {
 #endif
 
 #define DEMO3_RECORDER_FORMAT 1u           /* of the log */
-#define DEMO3_RECORDER_SOURCE 0xd5089f0au  /* of the texts of demo3.h and demo3.c: FNV-1a */
+#define DEMO3_RECORDER_SOURCE 0x803801beu  /* of the texts of demo3.h and demo3.c: FNV-1a */
 #define DEMO3_RECORDER_TABLE  0x69c75902u  /* hash of the default table */
 #define DEMO3_RECORD_BYTES    205  /* longest record of a step; most have 40 */
 

@@ -75,7 +75,7 @@ static remus6_real remus6_real_of(remus6_word word)
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
 REMUS6_CODE
-static void remus6_sincos(remus6_real x, remus6_real *sine, remus6_real *cosine)
+static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real *restrict cosine)
 {
     /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
     const remus6_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
@@ -198,7 +198,7 @@ static remus6_status remus6_check_state(const remus6_state *x)
 
 /* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
 REMUS6_CODE
-static void remus6_rotation(const remus6_real q[4], remus6_real C[9])
+static void remus6_rotation(const remus6_real q[4], remus6_real C[restrict 9])
 {
     const remus6_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -214,7 +214,7 @@ static void remus6_rotation(const remus6_real q[4], remus6_real C[9])
 
 /* C^T a: from the outer axes to the turned ones. */
 REMUS6_CODE
-static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], remus6_real out[3])
+static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], remus6_real out[restrict 3])
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -224,7 +224,7 @@ static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], r
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 REMUS6_CODE
 static void remus6_add_flywheel(const remus6_row *row, remus6_real s, remus6_real c, remus6_real phi_dot,
-                                remus6_real phi_ddot, remus6_sums *sum)
+                                remus6_real phi_ddot, remus6_sums *restrict sum)
 {
     const remus6_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
     const remus6_real s2 = 2.0 * c * s;
@@ -242,18 +242,10 @@ static void remus6_add_flywheel(const remus6_row *row, remus6_real s, remus6_rea
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
     /* inertia and its rate: K_dot of (6) */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    for (int i = 0; i < 6; ++i) {
+        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
+        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
+    }
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -269,7 +261,7 @@ static void remus6_add_flywheel(const remus6_row *row, remus6_real s, remus6_rea
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 REMUS6_CODE
-static void remus6_start_sums(const remus6_table *stand, remus6_sums *sum)
+static void remus6_start_sums(const remus6_table *stand, remus6_sums *restrict sum)
 {
     sum->mu[0] = stand->first_moment[0];
     sum->mu[1] = stand->first_moment[1];
@@ -287,7 +279,7 @@ static void remus6_start_sums(const remus6_table *stand, remus6_sums *sum)
 /* adds the damping of one body to its wrench, both in the body's own frame, (7). */
 REMUS6_CODE
 static void remus6_damp(const remus6_table *stand, const remus6_damper *damper, const remus6_real V[6],
-                        remus6_real P[6])
+                        remus6_real P[restrict 6])
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
     x[0] = V[0];  x[1] = V[1];  x[2] = V[2];
@@ -306,7 +298,7 @@ static void remus6_damp(const remus6_table *stand, const remus6_damper *damper, 
 /* total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
 REMUS6_CODE
 static void remus6_external(const remus6_table *stand, const remus6_sums *sum, const remus6_real V[6],
-                            const remus6_real g[3], remus6_real F[6])
+                            const remus6_real g[3], remus6_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -324,7 +316,7 @@ static void remus6_external(const remus6_table *stand, const remus6_sums *sum, c
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 REMUS6_CODE
 static void remus6_momentum_screw(const remus6_table *stand, const remus6_sums *sum, const remus6_real V[6],
-                                  remus6_real Z[6])
+                                  remus6_real Z[restrict 6])
 {
     Z[0] = stand->A[0] * V[0] + stand->A[3] * V[1] + stand->A[4] * V[2] + stand->G[0] * V[3]
         + (stand->G[3] + sum->mu[2]) * V[4] + (stand->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
@@ -343,7 +335,7 @@ static void remus6_momentum_screw(const remus6_table *stand, const remus6_sums *
 /* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 REMUS6_CODE
 static void remus6_subtract_rates(const remus6_sums *sum, const remus6_real V[6], const remus6_real Z[6],
-                                  remus6_real F[6])
+                                  remus6_real F[restrict 6])
 {
     F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
     F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
@@ -361,7 +353,7 @@ static void remus6_subtract_rates(const remus6_sums *sum, const remus6_real V[6]
 
 /* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 REMUS6_CODE
-static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3], remus6_real y[3])
+static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3], remus6_real y[restrict 3])
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
     const remus6_real r1 = 1.0 / S[0];
@@ -386,7 +378,7 @@ static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 REMUS6_CODE
 static remus6_status remus6_solve_carrier(const remus6_table *stand, const remus6_sums *sum,
-                                          const remus6_real F[6], remus6_real y[6])
+                                          const remus6_real F[6], remus6_real y[restrict 6])
 {
     remus6_status status;
     remus6_real B[9];  /* <mu> + Lambda_21: lower left block of K */
@@ -431,7 +423,7 @@ static remus6_status remus6_solve_carrier(const remus6_table *stand, const remus
  * (8). */
 REMUS6_CODE
 static remus6_status remus6_accelerate(const remus6_table *stand, const remus6_state *x,
-                                       const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6])
+                                       const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[restrict 6])
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -520,7 +512,7 @@ remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, re
 
 /* M = Phi K + K*, (9). */
 REMUS6_CODE
-static void remus6_velocity_matrix(const remus6_real V[6], remus6_equations *out)
+static void remus6_velocity_matrix(const remus6_real V[6], remus6_equations *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -717,7 +709,7 @@ remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 REMUS6_CODE
 static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c, const remus6_real V[6],
-                          const remus6_real swing[3], remus6_coupling *out)
+                          const remus6_real swing[3], remus6_coupling *restrict out)
 {
     const remus6_real c2 = 1.0 - 2.0 * (s * s);
     const remus6_real s2 = 2.0 * c * s;
@@ -791,8 +783,8 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 REMUS6_CODE
-static void remus6_eliminate(const remus6_real I[6], remus6_real spin_inv, remus6_real rate, remus6_schur *K,
-                             remus6_real F[6])
+static void remus6_eliminate(const remus6_real I[6], remus6_real spin_inv, remus6_real rate,
+                             remus6_schur *restrict K, remus6_real F[restrict 6])
 {
     remus6_real scaled[6];  /* I / Theta_ff */
     scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
@@ -810,7 +802,8 @@ static void remus6_eliminate(const remus6_real I[6], remus6_real spin_inv, remus
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 REMUS6_CODE
-static remus6_status remus6_solve_schur(const remus6_schur *K, const remus6_real F[6], remus6_real y[6])
+static remus6_status remus6_solve_schur(const remus6_schur *K, const remus6_real F[6],
+                                        remus6_real y[restrict 6])
 {
     remus6_status status;
     const remus6_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -864,7 +857,7 @@ static remus6_status remus6_solve_schur(const remus6_schur *K, const remus6_real
 REMUS6_CODE
 static remus6_status remus6_move(const remus6_table *stand, const remus6_state *x,
                                  const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
-                                 remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N])
+                                 remus6_real V_dot[restrict 6], remus6_real phi_ddot[restrict REMUS6_N])
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -957,7 +950,8 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
 
 /* to = x + h rate; phases are brought within half a turn. */
 REMUS6_CODE
-static void remus6_advance(const remus6_state *x, const remus6_state *rate, remus6_real h, remus6_state *to)
+static void remus6_advance(const remus6_state *x, const remus6_state *rate, remus6_real h,
+                           remus6_state *restrict to)
 {
     for (int i = 0; i < 3; ++i) {
         to->position[i] = x->position[i] + h * rate->position[i];
@@ -978,7 +972,7 @@ static void remus6_advance(const remus6_state *x, const remus6_state *rate, remu
 
 /* brings the quaternion to unit length; RANGE where the state has left its ranges. */
 REMUS6_CODE
-static remus6_status remus6_finish(remus6_state *x)
+static remus6_status remus6_finish(remus6_state *restrict x)
 {
     const remus6_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -995,7 +989,7 @@ static remus6_status remus6_finish(remus6_state *x)
 REMUS6_CODE
 static remus6_status remus6_rate(const remus6_table *stand, const remus6_state *x,
                                  const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
-                                 remus6_state *rate)
+                                 remus6_state *restrict rate)
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -1117,7 +1111,7 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
 /* rates of the state under given flywheel accelerations. */
 REMUS6_CODE
 static remus6_status remus6_rate_driven(const remus6_table *stand, const remus6_state *x,
-                                        const remus6_real phi_ddot[REMUS6_N], remus6_state *rate)
+                                        const remus6_real phi_ddot[REMUS6_N], remus6_state *restrict rate)
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -1335,7 +1329,7 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
 /* change of the damping of one body with its twist, (7). */
 REMUS6_CODE
 static void remus6_damp_slope(const remus6_table *stand, const remus6_damper *damper, const remus6_real V[6],
-                              const remus6_real change[6], remus6_real P[6])
+                              const remus6_real change[6], remus6_real P[restrict 6])
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
     remus6_real dx[12];  /* their changes */
@@ -1373,7 +1367,7 @@ static void remus6_damp_slope(const remus6_table *stand, const remus6_damper *da
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 REMUS6_CODE
 static void remus6_twist_slope(const remus6_table *stand, const remus6_real V[6], const remus6_real Z[6],
-                               const remus6_equations *m, remus6_real slope[36])
+                               const remus6_equations *m, remus6_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1410,7 +1404,7 @@ static void remus6_twist_slope(const remus6_table *stand, const remus6_real V[6]
 /* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
 REMUS6_CODE
 static void remus6_row_slope(const remus6_row *row, const remus6_real weight[12], const remus6_real V[6],
-                             const remus6_real V_dot[6], const remus6_real g[3], remus6_real out[6])
+                             const remus6_real V_dot[6], const remus6_real g[3], remus6_real out[restrict 6])
 {
     remus6_sums change;  /* of the sums */
     remus6_real Z[6];  /* change of the momentum screw */
@@ -1932,7 +1926,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 REMUS6_CODE
-static void remus6_orthogonalise(remus6_inverse_work *work)
+static void remus6_orthogonalise(remus6_inverse_work *restrict work)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -1992,7 +1986,7 @@ static void remus6_orthogonalise(remus6_inverse_work *work)
 
 /* cholesky factor of the mass matrix, in place: K = G G^T. */
 REMUS6_CODE
-static remus6_status remus6_factor(remus6_inverse_work *work)
+static remus6_status remus6_factor(remus6_inverse_work *restrict work)
 {
     for (int j = 0; j < 6; ++j) {
         remus6_real pivot = work->G[j][j];
@@ -2016,7 +2010,7 @@ static remus6_status remus6_factor(remus6_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 REMUS6_CODE
 static remus6_status remus6_demand(const remus6_table *stand, const remus6_state *x,
-                                   const remus6_real V_dot[6], remus6_inverse_work *work)
+                                   const remus6_real V_dot[6], remus6_inverse_work *restrict work)
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
@@ -2120,7 +2114,7 @@ static remus6_status remus6_demand(const remus6_table *stand, const remus6_state
 
 /* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 REMUS6_CODE
-static void remus6_solve_gram(remus6_real gram[6][6], remus6_real z[6], remus6_real least)
+static void remus6_solve_gram(remus6_real gram[restrict 6][6], remus6_real z[restrict 6], remus6_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -2152,9 +2146,10 @@ static void remus6_solve_gram(remus6_real gram[6][6], remus6_real z[6], remus6_r
  * do, (12). */
 REMUS6_CODE
 static void remus6_allocate(const remus6_inverse_work *work, const remus6_inverse_options *options, int rank,
-                            remus6_real phi_ddot[REMUS6_N], int limited[REMUS6_N])
+                            remus6_real phi_ddot[restrict REMUS6_N], int limited[restrict REMUS6_N])
 {
-    remus6_real give[REMUS6_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    remus6_real share[REMUS6_N];  /* 1/weight */
+    remus6_real give[REMUS6_N];  /* the share of flywheels that are free, 0 of those held */
     remus6_real step[REMUS6_N];  /* what the free flywheels shall give more */
     remus6_real row[6];  /* factor of each row; 0: it does not count */
     remus6_real gram[6][6];
@@ -2162,12 +2157,15 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
     for (int s = 0; s < REMUS6_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 18; ++pass) {
+    for (int pass = 0; pass < 10; ++pass) {
         remus6_real most = 0.0;
         for (int s = 0; s < REMUS6_N; ++s) {
-            const remus6_real share = (pass < 17) ? 1.0 / options->weight[s] : 1.0;
-            give[s] = (limited[s] > 0) ? 0.0 : share;
+            if (pass >= 9) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
             most = (give[s] > most) ? give[s] : most;
         }
         const remus6_real regular = 1.0e-12 * most;
@@ -2185,22 +2183,30 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
             }
             z[i] = row[i] * left;
         }
+        remus6_real weighed[REMUS6_N];  /* a row of W Omega^-1 */
         for (int i = 0; i < 6; ++i) {
+            for (int s = 0; s < REMUS6_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
             for (int j = 0; j < i + 1; ++j) {
                 remus6_real total = 0.0;
                 for (int s = 0; s < REMUS6_N; ++s) {
-                    total += work->W[i][s] * give[s] * work->W[j][s];
+                    total += weighed[s] * work->W[j][s];
                 }
                 gram[i][j] = row[i] * row[j] * total;
             }
             gram[i][i] += least;
         }
         remus6_solve_gram(gram, z, least);
+        for (int i = 0; i < 6; ++i) {
+            z[i] = row[i] * z[i];
+        }
         for (int s = 0; s < REMUS6_N; ++s) {
-            step[s] = 0.0;
+            remus6_real total = 0.0;
             for (int i = 0; i < 6; ++i) {
-                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+                total += work->W[i][s] * z[i];
             }
+            step[s] = give[s] * total;
         }
         if (pass < 1) {
             for (int s = 0; s < REMUS6_N; ++s) {
@@ -2523,7 +2529,7 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
 REMUS6_CODE
 static void remus6_sense(const remus6_sensor *sensor, const remus6_real r[3], const remus6_real V[6],
                          const remus6_real V_dot[6], const remus6_real C[9], const remus6_real g[3],
-                         remus6_reading *out)
+                         remus6_reading *restrict out)
 {
     remus6_real velocity[3];  /* in E1 */
     remus6_real force[3];  /* acceleration less gravity, in E1 */
@@ -2670,7 +2676,7 @@ remus6_status remus6_target(const remus6_real position[3], const remus6_real ang
 
 /* I0 = K A, J0 = K D + M A, (11). */
 REMUS6_CODE
-static void remus6_products(const remus6_equations *m, remus6_generalized *out)
+static void remus6_products(const remus6_equations *m, remus6_generalized *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2780,7 +2786,7 @@ remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, 
 /* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 REMUS6_CODE
 static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus6_real zero[3],
-                                          remus6_real R[9])
+                                          remus6_real R[restrict 9])
 {
     remus6_status status = remus6_within(axis, 3, REMUS6_MAX_PARAMETER);
     if (status != REMUS6_OK) { return status; }
@@ -2816,8 +2822,8 @@ static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 REMUS6_CODE
 static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_real J[6],
-                         const remus6_real O[3], const remus6_real R[9], remus6_real mu[3],
-                         remus6_real J1[6], remus6_real t[3])
+                         const remus6_real O[3], const remus6_real R[9], remus6_real mu[restrict 3],
+                         remus6_real J1[restrict 6], remus6_real t[restrict 3])
 {
     remus6_real b1[3];  /* R b */
     remus6_real RJ[9];  /* R J */
@@ -2931,7 +2937,7 @@ static remus6_status remus6_check_dry_body(const remus6_dry_body *body)
 /* origin and axes (at phi = 0) of a flywheel in E1. */
 REMUS6_CODE
 static remus6_status remus6_place_flywheel(const remus6_parameters *parameters, const remus6_flywheel *w,
-                                           remus6_real O[3], remus6_real R[9])
+                                           remus6_real O[restrict 3], remus6_real R[restrict 9])
 {
     remus6_status status = remus6_within(w->position, 3, REMUS6_MAX_PARAMETER);
     if (status != REMUS6_OK) { return status; }
@@ -2972,7 +2978,7 @@ static remus6_status remus6_place_flywheel(const remus6_parameters *parameters, 
 /* origin and axes of a point in E1. */
 REMUS6_CODE
 static remus6_status remus6_place_point(const remus6_parameters *parameters, const remus6_point *w,
-                                        remus6_real O[3], remus6_real R[9])
+                                        remus6_real O[restrict 3], remus6_real R[restrict 9])
 {
     remus6_status status = remus6_within(w->position, 3, REMUS6_MAX_PARAMETER);
     if (status != REMUS6_OK) { return status; }
@@ -3052,7 +3058,7 @@ static remus6_status remus6_check_added_mass(const remus6_real added_mass[6][6])
 /* constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
 REMUS6_CODE
 static remus6_status remus6_translation_block(const remus6_parameters *parameters, remus6_real mass,
-                                              remus6_real A[6], remus6_real A_inv[6])
+                                              remus6_real A[restrict 6], remus6_real A_inv[restrict 6])
 {
     A[0] = mass + parameters->added_mass[0][0];
     A[1] = mass + parameters->added_mass[1][1];
@@ -3320,7 +3326,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
 
 /* L^T of a twist, to mounting axes at Os. */
 REMUS6_CODE
-static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6], remus6_real U[6])
+static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6], remus6_real U[restrict 6])
 {
     remus6_real velocity[3];  /* of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -3338,7 +3344,7 @@ static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6]
 REMUS6_CODE
 static void remus6_mount_wrench(const remus6_mount *mount, remus6_real s, remus6_real c, remus6_real phi_dot,
                                 remus6_real phi_ddot, const remus6_real V[6], const remus6_real V_dot[6],
-                                const remus6_real g[3], remus6_real W[6])
+                                const remus6_real g[3], remus6_real W[restrict 6])
 {
     remus6_real U[6];  /* twist of the mount at Os */
     remus6_real turned[6];  /* in Es */

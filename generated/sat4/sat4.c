@@ -75,7 +75,7 @@ static sat4_real sat4_real_of(sat4_word word)
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
 SAT4_CODE
-static void sat4_sincos(sat4_real x, sat4_real *sine, sat4_real *cosine)
+static void sat4_sincos(sat4_real x, sat4_real *restrict sine, sat4_real *restrict cosine)
 {
     /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
     const sat4_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
@@ -198,7 +198,7 @@ static sat4_status sat4_check_state(const sat4_state *x)
 
 /* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
 SAT4_CODE
-static void sat4_rotation(const sat4_real q[4], sat4_real C[9])
+static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
 {
     const sat4_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -215,7 +215,7 @@ static void sat4_rotation(const sat4_real q[4], sat4_real C[9])
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 SAT4_CODE
 static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat4_real phi_dot,
-                              sat4_real phi_ddot, sat4_sums *sum)
+                              sat4_real phi_ddot, sat4_sums *restrict sum)
 {
     const sat4_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
     const sat4_real s2 = 2.0 * c * s;
@@ -233,18 +233,10 @@ static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
     /* inertia and its rate: K_dot of (6) */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    for (int i = 0; i < 6; ++i) {
+        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
+        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
+    }
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -260,7 +252,7 @@ static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 SAT4_CODE
-static void sat4_start_sums(const sat4_table *stand, sat4_sums *sum)
+static void sat4_start_sums(const sat4_table *stand, sat4_sums *restrict sum)
 {
     sum->mu[0] = stand->first_moment[0];
     sum->mu[1] = stand->first_moment[1];
@@ -278,7 +270,7 @@ static void sat4_start_sums(const sat4_table *stand, sat4_sums *sum)
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 SAT4_CODE
 static void sat4_momentum_screw(const sat4_table *stand, const sat4_sums *sum, const sat4_real V[6],
-                                sat4_real Z[6])
+                                sat4_real Z[restrict 6])
 {
     Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -294,7 +286,7 @@ static void sat4_momentum_screw(const sat4_table *stand, const sat4_sums *sum, c
 /* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 SAT4_CODE
 static void sat4_subtract_rates(const sat4_sums *sum, const sat4_real V[6], const sat4_real Z[6],
-                                sat4_real F[6])
+                                sat4_real F[restrict 6])
 {
     F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
     F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
@@ -312,7 +304,7 @@ static void sat4_subtract_rates(const sat4_sums *sum, const sat4_real V[6], cons
 
 /* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 SAT4_CODE
-static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_real y[3])
+static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_real y[restrict 3])
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
     const sat4_real r1 = 1.0 / S[0];
@@ -337,7 +329,7 @@ static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 SAT4_CODE
 static sat4_status sat4_solve_carrier(const sat4_table *stand, const sat4_sums *sum, const sat4_real F[6],
-                                      sat4_real y[6])
+                                      sat4_real y[restrict 6])
 {
     sat4_status status;
     sat4_real rho[3];  /* mass centre from O1, in E1 */
@@ -369,7 +361,7 @@ static sat4_status sat4_solve_carrier(const sat4_table *stand, const sat4_sums *
  * (8). */
 SAT4_CODE
 static sat4_status sat4_accelerate(const sat4_table *stand, const sat4_state *x,
-                                   const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[6])
+                                   const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[restrict 6])
 {
     sat4_status status;
     sat4_sums sum;
@@ -410,7 +402,7 @@ sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat
 
 /* M = Phi K + K*, (9). */
 SAT4_CODE
-static void sat4_velocity_matrix(const sat4_real V[6], sat4_equations *out)
+static void sat4_velocity_matrix(const sat4_real V[6], sat4_equations *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -567,7 +559,7 @@ sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_mom
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 SAT4_CODE
 static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c, const sat4_real V[6],
-                        const sat4_real swing[3], sat4_coupling *out)
+                        const sat4_real swing[3], sat4_coupling *restrict out)
 {
     const sat4_real c2 = 1.0 - 2.0 * (s * s);
     const sat4_real s2 = 2.0 * c * s;
@@ -623,8 +615,8 @@ sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 SAT4_CODE
-static void sat4_eliminate(const sat4_real I[6], sat4_real spin_inv, sat4_real rate, sat4_schur *K,
-                           sat4_real F[6])
+static void sat4_eliminate(const sat4_real I[6], sat4_real spin_inv, sat4_real rate, sat4_schur *restrict K,
+                           sat4_real F[restrict 6])
 {
     sat4_real scaled[6];  /* I / Theta_ff */
     scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
@@ -642,7 +634,7 @@ static void sat4_eliminate(const sat4_real I[6], sat4_real spin_inv, sat4_real r
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 SAT4_CODE
-static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], sat4_real y[6])
+static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], sat4_real y[restrict 6])
 {
     sat4_status status;
     const sat4_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -695,7 +687,8 @@ static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], s
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 SAT4_CODE
 static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
-                             const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N])
+                             const int locked[SAT4_N], sat4_real V_dot[restrict 6],
+                             sat4_real phi_ddot[restrict SAT4_N])
 {
     sat4_status status;
     sat4_sums sum;
@@ -771,7 +764,7 @@ sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat
 
 /* to = x + h rate; phases are brought within half a turn. */
 SAT4_CODE
-static void sat4_advance(const sat4_state *x, const sat4_state *rate, sat4_real h, sat4_state *to)
+static void sat4_advance(const sat4_state *x, const sat4_state *rate, sat4_real h, sat4_state *restrict to)
 {
     for (int i = 0; i < 3; ++i) {
         to->position[i] = x->position[i] + h * rate->position[i];
@@ -792,7 +785,7 @@ static void sat4_advance(const sat4_state *x, const sat4_state *rate, sat4_real 
 
 /* brings the quaternion to unit length; RANGE where the state has left its ranges. */
 SAT4_CODE
-static sat4_status sat4_finish(sat4_state *x)
+static sat4_status sat4_finish(sat4_state *restrict x)
 {
     const sat4_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -808,7 +801,7 @@ static sat4_status sat4_finish(sat4_state *x)
 /* rates of the state under drive torques. */
 SAT4_CODE
 static sat4_status sat4_rate(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
-                             const int locked[SAT4_N], sat4_state *rate)
+                             const int locked[SAT4_N], sat4_state *restrict rate)
 {
     sat4_status status;
     sat4_real C[9];  /* attitude */
@@ -928,7 +921,7 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
 /* rates of the state under given flywheel accelerations. */
 SAT4_CODE
 static sat4_status sat4_rate_driven(const sat4_table *stand, const sat4_state *x,
-                                    const sat4_real phi_ddot[SAT4_N], sat4_state *rate)
+                                    const sat4_real phi_ddot[SAT4_N], sat4_state *restrict rate)
 {
     sat4_status status;
     sat4_real C[9];  /* attitude */
@@ -1141,7 +1134,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
 
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 SAT4_CODE
-static void sat4_twist_slope(const sat4_real Z[6], const sat4_equations *m, sat4_real slope[36])
+static void sat4_twist_slope(const sat4_real Z[6], const sat4_equations *m, sat4_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1165,7 +1158,7 @@ static void sat4_twist_slope(const sat4_real Z[6], const sat4_equations *m, sat4
 /* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
 SAT4_CODE
 static void sat4_row_slope(const sat4_row *row, const sat4_real weight[12], const sat4_real V[6],
-                           const sat4_real V_dot[6], sat4_real out[6])
+                           const sat4_real V_dot[6], sat4_real out[restrict 6])
 {
     sat4_sums change;  /* of the sums */
     sat4_real Z[6];  /* change of the momentum screw */
@@ -1628,7 +1621,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 SAT4_CODE
-static void sat4_orthogonalise(sat4_inverse_work *work)
+static void sat4_orthogonalise(sat4_inverse_work *restrict work)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -1688,7 +1681,7 @@ static void sat4_orthogonalise(sat4_inverse_work *work)
 
 /* cholesky factor of the mass matrix, in place: K = G G^T. */
 SAT4_CODE
-static sat4_status sat4_factor(sat4_inverse_work *work)
+static sat4_status sat4_factor(sat4_inverse_work *restrict work)
 {
     for (int j = 0; j < 6; ++j) {
         sat4_real pivot = work->G[j][j];
@@ -1712,7 +1705,7 @@ static sat4_status sat4_factor(sat4_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SAT4_CODE
 static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
-                               sat4_inverse_work *work)
+                               sat4_inverse_work *restrict work)
 {
     sat4_status status;
     sat4_sums sum;
@@ -1787,7 +1780,7 @@ static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, con
 
 /* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 SAT4_CODE
-static void sat4_solve_gram(sat4_real gram[6][6], sat4_real z[6], sat4_real least)
+static void sat4_solve_gram(sat4_real gram[restrict 6][6], sat4_real z[restrict 6], sat4_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -1819,9 +1812,10 @@ static void sat4_solve_gram(sat4_real gram[6][6], sat4_real z[6], sat4_real leas
  * do, (12). */
 SAT4_CODE
 static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_options *options, int rank,
-                          sat4_real phi_ddot[SAT4_N], int limited[SAT4_N])
+                          sat4_real phi_ddot[restrict SAT4_N], int limited[restrict SAT4_N])
 {
-    sat4_real give[SAT4_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    sat4_real share[SAT4_N];  /* 1/weight */
+    sat4_real give[SAT4_N];  /* the share of flywheels that are free, 0 of those held */
     sat4_real step[SAT4_N];  /* what the free flywheels shall give more */
     sat4_real row[6];  /* factor of each row; 0: it does not count */
     sat4_real gram[6][6];
@@ -1829,12 +1823,15 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 14; ++pass) {
+    for (int pass = 0; pass < 8; ++pass) {
         sat4_real most = 0.0;
         for (int s = 0; s < SAT4_N; ++s) {
-            const sat4_real share = (pass < 13) ? 1.0 / options->weight[s] : 1.0;
-            give[s] = (limited[s] > 0) ? 0.0 : share;
+            if (pass >= 7) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
             most = (give[s] > most) ? give[s] : most;
         }
         const sat4_real regular = 1.0e-12 * most;
@@ -1852,22 +1849,30 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
             }
             z[i] = row[i] * left;
         }
+        sat4_real weighed[SAT4_N];  /* a row of W Omega^-1 */
         for (int i = 0; i < 6; ++i) {
+            for (int s = 0; s < SAT4_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
             for (int j = 0; j < i + 1; ++j) {
                 sat4_real total = 0.0;
                 for (int s = 0; s < SAT4_N; ++s) {
-                    total += work->W[i][s] * give[s] * work->W[j][s];
+                    total += weighed[s] * work->W[j][s];
                 }
                 gram[i][j] = row[i] * row[j] * total;
             }
             gram[i][i] += least;
         }
         sat4_solve_gram(gram, z, least);
+        for (int i = 0; i < 6; ++i) {
+            z[i] = row[i] * z[i];
+        }
         for (int s = 0; s < SAT4_N; ++s) {
-            step[s] = 0.0;
+            sat4_real total = 0.0;
             for (int i = 0; i < 6; ++i) {
-                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+                total += work->W[i][s] * z[i];
             }
+            step[s] = give[s] * total;
         }
         if (pass < 1) {
             for (int s = 0; s < SAT4_N; ++s) {
@@ -2178,7 +2183,7 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
 /* reading of one sensor. */
 SAT4_CODE
 static void sat4_sense(const sat4_sensor *sensor, const sat4_real r[3], const sat4_real V[6],
-                       const sat4_real V_dot[6], const sat4_real C[9], sat4_reading *out)
+                       const sat4_real V_dot[6], const sat4_real C[9], sat4_reading *restrict out)
 {
     sat4_real velocity[3];  /* in E1 */
     sat4_real force[3];  /* acceleration less gravity, in E1 */
@@ -2320,7 +2325,7 @@ sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], 
 
 /* I0 = K A, J0 = K D + M A, (11). */
 SAT4_CODE
-static void sat4_products(const sat4_equations *m, sat4_generalized *out)
+static void sat4_products(const sat4_equations *m, sat4_generalized *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2427,7 +2432,8 @@ sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sa
 
 /* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 SAT4_CODE
-static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real zero[3], sat4_real R[9])
+static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real zero[3],
+                                      sat4_real R[restrict 9])
 {
     sat4_status status = sat4_within(axis, 3, SAT4_MAX_PARAMETER);
     if (status != SAT4_OK) { return status; }
@@ -2462,7 +2468,8 @@ static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real z
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 SAT4_CODE
 static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], const sat4_real O[3],
-                       const sat4_real R[9], sat4_real mu[3], sat4_real J1[6], sat4_real t[3])
+                       const sat4_real R[9], sat4_real mu[restrict 3], sat4_real J1[restrict 6],
+                       sat4_real t[restrict 3])
 {
     sat4_real b1[3];  /* R b */
     sat4_real RJ[9];  /* R J */
@@ -2555,7 +2562,8 @@ static sat4_status sat4_check_body(const sat4_body *body)
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
 SAT4_CODE
-static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[3], sat4_real R[9])
+static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[restrict 3],
+                                       sat4_real R[restrict 9])
 {
     sat4_status status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
     if (status != SAT4_OK) { return status; }
@@ -2567,7 +2575,7 @@ static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[3], s
 
 /* origin and axes of a point in E1. */
 SAT4_CODE
-static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[3], sat4_real R[9])
+static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[restrict 3], sat4_real R[restrict 9])
 {
     sat4_status status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
     if (status != SAT4_OK) { return status; }
@@ -2719,7 +2727,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
 
 /* L^T of a twist, to mounting axes at Os. */
 SAT4_CODE
-static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4_real U[6])
+static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4_real U[restrict 6])
 {
     sat4_real velocity[3];  /* of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -2737,7 +2745,7 @@ static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4
 SAT4_CODE
 static void sat4_mount_wrench(const sat4_mount *mount, sat4_real s, sat4_real c, sat4_real phi_dot,
                               sat4_real phi_ddot, const sat4_real V[6], const sat4_real V_dot[6],
-                              sat4_real W[6])
+                              sat4_real W[restrict 6])
 {
     sat4_real U[6];  /* twist of the mount at Os */
     sat4_real turned[6];  /* in Es */

@@ -32,7 +32,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 1u           /* of the log */
-#define SAT4_RECORDER_SOURCE 0x1b63f6cdu  /* of the texts of sat4.h and sat4.c: FNV-1a */
+#define SAT4_RECORDER_SOURCE 0x15254426u  /* of the texts of sat4.h and sat4.c: FNV-1a */
 #define SAT4_RECORDER_TABLE  0xca9f3637u  /* hash of the default table */
 #define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
 

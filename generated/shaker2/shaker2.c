@@ -75,7 +75,7 @@ static shaker2_real shaker2_real_of(shaker2_word word)
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
 SHAKER2_CODE
-static void shaker2_sincos(shaker2_real x, shaker2_real *sine, shaker2_real *cosine)
+static void shaker2_sincos(shaker2_real x, shaker2_real *restrict sine, shaker2_real *restrict cosine)
 {
     /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
     const shaker2_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
@@ -238,7 +238,7 @@ static shaker2_status shaker2_check_state(const shaker2_state *x)
 
 /* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
 SHAKER2_CODE
-static void shaker2_rotation(const shaker2_real q[4], shaker2_real C[9])
+static void shaker2_rotation(const shaker2_real q[4], shaker2_real C[restrict 9])
 {
     const shaker2_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -254,7 +254,8 @@ static void shaker2_rotation(const shaker2_real q[4], shaker2_real C[9])
 
 /* C^T a: from the outer axes to the turned ones. */
 SHAKER2_CODE
-static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3], shaker2_real out[3])
+static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3],
+                                shaker2_real out[restrict 3])
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -264,7 +265,7 @@ static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3]
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 SHAKER2_CODE
 static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2_real c,
-                                 shaker2_real phi_dot, shaker2_real phi_ddot, shaker2_sums *sum)
+                                 shaker2_real phi_dot, shaker2_real phi_ddot, shaker2_sums *restrict sum)
 {
     const shaker2_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
     const shaker2_real s2 = 2.0 * c * s;
@@ -282,18 +283,10 @@ static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
     /* inertia and its rate: K_dot of (6) */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
+    for (int i = 0; i < 6; ++i) {
+        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
+        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
+    }
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -309,7 +302,7 @@ static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 SHAKER2_CODE
-static void shaker2_start_sums(const shaker2_table *stand, shaker2_sums *sum)
+static void shaker2_start_sums(const shaker2_table *stand, shaker2_sums *restrict sum)
 {
     sum->mu[0] = stand->first_moment[0];
     sum->mu[1] = stand->first_moment[1];
@@ -326,7 +319,7 @@ static void shaker2_start_sums(const shaker2_table *stand, shaker2_sums *sum)
 
 /* rotation vector of a quaternion of about unit length; its length is at most pi. */
 SHAKER2_CODE
-static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[3])
+static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[restrict 3])
 {
     /* q and -q are the same rotation: take the shorter way */
     const shaker2_real side = (q[0] < 0.0) ? -1.0 : 1.0;
@@ -343,7 +336,7 @@ static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[3])
  * (7). */
 SHAKER2_CODE
 static void shaker2_suspend(const shaker2_suspension *law, const shaker2_state *x, const shaker2_real C[9],
-                            shaker2_real F[6])
+                            shaker2_real F[restrict 6])
 {
     shaker2_real shift[3];
     shaker2_real shift1[3];  /* C^T (O1 - position) */
@@ -374,7 +367,7 @@ static void shaker2_suspend(const shaker2_suspension *law, const shaker2_state *
 /* total external wrench of weight, suspension, from checked inputs, (7). */
 SHAKER2_CODE
 static void shaker2_external(const shaker2_table *stand, const shaker2_state *x, const shaker2_sums *sum,
-                             const shaker2_real C[9], const shaker2_real g[3], shaker2_real F[6])
+                             const shaker2_real C[9], const shaker2_real g[3], shaker2_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -389,7 +382,7 @@ static void shaker2_external(const shaker2_table *stand, const shaker2_state *x,
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 SHAKER2_CODE
 static void shaker2_momentum_screw(const shaker2_table *stand, const shaker2_sums *sum,
-                                   const shaker2_real V[6], shaker2_real Z[6])
+                                   const shaker2_real V[6], shaker2_real Z[restrict 6])
 {
     Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -405,7 +398,7 @@ static void shaker2_momentum_screw(const shaker2_table *stand, const shaker2_sum
 /* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 SHAKER2_CODE
 static void shaker2_subtract_rates(const shaker2_sums *sum, const shaker2_real V[6], const shaker2_real Z[6],
-                                   shaker2_real F[6])
+                                   shaker2_real F[restrict 6])
 {
     F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
     F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
@@ -423,7 +416,8 @@ static void shaker2_subtract_rates(const shaker2_sums *sum, const shaker2_real V
 
 /* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 SHAKER2_CODE
-static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real b[3], shaker2_real y[3])
+static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real b[3],
+                                     shaker2_real y[restrict 3])
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
     const shaker2_real r1 = 1.0 / S[0];
@@ -448,7 +442,7 @@ static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 SHAKER2_CODE
 static shaker2_status shaker2_solve_carrier(const shaker2_table *stand, const shaker2_sums *sum,
-                                            const shaker2_real F[6], shaker2_real y[6])
+                                            const shaker2_real F[6], shaker2_real y[restrict 6])
 {
     shaker2_status status;
     shaker2_real rho[3];  /* mass centre from O1, in E1 */
@@ -480,7 +474,8 @@ static shaker2_status shaker2_solve_carrier(const shaker2_table *stand, const sh
  * (8). */
 SHAKER2_CODE
 static shaker2_status shaker2_accelerate(const shaker2_table *stand, const shaker2_state *x,
-                                         const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6])
+                                         const shaker2_real phi_ddot[SHAKER2_N],
+                                         shaker2_real V_dot[restrict 6])
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -549,7 +544,7 @@ shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x
 
 /* M = Phi K + K*, (9). */
 SHAKER2_CODE
-static void shaker2_velocity_matrix(const shaker2_real V[6], shaker2_equations *out)
+static void shaker2_velocity_matrix(const shaker2_real V[6], shaker2_equations *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -709,7 +704,7 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 SHAKER2_CODE
 static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real c, const shaker2_real V[6],
-                           const shaker2_real swing[3], shaker2_coupling *out)
+                           const shaker2_real swing[3], shaker2_coupling *restrict out)
 {
     const shaker2_real c2 = 1.0 - 2.0 * (s * s);
     const shaker2_real s2 = 2.0 * c * s;
@@ -771,7 +766,7 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 SHAKER2_CODE
 static void shaker2_eliminate(const shaker2_real I[6], shaker2_real spin_inv, shaker2_real rate,
-                              shaker2_schur *K, shaker2_real F[6])
+                              shaker2_schur *restrict K, shaker2_real F[restrict 6])
 {
     shaker2_real scaled[6];  /* I / Theta_ff */
     scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
@@ -789,7 +784,8 @@ static void shaker2_eliminate(const shaker2_real I[6], shaker2_real spin_inv, sh
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 SHAKER2_CODE
-static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_real F[6], shaker2_real y[6])
+static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_real F[6],
+                                          shaker2_real y[restrict 6])
 {
     shaker2_status status;
     const shaker2_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -843,7 +839,7 @@ static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_
 SHAKER2_CODE
 static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_state *x,
                                    const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
-                                   shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N])
+                                   shaker2_real V_dot[restrict 6], shaker2_real phi_ddot[restrict SHAKER2_N])
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -924,7 +920,7 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
 /* to = x + h rate; phases are brought within half a turn. */
 SHAKER2_CODE
 static void shaker2_advance(const shaker2_state *x, const shaker2_state *rate, shaker2_real h,
-                            shaker2_state *to)
+                            shaker2_state *restrict to)
 {
     for (int i = 0; i < 3; ++i) {
         to->position[i] = x->position[i] + h * rate->position[i];
@@ -945,7 +941,7 @@ static void shaker2_advance(const shaker2_state *x, const shaker2_state *rate, s
 
 /* brings the quaternion to unit length; RANGE where the state has left its ranges. */
 SHAKER2_CODE
-static shaker2_status shaker2_finish(shaker2_state *x)
+static shaker2_status shaker2_finish(shaker2_state *restrict x)
 {
     const shaker2_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
@@ -962,7 +958,7 @@ static shaker2_status shaker2_finish(shaker2_state *x)
 SHAKER2_CODE
 static shaker2_status shaker2_rate(const shaker2_table *stand, const shaker2_state *x,
                                    const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
-                                   shaker2_state *rate)
+                                   shaker2_state *restrict rate)
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -1083,7 +1079,8 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
 /* rates of the state under given flywheel accelerations. */
 SHAKER2_CODE
 static shaker2_status shaker2_rate_driven(const shaker2_table *stand, const shaker2_state *x,
-                                          const shaker2_real phi_ddot[SHAKER2_N], shaker2_state *rate)
+                                          const shaker2_real phi_ddot[SHAKER2_N],
+                                          shaker2_state *restrict rate)
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -1299,7 +1296,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 SHAKER2_CODE
 static void shaker2_twist_slope(const shaker2_table *stand, const shaker2_real Z[6],
-                                const shaker2_equations *m, shaker2_real slope[36])
+                                const shaker2_equations *m, shaker2_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1328,7 +1325,8 @@ static void shaker2_twist_slope(const shaker2_table *stand, const shaker2_real Z
 /* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
 SHAKER2_CODE
 static void shaker2_row_slope(const shaker2_row *row, const shaker2_real weight[12], const shaker2_real V[6],
-                              const shaker2_real V_dot[6], const shaker2_real g[3], shaker2_real out[6])
+                              const shaker2_real V_dot[6], const shaker2_real g[3],
+                              shaker2_real out[restrict 6])
 {
     shaker2_sums change;  /* of the sums */
     shaker2_real Z[6];  /* change of the momentum screw */
@@ -1799,7 +1797,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
 /* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 SHAKER2_CODE
-static void shaker2_orthogonalise(shaker2_inverse_work *work)
+static void shaker2_orthogonalise(shaker2_inverse_work *restrict work)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -1859,7 +1857,7 @@ static void shaker2_orthogonalise(shaker2_inverse_work *work)
 
 /* cholesky factor of the mass matrix, in place: K = G G^T. */
 SHAKER2_CODE
-static shaker2_status shaker2_factor(shaker2_inverse_work *work)
+static shaker2_status shaker2_factor(shaker2_inverse_work *restrict work)
 {
     for (int j = 0; j < 6; ++j) {
         shaker2_real pivot = work->G[j][j];
@@ -1883,7 +1881,7 @@ static shaker2_status shaker2_factor(shaker2_inverse_work *work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SHAKER2_CODE
 static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_state *x,
-                                     const shaker2_real V_dot[6], shaker2_inverse_work *work)
+                                     const shaker2_real V_dot[6], shaker2_inverse_work *restrict work)
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -1961,7 +1959,8 @@ static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_s
 
 /* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 SHAKER2_CODE
-static void shaker2_solve_gram(shaker2_real gram[6][6], shaker2_real z[6], shaker2_real least)
+static void shaker2_solve_gram(shaker2_real gram[restrict 6][6], shaker2_real z[restrict 6],
+                               shaker2_real least)
 {
     for (int j = 0; j < 6; ++j) {
         for (int k = 0; k < j; ++k) {
@@ -1993,9 +1992,11 @@ static void shaker2_solve_gram(shaker2_real gram[6][6], shaker2_real z[6], shake
  * do, (12). */
 SHAKER2_CODE
 static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inverse_options *options,
-                             int rank, shaker2_real phi_ddot[SHAKER2_N], int limited[SHAKER2_N])
+                             int rank, shaker2_real phi_ddot[restrict SHAKER2_N],
+                             int limited[restrict SHAKER2_N])
 {
-    shaker2_real give[SHAKER2_N];  /* 1/weight of the flywheels that are free, 0 of those held */
+    shaker2_real share[SHAKER2_N];  /* 1/weight */
+    shaker2_real give[SHAKER2_N];  /* the share of flywheels that are free, 0 of those held */
     shaker2_real step[SHAKER2_N];  /* what the free flywheels shall give more */
     shaker2_real row[6];  /* factor of each row; 0: it does not count */
     shaker2_real gram[6][6];
@@ -2003,12 +2004,15 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
     for (int s = 0; s < SHAKER2_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 10; ++pass) {
+    for (int pass = 0; pass < 6; ++pass) {
         shaker2_real most = 0.0;
         for (int s = 0; s < SHAKER2_N; ++s) {
-            const shaker2_real share = (pass < 9) ? 1.0 / options->weight[s] : 1.0;
-            give[s] = (limited[s] > 0) ? 0.0 : share;
+            if (pass >= 5) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
             most = (give[s] > most) ? give[s] : most;
         }
         const shaker2_real regular = 1.0e-12 * most;
@@ -2026,22 +2030,30 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
             }
             z[i] = row[i] * left;
         }
+        shaker2_real weighed[SHAKER2_N];  /* a row of W Omega^-1 */
         for (int i = 0; i < 6; ++i) {
+            for (int s = 0; s < SHAKER2_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
             for (int j = 0; j < i + 1; ++j) {
                 shaker2_real total = 0.0;
                 for (int s = 0; s < SHAKER2_N; ++s) {
-                    total += work->W[i][s] * give[s] * work->W[j][s];
+                    total += weighed[s] * work->W[j][s];
                 }
                 gram[i][j] = row[i] * row[j] * total;
             }
             gram[i][i] += least;
         }
         shaker2_solve_gram(gram, z, least);
+        for (int i = 0; i < 6; ++i) {
+            z[i] = row[i] * z[i];
+        }
         for (int s = 0; s < SHAKER2_N; ++s) {
-            step[s] = 0.0;
+            shaker2_real total = 0.0;
             for (int i = 0; i < 6; ++i) {
-                step[s] += give[s] * (row[i] * work->W[i][s] * z[i]);
+                total += work->W[i][s] * z[i];
             }
+            step[s] = give[s] * total;
         }
         if (pass < 1) {
             for (int s = 0; s < SHAKER2_N; ++s) {
@@ -2429,7 +2441,7 @@ shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real
 
 /* I0 = K A, J0 = K D + M A, (11). */
 SHAKER2_CODE
-static void shaker2_products(const shaker2_equations *m, shaker2_generalized *out)
+static void shaker2_products(const shaker2_equations *m, shaker2_generalized *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2538,7 +2550,7 @@ shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state 
 /* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 SHAKER2_CODE
 static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const shaker2_real zero[3],
-                                            shaker2_real R[9])
+                                            shaker2_real R[restrict 9])
 {
     shaker2_status status = shaker2_within(axis, 3, SHAKER2_MAX_PARAMETER);
     if (status != SHAKER2_OK) { return status; }
@@ -2574,8 +2586,8 @@ static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const sh
 /* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 SHAKER2_CODE
 static void shaker2_carry(shaker2_real m, const shaker2_real b[3], const shaker2_real J[6],
-                          const shaker2_real O[3], const shaker2_real R[9], shaker2_real mu[3],
-                          shaker2_real J1[6], shaker2_real t[3])
+                          const shaker2_real O[3], const shaker2_real R[9], shaker2_real mu[restrict 3],
+                          shaker2_real J1[restrict 6], shaker2_real t[restrict 3])
 {
     shaker2_real b1[3];  /* R b */
     shaker2_real RJ[9];  /* R J */
@@ -2669,7 +2681,8 @@ static shaker2_status shaker2_check_body(const shaker2_body *body)
 
 /* origin and axes (at phi = 0) of a flywheel in E1. */
 SHAKER2_CODE
-static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_real O[3], shaker2_real R[9])
+static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_real O[restrict 3],
+                                             shaker2_real R[restrict 9])
 {
     shaker2_status status = shaker2_within(w->position, 3, SHAKER2_MAX_PARAMETER);
     if (status != SHAKER2_OK) { return status; }
@@ -2808,7 +2821,8 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
 
 /* L^T of a twist, to mounting axes at Os. */
 SHAKER2_CODE
-static void shaker2_carry_twist(const shaker2_mount *mount, const shaker2_real V[6], shaker2_real U[6])
+static void shaker2_carry_twist(const shaker2_mount *mount, const shaker2_real V[6],
+                                shaker2_real U[restrict 6])
 {
     shaker2_real velocity[3];  /* of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
@@ -2826,7 +2840,8 @@ static void shaker2_carry_twist(const shaker2_mount *mount, const shaker2_real V
 SHAKER2_CODE
 static void shaker2_mount_wrench(const shaker2_mount *mount, shaker2_real s, shaker2_real c,
                                  shaker2_real phi_dot, shaker2_real phi_ddot, const shaker2_real V[6],
-                                 const shaker2_real V_dot[6], const shaker2_real g[3], shaker2_real W[6])
+                                 const shaker2_real V_dot[6], const shaker2_real g[3],
+                                 shaker2_real W[restrict 6])
 {
     shaker2_real U[6];  /* twist of the mount at Os */
     shaker2_real turned[6];  /* in Es */
