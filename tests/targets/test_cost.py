@@ -36,6 +36,7 @@ LIMITS = [
     ("m7", "double", "forward", "code", 7 * 1024),
     ("m7", "double", "forward", "stack", 1331),
     ("m4", "float", "forward", "instructions", 9000),
+    ("m4", "float", "forward", "code", 5 * 1024),
     ("m4", "float", "forward", "stack", 800),
 ]
 
