@@ -171,11 +171,12 @@ def test_velocity_column_is_a_column_of_9() -> None:
 
 
 def test_weights_are_derivatives_along_the_motion() -> None:
-    """c2, s2 are those of the double phase; dc ... dds the first and second rates, for an arbitrary phi(t)."""
+    """c2, s2 are those of the double phase, and twice those; dc ... dds the first and second rates, for any phi(t)."""
     time = sp.Symbol("t")
     phi = sp.Function("phi")(time)
     of = {"c": sp.cos(phi), "s": sp.sin(phi), "c2": sp.cos(2 * phi), "s2": sp.sin(2 * phi)}
     wanted = {k: of[k] for k in ("c2", "s2")} | {f"d{k}": of[k].diff(time) for k in of}
+    wanted |= {f"two_{k}": 2 * of[k] for k in ("c2", "s2")}
     wanted |= {"ddc": of["c"].diff(time, 2), "dds": of["s"].diff(time, 2)}
     names = {
         phi.diff(time, 2): PHI_DDOT,

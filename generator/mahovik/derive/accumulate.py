@@ -24,7 +24,8 @@ phi_dot, phi_ddot = sp.symbols("phi_dot phi_ddot")
 def weights() -> dict[str, sp.Expr]:
     """By what a row's columns are multiplied, derived by differentiation along the motion; names to expressions.
 
-    c, s are given; c2, s2 are those of the double phase; dc, ds, dc2, ds2 rates; ddc, dds second rates.
+    c, s are given; c2, s2 are those of the double phase, two_c2, two_s2 twice those; dc, ds, dc2, ds2 rates; ddc, dds
+    second rates.
     """
     t = sp.Symbol("t")
     phi = sp.Function("phi")(t)
@@ -36,7 +37,7 @@ def weights() -> dict[str, sp.Expr]:
         (sp.cos(phi), c),
         (sp.sin(phi), s),
     ]
-    double = {"c2": 1 - 2 * s * s, "s2": 2 * s * c}
+    double = {"c2": 1 - 2 * s * s, "s2": 2 * s * c, "two_c2": 2 - 4 * s * s, "two_s2": 4 * s * c}
     rates = {"dc": sp.cos(phi).diff(t), "ds": sp.sin(phi).diff(t)}
     rates |= {"dc2": sp.cos(2 * phi).diff(t), "ds2": sp.sin(2 * phi).diff(t)}
     named = {name: value.subs(names) for name, value in rates.items()}

@@ -30,11 +30,18 @@ def literal_torque(w: Generic, V: sp.Matrix) -> sp.Matrix:
 def bias_torque(buoyancy: bool) -> sp.Expr:
     """Torque at V* = 0, phi'' = 0: mu' . (omega x v - g) - omega . J' omega / 2; the weight's moment is mu' . g.
 
-    `mu_p`, `J_p`, `displaced_p` are derivatives by the phase, `swing` = omega x v (less g where there is weight).
-    Displaced fluid pulls the other way: + displaced' . g.
+    `mu_p`, `J_p`, `displaced_p` are derivatives by the phase, `swing` = omega x v (less g where there is weight),
+    `spun` are `spin_products`. Displaced fluid pulls the other way: + displaced' . g.
     """
-    bias = vector("mu_p").dot(vector("swing")) - sp.Rational(1, 2) * vector("omega").dot(vector("turned"))
+    bias = vector("mu_p").dot(vector("swing")) + vector("J_p", 6).dot(vector("spun", 6))
     return bias + vector("displaced_p").dot(vector("g")) if buoyancy else bias
+
+
+def spin_products() -> sp.Matrix:
+    """Six numbers whose product with those of a symmetric J is -omega . J omega / 2: the same for all flywheels."""
+    J, omega = vector("J", 6), vector("omega")
+    energy = -sp.Rational(1, 2) * omega.dot(symmetric("J") * omega)
+    return sp.Matrix([sp.expand(energy).coeff(x) for x in J])
 
 
 def turned_spin() -> sp.Matrix:
@@ -49,12 +56,14 @@ def swing(weight: bool) -> sp.Matrix:
 
 
 def phase_derivatives() -> tuple[sp.Matrix, sp.Matrix]:
-    """mu' and J' (six) of a row by the phase, with c, s, c2, s2."""
+    """mu' and J' (six) of a row by the phase, with c, s, and twice those of the double phase: two_c2, two_s2."""
     phi = sp.Symbol("phi")
     cos, sin, cos2, sin2 = sp.cos(phi), sp.sin(phi), sp.cos(2 * phi), sp.sin(2 * phi)
     mu = vector("mu_c") * cos + vector("mu_s") * sin
     J = vector("J_c", 6) * cos + vector("J_s", 6) * sin + vector("J_2c", 6) * cos2 + vector("J_2s", 6) * sin2
-    names = [(cos2, sp.Symbol("c2")), (sin2, sp.Symbol("s2")), (cos, sp.Symbol("c")), (sin, sp.Symbol("s"))]
+    half = sp.Rational(1, 2)
+    names = [(cos2, half * sp.Symbol("two_c2")), (sin2, half * sp.Symbol("two_s2"))]
+    names += [(cos, sp.Symbol("c")), (sin, sp.Symbol("s"))]
     return mu.diff(phi).subs(names), J.diff(phi).subs(names)
 
 

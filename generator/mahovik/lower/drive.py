@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from mahovik.derive import accumulate as derived_rows
@@ -27,6 +28,8 @@ from mahovik.program.expression import Expr, Not, Place, Status, both, equal, in
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind
 
+_DOUBLE = {"two_c2": "twice the cosine and sine of the double phase", "two_s2": ""}
+
 
 def couple(lib: Library) -> Function:
     """I_s and the bias torque of one flywheel."""
@@ -34,24 +37,22 @@ def couple(lib: Library) -> Function:
     row = Argument("row", layout.row)
     s = Argument("s", Kind.REAL, purpose="sin phi")
     c = Argument("c", Kind.REAL, purpose="cos phi")
-    V = Argument("V", Kind.REAL, (6,))
     swing = Argument("swing", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, less gravity")
+    spun = Argument("spun", Kind.REAL, (6,), unit="rad2/s2", purpose="products of omega")
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
     out = Argument("out", layout.coupling, (), "out")
     body = Body()
     binding: dict[str, Expr] = {"s": s.place, "c": c.place}
-    for name in ("c2", "s2"):
-        binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
+    for name in ("two_c2", "two_s2"):
+        binding[name] = body.let(name, translate(derived_rows.weights()[name], binding), _DOUBLE[name])
     everything: dict[str, Any] = binding | columns_of(row.place)
     assign(body, list(out.place.I), derived_rows.columns().I, everything)
     mu_p, J_p = derived.phase_derivatives()
     assert list(mu_p) == list(derived_rows.columns().I[:3])
     slope = body.local("J_p", (6,), comment="dJ / dphi")
     assign(body, list(slope), J_p, everything)
-    turned = body.local("turned", (3,), comment="J' omega")
-    everything |= parts_of_twist(V.place) | {"J_p": slope, "turned": turned, "swing": swing.place}
+    everything |= {"J_p": slope, "spun": spun.place, "swing": swing.place}
     everything |= {"mu_p": list(out.place.I)[:3], "g": g.place}
-    assign(body, list(turned), derived.turned_spin(), everything)
     if layout.flywheel_buoyancy:
         sunk = body.local("displaced_p", (3,), comment="derivative of the displaced first moment")
         for i in range(3):
@@ -61,28 +62,38 @@ def couple(lib: Library) -> Function:
     return Function(
         "couple",
         "Column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0.",
-        (row, s, c, V, swing, g, out),
+        (row, s, c, swing, spun, g, out),
         body.statements,
         equation="(9)",
     )
 
 
-def swing_of(lib: Library, body: Body, seen: Scene) -> Place:
-    """omega x v - g, into a local."""
+@dataclass(frozen=True)
+class Carried:
+    """What the carrier's motion does to all flywheels alike: swing = omega x v - g (3), spun: products of omega (6)."""
+
+    swing: Place
+    spun: Place
+
+
+def carried(lib: Library, body: Body, seen: Scene) -> Carried:
+    """Both, into locals."""
     swing = body.local(
         "swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v"
     )
     bound = parts_of_twist(seen.V) | ({"g": seen.g} if seen.g is not None else {})
     assign(body, list(swing), derived.swing(lib.layout.weight), bound)
-    return swing
+    spun = body.local("spun", (6,), comment="J . spun = -omega . J omega / 2 for any J")
+    assign(body, list(spun), derived.spin_products(), bound)
+    return Carried(swing, spun)
 
 
 def couple_flywheel(
-    lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, swing: Place, out: Place
+    lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, by: Carried, out: Place
 ) -> dict[str, Expr]:
     """I_s and the bias torque of flywheel s into `out`; returns its sine and cosine."""
     turn = turn_of(lib, body, x, s, seen.turns)
-    named = {"row": stand.flywheel[s], **turn, "V": seen.V, "swing": swing, "g": seen.g, "out": out}
+    named = {"row": stand.flywheel[s], **turn, "swing": by.swing, "spun": by.spun, "g": seen.g, "out": out}
     body.call(lib["couple"], *lib.passed("couple", **named))
     return turn
 
@@ -154,10 +165,10 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
         for element in scratch:
             body.set(element, real(0))
         own_wrenches(lib, body, stand, x, seen.turns, seen.V, wrench, scratch, seen.own)
-    swing = swing_of(lib, body, seen)
+    alike = carried(lib, body, seen)
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand, x, s, seen, swing, coupling)
+        couple_flywheel(lib, body, stand, x, s, seen, alike, coupling)
         spin = stand.flywheel[s].spin * place["phi_ddot"][s]
         total = along(coupling.I, moving) + spin + coupling.bias
         body.set(place["tau"][s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
@@ -263,10 +274,10 @@ def move(lib: Library) -> Function:
     lib.begin(body)
     seen = scene(lib, body, stand.place, x.place, turns=places_of(arguments[2 : 2 + len(turns)]))
     drives = body.local("drive", (layout.count,), layout.coupling)
-    swing = swing_of(lib, body, seen)
+    alike = carried(lib, body, seen)
     body.call(lib["start_sums"], stand.place, seen.sums)
     with body.loop("s", layout.count) as s:
-        turn = couple_flywheel(lib, body, stand.place, x.place, s, seen, swing, drives[s])
+        turn = couple_flywheel(lib, body, stand.place, x.place, s, seen, alike, drives[s])
         speed = x.place.phi_dot[s]
         body.call(lib["add_flywheel"], stand.place.flywheel[s], turn["s"], turn["c"], speed, real(0), seen.sums)
     F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")

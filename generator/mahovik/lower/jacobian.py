@@ -9,7 +9,7 @@ from mahovik.derive import carrier as derived_carrier
 from mahovik.derive import drive as derived_drive
 from mahovik.derive import sensitivity as derived
 from mahovik.derive.symbols import vector
-from mahovik.lower.drive import along, check_drive, couple_flywheel, start_schur, swing_of
+from mahovik.lower.drive import along, carried, check_drive, couple_flywheel, start_schur
 from mahovik.lower.flywheels import columns_of, let_weights, sine_and_cosine, turns_of
 from mahovik.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene, sum_up
 from mahovik.lower.library import Library
@@ -193,12 +193,12 @@ def coupled_jacobian(lib: Library) -> Function:
     body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
     slope, axial = _slopes(lib, body, stand.place, x.place, seen, wrench, Z)
     drives = body.local("drive", (layout.count,), layout.coupling)
-    swing = swing_of(lib, body, seen)
+    alike = carried(lib, body, seen)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_schur(lib, body, stand.place, seen.sums, K)
     work = _Work(lib, body, stand.place, locked.place, drives, K)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand.place, x.place, s, seen, swing, drives[s])
+        couple_flywheel(lib, body, stand.place, x.place, s, seen, alike, drives[s])
         with body.when(equal(locked.place[s], integer(0))):
             body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inv, real(0), K, work.rhs)
     _by_twist(lib, work, o, x.place, seen, slope, axial)
@@ -213,7 +213,7 @@ def coupled_jacobian(lib: Library) -> Function:
                 about = _own(lib, body, stand.place, x.place, seen.V, wrench, s, work.rhs, turn, speed)
                 work.clear()
                 if turn:
-                    body.set(work.twist[s], -_torque_slope(lib, body, row, weights, seen, swing, motion))
+                    body.set(work.twist[s], -_torque_slope(lib, body, row, weights, seen, alike.swing, motion))
                 if about is not None:
                     body.add(work.twist[s], about[0])
                 work.solve(o, name, s)
@@ -278,7 +278,7 @@ def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope:
     turned = body.local("turned", (3,), comment="J' omega")
     with body.loop("s", layout.count) as s:
         binding: dict[str, Any] = sine_and_cosine(lib, body, x.phi[s], "_phi")
-        for name in ("c2", "s2"):
+        for name in ("two_c2", "two_s2"):
             binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
         _, J_p = derived_drive.phase_derivatives()
         assign(body, list(slopes), J_p, binding | columns_of(work._stand.flywheel[s]))

@@ -73,7 +73,7 @@ def _negative(term: sp.Expr) -> bool:
     return bool(term.as_coeff_Mul()[0] < 0)
 
 
-_LAST = frozenset(("c", "s", "c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds"))
+_LAST = frozenset(("c", "s", "c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds", "two_c2", "two_s2"))
 """Weights of a row's columns: a column is named before its weight."""
 
 
