@@ -118,6 +118,16 @@ def test_what_a_terminal_does_is_no_fault(spoil, printed: str, log: Path) -> Non
         (r"coupled PASS cases 4 worst 0", "coupled FAIL cases 4 wrong 1 worst 9", "FAIL: coupled (worst 9 ulp)"),
         (r"torque PASS.*\n", "", "no line PASS or FAIL of: torque"),
         (r"torque PASS", "torqqe PASS", "no line PASS or FAIL of: torque"),
+        (r"torque PASS cases 4 worst 0", "torque PASS cases 4 worst 3", "PASS with wrong bits, which the self-test"),
+        (r"torque PASS cases 4 worst 0", "torque PASS cases 4 worst more than 1000000", "PASS with wrong bits"),
+        (r"torque PASS cases 4", "torque PASS cases 4 wrong 1", "PASS with wrong bits"),
+        (
+            r"torque PASS cases 4 worst 0",
+            "torque FAIL cases 4 wrong 1 worst more than 1000000",
+            "(worst more than 1000000 ulp)",
+        ),
+        (r"sweep 20\n", "sweep 99999999999\n", "sweep of 99999999999 states: at most 1000000 are judged"),
+        (r"sweep 20\n", f"sweep {'9' * 5000}\n", 'no line "sweep"'),
         (r"torque PASS cases 4", "torque PASS cases 3", "not 4 cases, as this version has: torque"),
         (r"(torque PASS.*\n)", r"\1torque PASS cases 4 worst 1 ulp\n", "two lines that differ: torque"),
         (r"sweep 20\n", "", 'no line "sweep"'),
@@ -164,11 +174,18 @@ def test_without_a_compiler_the_interpreter_judges(log: Path, printed: str) -> N
     assert "not checked: sweep of 100000 states, double: no C compiler here" in done.stdout
 
 
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_a_log_in_utf_16_is_told_so(encoding: str, printed: str, log: Path) -> None:
+    words = refused("judge-log", rewritten(log, printed.encode(encoding)), DEMO3)
+    assert words.startswith(f"error: {log}: is not plain text (UTF-16?): save it as UTF-8")
+
+
 def test_what_is_no_log(tmp_path: Path) -> None:
     words = 'no line "mahovik selftest ..."'
     assert words in refused("judge-log", DEMO3)
     assert words in refused("judge-log", rewritten(tmp_path / "empty", ""))
     assert words in refused("judge-log", rewritten(tmp_path / "binary", bytes(range(256)) * 9))
+    assert "is not plain text (UTF-16?)" not in refused("judge-log", DEMO3)
     assert "No such file" in refused("judge-log", str(tmp_path / "none"))
     assert "error: " in refused("judge-log", str(tmp_path))
     assert "no such file" in refused("judge-log", DEMO3, str(tmp_path / "none.toml"))

@@ -11,7 +11,7 @@ from emit.stands import NAMES, stand, write
 from mahovik.emit.delivery import selftest_files
 from mahovik.emit.generate import generate_all
 from mahovik.emit.hexadecimal import hex_literal
-from mahovik.lower.golden import CASES, LISTED, golden, sweep_hashes
+from mahovik.lower.golden import CASES, FAR, LISTED, golden, sweep_hashes
 from mahovik.program.types import DOUBLE, FLOAT
 from mahovik.verify.selftest_log import problems, read_log
 from toolchain.tools import compile_c, require, require_32_bit, run
@@ -161,6 +161,20 @@ def test_the_distance_is_in_units_in_the_last_place(real, precision, ulp, tmp_pa
     names, log = failed({**files, "demo3_selftest.c": tampered}, "demo3", tmp_path)
     assert names == {"forward"}
     assert log.functions["forward"].worst == ulp
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_a_distance_beyond_counting_is_said_in_words(real, tmp_path):
+    # another sign: a number of 10 or 19 digits that nobody can read
+    _, files = made("demo3", real)
+    source = re.sub(r"(V_dot\[0\] = )(\w)", r"\1-\2", files["demo3.c"])
+    assert source != files["demo3.c"]
+    _, printed = run_selftest({**files, "demo3.c": source}, "demo3", tmp_path)
+    (log,) = read_log(printed, "demo3")
+    assert re.search(r"^forward FAIL cases 4 wrong \d worst more than 1000000 ulp$", printed, re.MULTILINE)
+    assert log.functions["forward"].worst == FAR + 1
+    assert "forward (worst more than 1000000 ulp)" in problems(log)[0]
+    assert max(len(n) for n in re.findall(r"worst (?:more than )?(\d+) ulp", printed)) <= 7
 
 
 # ---- what is in it ----

@@ -14,7 +14,7 @@ from mahovik.emit.statement import dimensions
 from mahovik.emit.templates import template
 from mahovik.lower import drawn
 from mahovik.lower.drawn import Input, Rule
-from mahovik.lower.golden import CASES, LISTED, SWEPT, Golden
+from mahovik.lower.golden import CASES, FAR, LISTED, SWEPT, Golden
 from mahovik.program.function import Argument, Function, Program
 from mahovik.program.types import Kind, Struct
 from mahovik.stand.identity import Identities
@@ -61,6 +61,7 @@ class _SelfTest:
             real=precision.name,
             width=precision.width,
             cases=CASES,
+            far=FAR,
             seed=f"0x{drawn.SEED:x}u",
             swept=SWEPT,
             listed=LISTED,

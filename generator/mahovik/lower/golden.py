@@ -23,6 +23,9 @@ LISTED = 32
 SWEPT = 1
 """States of the sweep whose hash is known beforehand: one shows that the target draws what Python draws."""
 
+FAR = 1_000_000
+"""ulp; the self-test says of a distance above it only that it is `more than` that: such numbers are not neighbours."""
+
 CASES = ("ordinary", "fast flywheels, large phases", "out of range")
 """What the golden inputs are."""
 

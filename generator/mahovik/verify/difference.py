@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from mahovik.errors import ToolchainError
-from mahovik.lower.golden import CASES
+from mahovik.lower.golden import CASES, FAR
 from mahovik.program.function import Function, Program
 from mahovik.program.types import Kind, Struct
 from mahovik.toolchain.board import build, difference_main, run, selftest_flags
@@ -30,8 +30,9 @@ def first_difference(target: Target, program: Program, files: Mapping[str, str],
             return ""
     for line in printed.splitlines():
         name, case, number, ulp = line.split()
+        distance = f"more than {FAR}" if int(ulp) > FAR else ulp
         outputs = list(output_names(program.function(name)))
-        return f'{name}, {outputs[int(number)]}, case "{CASES[int(case)]}", {ulp} ulp'
+        return f'{name}, {outputs[int(number)]}, case "{CASES[int(case)]}", {distance} ulp'
     return ""
 
 

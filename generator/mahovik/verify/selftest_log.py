@@ -14,28 +14,41 @@ from typing import TypeVar
 
 from mahovik import __version__
 from mahovik.errors import UsageError
-from mahovik.lower.golden import CASES
+from mahovik.lower.golden import CASES, FAR
 
 _Value = TypeVar("_Value")
+
+MOST = 1_000_000
+"""States of a sweep that are judged at most: minutes on a desk. More is a damaged line, or a test of another kind."""
 
 _HEAD = re.compile(
     r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)\s*$",
 )
 _GENERATOR = re.compile(r"generator mahovik (\S+)\s*$")
-_FUNCTION = re.compile(r"\b(\w+) (PASS|FAIL) cases (\d+)(?: wrong (\d+))? worst (\d+) ulp\s*$")
-_SWEEP = re.compile(r"\bsweep (\d+)\s*$")
+_FUNCTION = re.compile(
+    r"\b(\w+) (PASS|FAIL) cases ([0-9]{1,9})(?: wrong ([0-9]{1,9}))? worst (more than )?([0-9]{1,20}) ulp\s*$"
+)
+_SWEEP = re.compile(r"\bsweep ([0-9]{1,20})\s*$")
 _HASH = re.compile(r"\b(\w+) ([0-9a-f]{8})\s*$")
-_FAILURES = re.compile(r"\bfailures (\d+)\s*$")
+_FAILURES = re.compile(r"\bfailures ([0-9]{1,9})\s*$")
 
 
 @dataclass(frozen=True)
 class FunctionLine:
-    """What the test says of one function: golden cases, how many of them are wrong, worst distance in ulp."""
+    """What the test says of one function: golden cases, how many of them are wrong, worst distance in ulp.
+
+    `worst` is FAR + 1 where the test says that it is more than FAR.
+    """
 
     passed: bool
     cases: int
     wrong: int
     worst: int
+
+    @property
+    def distance(self) -> str:
+        """The worst distance as the test prints it."""
+        return f"more than {FAR} ulp" if self.worst > FAR else f"{self.worst} ulp"
 
 
 @dataclass
@@ -64,14 +77,18 @@ def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
         elif runs and runs[-1].failures is None:
             _read_line(runs[-1], line)
     if not runs:
-        raise UsageError(f'{where}: no line "mahovik selftest ...": expected what the self-test of a stand has printed')
+        expected = "expected what the self-test of a stand has printed"
+        if 4 * text.count("\0") >= len(text) > 0:
+            raise UsageError(f"{where}: is not plain text (UTF-16?): save it as UTF-8; {expected}")
+        raise UsageError(f'{where}: no line "mahovik selftest ...": {expected}')
     return tuple(runs)
 
 
 def _read_line(run: SelfTestLog, line: str) -> None:
     if found := _FUNCTION.search(line):
-        name, verdict, cases, wrong, worst = found.groups()
-        _once(run, run.functions, name, FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), int(worst)))
+        name, verdict, cases, wrong, far, worst = found.groups()
+        distance = FAR + 1 if far else int(worst)
+        _once(run, run.functions, name, FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), distance))
     elif found := _GENERATOR.search(line):
         run.generator = found[1]
     elif found := _SWEEP.search(line):
@@ -91,8 +108,10 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
     """What is wrong with a run by itself, one line a kind; `functions`: those that a stand has, where it is known."""
     found = []
     wanted = list(functions) if functions is not None else list(dict.fromkeys((*run.functions, *run.hashes)))
-    if failed := [f"{name} (worst {line.worst} ulp)" for name, line in run.functions.items() if not line.passed]:
+    if failed := [f"{name} (worst {line.distance})" for name, line in run.functions.items() if not line.passed]:
         found.append(f"FAIL: {', '.join(failed)}")
+    if odd := [name for name, line in run.functions.items() if line.passed and (line.wrong or line.worst)]:
+        found.append(f"PASS with wrong bits, which the self-test does not print: {', '.join(odd)}")
     if run.repeated:
         found.append(f"two lines that differ: {', '.join(dict.fromkeys(run.repeated))}")
     if absent := [name for name in wanted if name not in run.functions]:
@@ -103,6 +122,8 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
         found.append(f"not {len(CASES) + 1} cases, as this version has: {', '.join(few)}")
     if run.sweep is None:
         found.append('no line "sweep": the log ends before it')
+    elif run.sweep > MOST:
+        found.append(f"sweep of {run.sweep} states: at most {MOST} are judged: run fewer on the board")
     elif absent := [name for name in wanted if name not in run.hashes]:
         found.append(f"no hash of the sweep of: {', '.join(absent)}")
     if run.failures is None:
