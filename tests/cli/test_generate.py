@@ -247,3 +247,8 @@ def test_check_finds_what_was_changed_or_lost(name: str, folder: Path) -> None:
     assert f"{folder / name}: " in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
     (folder / name).unlink()
     assert f"{folder / name}: is missing" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
+
+
+def test_check_of_the_other_element_type_is_one_line(folder: Path) -> None:
+    said = refused("generate", DEMO3, "--real", "float", "-o", str(folder), "--check", status=1)
+    assert said == f"error: {folder}: its C is double, asked was for float: give --real double, or generate it again\n"

@@ -139,6 +139,9 @@ def test_refusals_are_one_line(flown: Path, binary: Path) -> None:
         said = refused("replay", *arguments, status=status)
         assert words in said
         assert len(said.splitlines()) == 1
+    run("generate", DEMO3, "--real", "float", "-o", "single")
+    said = refused("replay", log, DEMO3, "--against", "single")
+    assert said == "error: --against single: its C is float, the log double: give the folder that flew\n"
     said = run("replay", log, "--step", "5000")
     assert (said.exit_code, said.stdout) == (2, "")
     assert "no such step" in said.stderr

@@ -258,6 +258,11 @@ def test_a_spoiled_line_is_named(bench8: Recorder, tmp_path: Path) -> None:
     assert "step 4 missing" in damages(data)[0]
 
 
+def test_a_log_of_spoiled_lines_only_is_not_called_empty(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="no log in its @ lines, 2 spoiled: line 1: expected an even number of hex"):
+        load(written(tmp_path, b"@894d4\n@535\n"))
+
+
 @pytest.mark.parametrize("width", [2, 4, 8])
 def test_swapped_bytes_are_recognised(bench8: Recorder, tmp_path: Path, width: int) -> None:
     data = bench8.log + bytes(-len(bench8.log) % 8)

@@ -86,3 +86,13 @@ def test_check_says_so(tmp_path: Path) -> None:
     assert "warning: float: the unbalance of left at 2864.8 rpm" in result.stdout
     listed = json.loads(run("check", str(file), "--speed", str(SPEED), "--json").stdout)["float"]
     assert ("left", "forward") in {(each["flywheel"], each["want"]) for each in listed}
+
+
+def test_generate_of_float_says_so_as_check_does(tmp_path: Path) -> None:
+    file = tmp_path / "heavy.toml"
+    file.write_text(dumps(heavy()))
+    warned = [line for line in run("check", str(file)).stdout.splitlines() if line.startswith("warning: float")]
+    assert warned
+    result = run("generate", str(file), "--real", "float", "-o", str(tmp_path / "float"))
+    assert (result.exit_code, result.stderr.splitlines()) == (0, warned)
+    assert run("generate", str(file), "-o", str(tmp_path / "double")).stderr == ""

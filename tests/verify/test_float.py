@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,9 +18,10 @@ from mahovik.stand import Stand, load
 from mahovik.stands import path
 from mahovik.verify.bounds import DOUBLE, FLOAT
 from mahovik.verify.campaign import random_stands
-from mahovik.verify.compare import Judge
+from mahovik.verify.compare import Judge, Row
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import verify_c
+from mahovik.verify.report import Report, conclusion
 from mahovik.verify.states import MAX_PHASE
 from strategies import stands
 from verify.build import everything
@@ -85,4 +87,27 @@ def test_float_is_of_the_generated_c_alone() -> None:
 def test_the_command() -> None:
     result = run("verify", DEMO3, "--real", "float", "--states", "6")
     assert result.exit_code == 0
-    assert "passed" in result.stdout
+    assert "passed: nearest to its bound " in result.stdout
+    assert any({"worst", "accepted"} <= set(line.split()) for line in result.stdout.splitlines())
+
+
+def test_what_is_nearest_to_its_bound_is_no_worst() -> None:
+    """Each difference is said with its own quantity, pair and bound, also that of the references."""
+    rows = (
+        Row("forward", "V_dot", 1, 3e-7, verdict="ok", tolerance=1e-6, derivations=1e-12),
+        Row("momentum", "Z0", 1, 2e-7, verdict="ok", tolerance=5e-7, derivations=1e-12, second=1e-13, between=2e-7),
+    )
+    found = Report("demo3", "", "", "C", 1, 1, 1e-6, rows)
+    expected = "passed: nearest to its bound Z0, judged and reference: 2.0e-07 of the natural scale, 5e-07 accepted"
+    assert conclusion(found) == expected
+    near = replace(rows[1], second=9e-13)
+    found = replace(found, rows=(rows[0], near))
+    assert "Z0, second and reference: 9.0e-13 of the natural scale, 1e-12 accepted" in conclusion(found)
+    same = [replace(row, tolerance=1e-6, derivations=1e-6) for row in rows]
+    assert conclusion(replace(found, rows=tuple(same))) == "passed: worst 3.0e-07 of the natural scale, 1e-06 accepted"
+
+
+def test_c_of_the_other_element_type_is_refused(tmp_path: Path) -> None:
+    run("generate", DEMO3, "--real", "float", "-o", str(tmp_path))
+    said = refused("verify", DEMO3, "--against", str(tmp_path))
+    assert said == f"error: {tmp_path / 'demo3.h'}: its C is float, asked was for double: give --real float\n"

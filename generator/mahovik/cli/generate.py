@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from mahovik.cli.arguments import load_stand, real_option, stand_argument
+
+if TYPE_CHECKING:
+    from mahovik.stand.model import Stand
 
 
 @click.command()
@@ -21,6 +25,7 @@ def generate(stand_file: str, output: str | None, check: bool, real: str) -> Non
 
     A folder that stands alone: header, source, self-test with golden vectors, README, and a manifest with the hash of
     every file. All or nothing, and never over a file that mahovik has not written. Needs no compiler.
+    Warns where float would not resolve an unbalance.
     """
     stand = load_stand(stand_file)
     from mahovik.emit.delivery import delivery
@@ -35,8 +40,19 @@ def generate(stand_file: str, output: str | None, check: bool, real: str) -> Non
             raise CheckError("\n".join(found))
         click.echo(f"{click.format_filename(folder)}   as the stand file gives it")
         return
+    if real == "float":
+        _warn(stand)
     done = deliver(folder, stand, real, files)
     for path in done.paths:
         click.echo(f"{click.format_filename(path)}   {path.read_text(encoding='utf-8').count(chr(10))} lines")
     for note in done.notes:
         click.echo(note)
+
+
+def _warn(stand: Stand) -> None:
+    """What float does not resolve at the speeds of the motors: the lines of `mahovik check`."""
+    from mahovik.stand.summary import summarize
+    from mahovik.study.resolution import shortfalls
+
+    for short in shortfalls(stand, [row.speed for row in summarize(stand, None).unbalance]):
+        click.echo(f"warning: {short}", err=True)

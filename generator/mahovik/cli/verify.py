@@ -162,7 +162,7 @@ def _print(found: Report) -> None:
     from rich.text import Text
 
     from mahovik.verify.backends import WANTS
-    from mahovik.verify.report import conclusion
+    from mahovik.verify.report import conclusion, one_bound
 
     out = console()
     third = any(row.second is not None for row in found.rows)
@@ -171,8 +171,9 @@ def _print(found: Report) -> None:
     if found.left_out:
         out.print(Text(f"the stand without: {', '.join(found.left_out)}", "yellow"))
     pairs = ("second>", "between>") if third else ()
+    bound = () if one_bound(found) else ("accepted>",)
     by = "judge" if any(row.want and row.want not in WANTS for row in found.rows) else "want"
-    rows = table("quantity", by, "states>", "worst>", *pairs, "at state", "verdict")
+    rows = table("quantity", by, "states>", "worst>", *bound, *pairs, "at state", "verdict")
     for row in found.rows:
         judged = row.verdict in ("ok", "FAILED") and row.want
         style = "green" if row.verdict == "ok" else "red" if row.failed else "yellow"
@@ -185,6 +186,7 @@ def _print(found: Report) -> None:
             row.want,
             str(row.states) if row.states else "",
             f"{row.worst:.1e}" if judged else "",
+            *(f"{row.tolerance:.0e}" if judged and row.tolerance else "" for _ in bound),
             *("" if off is None else f"{off:.1e}" for off in (row.second, row.between) if third),
             Text(row.state),
             verdict,

@@ -84,7 +84,8 @@ def load(path: Path) -> tuple[bytes, list[str]]:
     if MAGIC not in data and any(line.startswith(b"@") for line in data.splitlines()):
         data = _from_hex(data, notes)
     if MAGIC not in data:
-        raise UsageError(f"{path}: {_no_log(data)}")
+        why = f"no log in its @ lines, {len(notes)} spoiled: {notes[0]}" if notes else _no_log(data)
+        raise UsageError(f"{path}: {why}")
     return data, [f"{path}: {note}" for note in notes]
 
 

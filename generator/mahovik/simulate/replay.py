@@ -19,6 +19,7 @@ from mahovik.simulate.flight_log import Damage, Reals, Start, Step
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.verify.c_backend import CBackend
+from mahovik.verify.delivery import element_type
 from mahovik.verify.program_backend import STATUS_NAMES
 
 Members = dict[str, Reals]
@@ -255,6 +256,9 @@ def status_name(status: int) -> str:
 def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machine:
     """What replays: "c" or "interpreter". Raises UsageError, ToolchainError, CheckError."""
     if backend == "c":
+        there = None if folder is None else element_type(folder, stand)
+        if there is not None and there != real:
+            raise UsageError(f"--against {folder}: its C is {there}, the log {real}: give the folder that flew")
         return CMachine(stand, real, folder)
     if folder is not None:
         raise UsageError("--against DIR: the interpreter runs no C; leave it out, or use --backend c")

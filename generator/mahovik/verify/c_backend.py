@@ -10,13 +10,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from mahovik.emit.generate import Generated, generate_all
+from mahovik.emit.generate import PRECISIONS, Generated, generate_all
 from mahovik.errors import CheckError, UsageError
 from mahovik.program.interpret import Interpreter
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.toolchain.library import Library
+from mahovik.verify.delivery import element_type
 from mahovik.verify.program_backend import ProgramBackend
 
 
@@ -61,7 +62,11 @@ class CBackend(ProgramBackend):
         self.generated = generate_all(stand, precision_name)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-            place = _given(folder, stand) if folder is not None else _written(self.generated.files, Path(scratch))
+            place = (
+                _given(folder, stand, precision_name)
+                if folder is not None
+                else _written(self.generated.files, Path(scratch))
+            )
             self.library = Library(place / f"{stand.name}.h", place / f"{stand.name}.c", Path(scratch), stand.name)
         program = self.generated.program
 
@@ -109,8 +114,8 @@ def _written(files: Mapping[str, str], scratch: Path) -> Path:
     return scratch
 
 
-def _given(folder: Path, stand: Stand) -> Path:
-    """The folder, where it holds the C of this stand. Raises UsageError, CheckError."""
+def _given(folder: Path, stand: Stand, real: str) -> Path:
+    """The folder, where it holds the C of this stand and element type. Raises UsageError, CheckError."""
     header = folder / f"{stand.name}.h"
     for path in (header, folder / f"{stand.name}.c"):
         if not path.is_file():
@@ -122,4 +127,8 @@ def _given(folder: Path, stand: Stand) -> Path:
         have = found[1] if found else "none"
         if have != want:
             raise CheckError(f"{header}: its {kind} is {have}, that of the stand file {want}: generate it again")
+    there = element_type(folder, stand)
+    if there != real:
+        remedy = f"give --real {there}" if there in PRECISIONS else "generate it again"
+        raise UsageError(f"{header}: its C is {there or 'of no known element type'}, asked was for {real}: {remedy}")
     return folder

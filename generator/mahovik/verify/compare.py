@@ -79,8 +79,20 @@ class Row:
         return self._excess(Three(self.worst, self.second or 0.0, self.between or 0.0))
 
     def _excess(self, three: Three) -> float:
+        return max(difference / accepted for difference, accepted, _ in self._pairs(three))
+
+    def nearest(self) -> tuple[float, float, str]:
+        """Of the pair that is nearest to its bound: difference, what is accepted of it, and whose difference it is."""
+        three = Three(self.worst, self.second or 0.0, self.between or 0.0)
+        return max(self._pairs(three), key=lambda pair: pair[0] / pair[1])
+
+    def _pairs(self, three: Three) -> tuple[tuple[float, float, str], ...]:
         tolerance = self.tolerance or 1.0
-        return max(three.worst / tolerance, three.second / (self.derivations or tolerance), three.between / tolerance)
+        return (
+            (three.worst, tolerance, "judged and reference"),
+            (three.second, self.derivations or tolerance, "second and reference"),
+            (three.between, tolerance, "judged and second"),
+        )
 
     def note(self, difference: float, request: Request, reason: str = "") -> None:
         """Count one state, of what the second derivation does not have."""

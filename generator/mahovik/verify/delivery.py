@@ -53,8 +53,23 @@ def deliver(folder: Path, stand: Stand, real: str, files: Mapping[str, str]) -> 
     return Delivered(paths, tuple(notes))
 
 
+def element_type(folder: Path, stand: Stand) -> str | None:
+    """What the header of a stand in a folder says that its reals are; None where it does not say."""
+    header = folder / f"{stand.name}.h"
+    if not header.is_file():
+        return None
+    found = re.search(rf"^typedef (\w+) {stand.name}_real;", header.read_text(errors="replace"), re.MULTILINE)
+    return found[1] if found else None
+
+
 def differences(folder: Path, stand: Stand, real: str, files: Mapping[str, str]) -> list[str]:
-    """What in the folder is not as `deliver` would leave it, a line each; none: it is what the stand file gives."""
+    """What in the folder is not as `deliver` would leave it, a line each; none: it is what the stand file gives.
+
+    A folder of the other element type differs in every file: that is said in one line.
+    """
+    there = element_type(folder, stand)
+    if there is not None and there != real:
+        return [f"{folder}: its C is {there}, asked was for {real}: give --real {there}, or generate it again"]
     found = []
     for name, text in files.items():
         path = folder / name

@@ -46,9 +46,18 @@ def conclusion(report: Report) -> str:
         return f"FAILED: {', '.join(dict.fromkeys(row.quantity for row in report.failures))}"
     if not report.passed:
         return "FAILED: nothing was compared"
-    worst = max((row for row in report.rows if row.verdict == "ok"), key=lambda row: row.excess)
-    tolerance = worst.tolerance or report.tolerance
-    return f"passed: worst {worst.excess * tolerance:.1e} of the natural scale, {tolerance:.0e} accepted"
+    row = max((row for row in report.rows if row.verdict == "ok"), key=lambda row: row.excess)
+    difference, accepted, pair = row.nearest()
+    if one_bound(report):
+        return f"passed: worst {difference:.1e} of the natural scale, {row.tolerance or report.tolerance:.0e} accepted"
+    off = f"{difference:.1e} of the natural scale, {accepted:.0e} accepted"
+    return f"passed: nearest to its bound {row.quantity}, {pair}: {off}"
+
+
+def one_bound(report: Report) -> bool:
+    """Whether the same is accepted of all quantities and pairs."""
+    judged = [row for row in report.rows if row.tolerance is not None]
+    return len({bound for row in judged for bound in (row.tolerance, row.derivations or row.tolerance)}) <= 1
 
 
 def as_json(report: Report) -> str:
