@@ -203,3 +203,15 @@ def test_a_lock_holds_one_flywheel_only() -> None:
     free_now = c.call("coupled", given | {"tau": tau, "locked": [0] * count})[1]
     scale = np.abs(locked["V_dot"]).max()
     assert np.array(free_now["V_dot"]) == pytest.approx(np.array(locked["V_dot"]), abs=1e-11 * scale)
+
+
+@pytest.mark.parametrize("speed", [2e3, -2e3])
+def test_a_step_over_too_many_turns_is_refused_in_float(speed: float) -> None:
+    """A phase that a float cannot hold to its digits is out of range, not a worse answer."""
+    c = CBackend(random_stand(np.random.default_rng(3), 1, BARE, name="turns"), "float")
+    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [999.0], "phi_dot": [speed]}
+    given = {"stand": c.library.default("default"), "x": x, "phi_ddot": [0.0], "order": 4}
+    assert c.call("step_driven", given | {"dt": 1.0})[0] == STATUS_VALUES["RANGE"]
+    status, out = c.call("step_driven", given | {"dt": 1e-3})
+    assert status == 0
+    assert np.sin(out["next"]["phi"][0]) == pytest.approx(np.sin(999.0 + speed * 1e-3), abs=2e-4)

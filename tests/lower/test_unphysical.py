@@ -25,6 +25,7 @@ from mahovik.program.interpret import Interpreter
 from mahovik.program.types import DOUBLE, FLOAT, Precision
 from mahovik.stand import Stand, structure
 from mahovik.stand.random import BARE, random_stand
+from mahovik.verify.c_backend import CBackend
 from strategies import stands
 
 Array = NDArray[np.float64]
@@ -231,3 +232,19 @@ def test_the_compiled_prepare_refuses_each_kind_in_any_body_and_writes_nothing(n
         refused(("added_mass", 3, 3), -1e-9)
         refused(("added_mass", 4, 4), 1e-9)
         refused(("added_mass", 5, 0), 1e-3 + float(good["added_mass"][5][0]))
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("tiny", [1e-310, 1e-40])
+def test_what_has_no_inverse_is_refused(real: str, tiny: float) -> None:
+    """A spin inertia or a total mass so small that its inverse is no number counts as none."""
+    c = CBackend(random_stand(np.random.default_rng(5), 2, BARE, name="tiny"), real)
+    parameters = copy.deepcopy(c.generated.values.parameters)
+    parameters["flywheel"][0]["body"]["inertia"] = [tiny, tiny, tiny, 0.0, 0.0, 0.0]
+    parameters["flywheel"][0]["body"]["center_of_mass"] = [0.0, 0.0, 0.0]
+    inputs = {"parameters": parameters, "stand": c.generated.values.table}
+    assert c.call("prepare", inputs)[0] == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]
+    parameters = copy.deepcopy(c.generated.values.parameters)
+    for body in (parameters["carrier"], *(w["body"] for w in parameters["flywheel"])):
+        body["mass"] = tiny
+    assert c.call("prepare", inputs | {"parameters": parameters})[0] == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]

@@ -192,7 +192,7 @@ def check_parameters(lib: Library) -> Function:
         with body.loop("s", layout.count) as s:
             w = p.flywheel[s]
             lib.check(body, f"check_{layout.flywheel_body.name}", w.body)
-            lib.guard(body, Not(w.body.inertia[0] > 0), "NOT_POSITIVE_DEFINITE")
+            lib.guard(body, Not(w.body.inertia[0] >= real(lib.thresholds.least)), "NOT_POSITIVE_DEFINITE")
             named = {"parameters": p, "w": w, "O": O, "R": R}
             lib.check(body, "place_flywheel", *lib.passed("place_flywheel", **named))
             body.add(total, w.body.mass)
@@ -201,7 +201,7 @@ def check_parameters(lib: Library) -> Function:
         with body.loop("k", points) as k:
             named = {"parameters": p, "w": p.point[k], "O": O, "R": R}
             lib.check(body, "place_point", *lib.passed("place_point", **named))
-    lib.guard(body, Not(total > 0), "NOT_POSITIVE_DEFINITE")
+    lib.guard(body, Not(total >= real(lib.thresholds.least)), "NOT_POSITIVE_DEFINITE")
     lib.guard(body, Not(size <= lib.thresholds.inertia), "RANGE")
     if layout.added_mass:
         A = body.local("A", (6,))

@@ -138,8 +138,10 @@ def speed_of_counts(lib: Library) -> Function:
 def accumulate(lib: Library) -> Function:
     """`accumulate`: one reading of a counter that wraps."""
     layout = lib.layout
-    encoder = Argument("encoder", layout.encoder, (), "inout", purpose="begin with the counter's first reading")
-    counter = Argument("counter", Kind.INT, purpose="the counter as it is read; one of 32 bits cast to int")
+    encoder = Argument(
+        "encoder", layout.encoder, (), "inout", purpose="begin with the first reading, place: counts within the turn"
+    )
+    counter = Argument("counter", Kind.INT, purpose="as it is read; int32_t where it has 32 bits")
     bits = Argument("bits", Kind.INT, purpose="of the counter, 2 to 32; 0: it counts 0 to per_turn - 1")
     per_turn = _per_turn(lib)
     e = encoder.place

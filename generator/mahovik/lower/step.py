@@ -89,30 +89,37 @@ def _advance(lib: Library) -> Function:
     body = Body()
     for name, count in _members(lib):
         with body.loop("i", count) as i:
-            value: Expr = x.place.member(name)[i] + h.place * rate.place.member(name)[i]
-            body.set(to.place.member(name)[i], call(lib["wrapped"], value) if name == "phi" else value)
+            start: Expr = x.place.member(name)[i]
+            if name == "phi":  # so that the phases of a stage, and their sum at the end, keep their digits
+                start = call(lib["wrapped"], start)
+            body.set(to.place.member(name)[i], start + h.place * rate.place.member(name)[i])
     return Function(
         "advance",
-        "to = x + h rate; phases are brought within half a turn.",
+        "to = x + h rate, phases from within half a turn.",
         (x, rate, h, to),
         body.statements,
     )
 
 
 def _finish(lib: Library) -> Function:
-    """Unit length for the quaternion, and is the state still in its ranges?"""
+    """Unit length for the quaternion, phases within half a turn; and is the state still in its ranges?"""
     x = Argument("x", lib.layout.state, (), "inout")
     body = Body()
+    lib.begin(body)
     q = x.place.attitude
     square = body.let("square", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     lib.guard(body, Not(both(square > real(0.5), square < real(2))), "RANGE")
     inverse = body.let("inverse", 1 / call(lib["sqrt"], square))
     for i in range(4):
         body.set(q[i], q[i] * inverse)
-    body.ret(call(lib["check_state"], x.place))
+    lib.check(body, "check_state", x.place)
+    if lib.layout.flywheels:
+        with body.loop("s", lib.layout.count) as s:
+            body.set(x.place.phi[s], call(lib["wrapped"], x.place.phi[s]))
+    body.ret(Status("OK"))
     return Function(
         "finish",
-        "Brings the quaternion to unit length; RANGE where the state has left its ranges.",
+        "Quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges.",
         (x,),
         body.statements,
         returns=Kind.STATUS,

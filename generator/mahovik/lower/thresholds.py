@@ -25,6 +25,8 @@ class Thresholds:
     zero_length    legs: m, a shorter leg has no direction; a float at 1 m has a spacing of 1.2e-7 m
     parallel       axes: sine of the angle between `axis` and `zero`, below which `zero` does not say where the
                    second axis is; in double half of what the stand file takes
+    least          prepare: mass of all bodies (kg), spin inertia of a flywheel (kg m2), below which they count as none:
+                   their inverses and what is made of them stay numbers
     unphysical     prepare: how far below zero an eigenvalue may be, relative to the largest element, of what no body
                    has negative; twice what the stand file takes, and what rounding the parameters to float costs
     inertia        prepare: kg m2, largest sum of all moments of inertia about O1; times the squares of the largest
@@ -42,6 +44,7 @@ class Thresholds:
     gram_pivot: float
     zero_length: float
     parallel: float
+    least: float
     unphysical: float
     inertia: float
     table: float
@@ -58,6 +61,7 @@ THRESHOLDS = {
         gram_pivot=1e-13,
         zero_length=1e-9,
         parallel=5e-10,
+        least=1e-30,
         unphysical=1e-9,
         inertia=1e60,
         table=1e300,
@@ -72,6 +76,7 @@ THRESHOLDS = {
         gram_pivot=1e-5,
         zero_length=1e-6,
         parallel=1e-4,
+        least=1e-15,
         unphysical=1e-5,
         inertia=1e20,
         table=1e20,
