@@ -15,8 +15,8 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from mahovik.verify.bounds import BOUNDS
 from mahovik.verify.campaign import random_stands, verify_random
-from mahovik.verify.compare import TOLERANCE
 from mahovik.verify.report import conclusion, worst_lines
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "verification.md"
@@ -52,7 +52,7 @@ def summary(verdicts: Sequence[Verdict], states: int) -> str:
     """A sentence, and a Markdown table by the number of flywheels."""
     passed = sum(each.passed for each in verdicts)
     words = (
-        f"{passed} of {len(verdicts)} stands passed, {states} states each; accepted is {TOLERANCE['double']:.0e}. "
+        f"{passed} of {len(verdicts)} stands passed, {states} states each; accepted is {BOUNDS['double'].default:.0e}. "
         "Largest differences, relative to\nthe natural scale:\n\n"
     )
     rows = [HEAD, ("---:",) * len(HEAD)]

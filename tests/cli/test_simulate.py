@@ -243,11 +243,23 @@ def wait_until(there: Callable[[], bool]) -> None:
     pytest.fail("waited in vain")
 
 
+def started(command: list[str], folder: Path, env: dict[str, str]) -> subprocess.Popen[str]:
+    """A program that an interrupt can end, even where these tests run in the background, which ignores it."""
+    return subprocess.Popen(
+        command,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=folder,
+        env=env,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+
+
 def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
     command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
     command += ["--until", "2000", "--every", "0.01", "-o", "run.csv"]
     env = {**os.environ, "TMPDIR": str(own_folder)}
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=own_folder, env=env) as program:
+    with started(command, own_folder, env) as program:
         wait_until(lambda: any(own_folder.glob("mahovik-*")))  # it compiles there
         wait_until(lambda: not any(own_folder.glob("mahovik-*")))
         time.sleep(1.0)  # loaded: it steps
@@ -267,7 +279,7 @@ def test_ctrl_c_before_the_first_step_writes_nothing(own_folder: Path) -> None:
     command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
     command += ["--until", "1", "-o", "run.csv"]
     env = {**os.environ, "TMPDIR": str(own_folder), "CC": str(compiler)}
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=own_folder, env=env) as program:
+    with started(command, own_folder, env) as program:
         wait_until((own_folder / "began").exists)
         program.send_signal(signal.SIGINT)
         assert program.stderr is not None
