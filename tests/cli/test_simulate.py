@@ -245,14 +245,8 @@ def wait_until(there: Callable[[], bool]) -> None:
 
 def started(command: list[str], folder: Path, env: dict[str, str]) -> subprocess.Popen[str]:
     """A program that an interrupt can end, even where these tests run in the background, which ignores it."""
-    return subprocess.Popen(
-        command,
-        stderr=subprocess.PIPE,
-        text=True,
-        cwd=folder,
-        env=env,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
-    )
+    restored = ["env", "--default-signal=INT", *command]
+    return subprocess.Popen(restored, stderr=subprocess.PIPE, text=True, cwd=folder, env=env)
 
 
 def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
