@@ -74,3 +74,30 @@ def test_the_manifest_is_json_in_a_fixed_order():
     assert text == manifest(stand("demo3"), "double", dict(reversed(files.items())))
     # sha256sum of the five bytes "one" and a line feed
     assert json.loads(text)["files"]["a.h"] == "2c8b08da5ce60398e1f19af0e5dccc744df274b826abe585eaba68c525434806"
+
+
+def test_every_equation_that_the_c_names_is_in_the_readme():
+    """The folder stands alone."""
+    for name in ("bench8", "everything6"):
+        files = delivery(stand(name))
+        explained = set(re.findall(r"^(\(\d+\)) ", files["README.md"], re.MULTILINE))
+        assert explained == {f"({n})" for n in range(1, 14) if n != 3}  # the model has no use for (3)
+        comments = " ".join(re.findall(r"/\*.*?\*/", files[f"{name}.h"] + files[f"{name}.c"], re.DOTALL))
+        named = set(re.findall(r"(?<=\s)\(\d+\)", comments))
+        assert "(8)" in named
+        assert named <= explained
+        assert "README.md" in files[f"{name}.h"]
+
+
+def test_what_keeps_the_bits_is_said_wherever_compiling_is():
+    files = delivery(stand("demo3"))
+    for name in ("README.md", "demo3.h", "demo3_selftest.c"):
+        assert "-ffp-contract=off" in files[name]
+        assert "-fno-tree-vectorize" in files[name]
+
+
+@pytest.mark.parametrize(("name", "legs"), [("bench8", False), ("hung5", True)])
+def test_out_of_range_means_what_the_stand_has(name, legs):
+    files = delivery(stand(name))
+    for text in (files["README.md"], files[f"{name}.h"]):
+        assert ("leg of no length" in text) == legs

@@ -85,7 +85,7 @@ class _Printer:
         return template("stand.h.j2").render(
             **self._common(),
             limits=self._limits(),
-            statuses=statuses(self._names, self._program.precision),
+            statuses=statuses(self._names, self._layout),
             enums=self._enums(),
             structs=structs,
             externs=self._externs(),

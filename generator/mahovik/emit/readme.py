@@ -38,7 +38,7 @@ def readme(stand: Stand, generated: Generated) -> str:
         declarations=[_zeroed(a, names) for a in zeroed],
         call=_call(forward, names),
         functions=[_row(f) for f in program.functions if f.public],
-        statuses=statuses(names, program.precision),
+        statuses=statuses(names, generated.layout),
     )
 
 
