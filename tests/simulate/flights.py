@@ -15,7 +15,10 @@ from mahovik.toolchain.compiler import BITS, WARNINGS, preprocess, run_compiler
 
 
 class Recorder:
-    """The compiled recorder of a stand of `emit.stands`. `log` grows by what it writes, `calls` has each piece."""
+    """The compiled recorder of a stand of `emit.stands`. `log` grows by what it writes, `calls` has each piece.
+
+    `full`: every write fails, and nothing is kept.
+    """
 
     def __init__(self, name: str, real: str, folder: Path, edit: tuple[str, str] | None = None) -> None:
         self.name, self.real, self.stand = name, real, known_stand(name)
@@ -35,11 +38,15 @@ class Recorder:
         self.ffi.cdef(own)
         self.library: Any = self.ffi.dlopen(library)
         self.calls: list[bytes] = []
-        self._write = self.ffi.callback("void(void *, const unsigned char *, size_t)", self._take)
+        self.full = False
+        self._write = self.ffi.callback("int(void *, const unsigned char *, size_t)", self._take)
         self.new("recorder")
 
-    def _take(self, context: Any, data: Any, count: int) -> None:
+    def _take(self, context: Any, data: Any, count: int) -> int:
+        if self.full:
+            return -1
         self.calls.append(bytes(self.ffi.buffer(data, count)))
+        return 0
 
     @property
     def log(self) -> bytes:

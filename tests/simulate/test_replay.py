@@ -95,7 +95,7 @@ def test_a_step_is_one_call_of_the_stated_size(flown: Recorder) -> None:
     flown.new("recorder")
     flown.call("start")
     starts = len(flown.calls)
-    text = recorder_files(flown.stand, flown.generated)[f"{flown.name}_recorder.h"]
+    text = "\n".join(recorder_files(flown.stand, flown.generated).values())
     longest = int(text.split("_RECORD_BYTES ")[1].split()[0])
     shortest = int(text.split("most have ")[1].split()[0])
     flown.fly(STEPS, every=10**9)
@@ -341,6 +341,28 @@ def test_null_pointers_are_refused_without_a_record(bench8: Recorder) -> None:
     bench8.recorder.write = null
     assert bench8.call("start") == -5
     assert bench8.log == b""
+
+
+def test_a_write_that_fails_is_counted_and_the_flight_goes_on(bench8: Recorder) -> None:
+    """The gap is named, and the log can be replayed again from the next start."""
+    bench8.new("recorder")
+    bench8.fly(3, every=10**9)
+    assert bench8.recorder.lost == 0
+    bench8.full = True
+    assert bench8.fly(2, every=10**9)[1] == 0
+    bench8.full = False
+    assert bench8.recorder.lost >= 2
+    assert bench8.recorder.count == 5
+    bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4)
+    assert bench8.call("start") == 0
+    bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4)
+    found = steps_of(bench8)
+    gap = [each for each in found if isinstance(each, Damage)]
+    assert len(gap) == 1
+    assert "missing" in gap[0].message
+    steps = [each for each in found if isinstance(each, Outcome)]
+    assert [each.step.count for each in steps] == [0, 1, 2, 6]
+    assert all(each.equal for each in steps)
 
 
 def test_the_count_wraps(bench8: Recorder) -> None:

@@ -32,11 +32,19 @@ _MEMBERS = ("POSITION", "ATTITUDE", "V", "PHI", "PHI_DOT")
 
 RESERVED = frozenset(
     (
-        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORDER_TABLE", "RECORD_BYTES"),
+        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORDER_TABLE", "RECORD_BYTES", "RECORD_MEMBERS"),
+        *(
+            "RECORD_STEP",
+            "RECORD_REAL_BYTES",
+            "RECORD_TABLE_BYTES",
+            "RECORD_LOCKS_A_BYTE",
+            "RECORD_BASIS",
+            "RECORD_PRIME",
+        ),
         *(f"RECORD_{name}" for name in (*_MEMBERS, *CHANGING)),
     )
 )
-"""Names of the recorder's header, that no flywheel may have."""
+"""Names of the recorder's header and source, that no flywheel may have."""
 
 _BASIS, _PRIME, _MASK = 0x811C9DC5, 0x01000193, 0xFFFFFFFF
 

@@ -14,6 +14,7 @@ from mahovik.emit.generate import Generated
 from mahovik.emit.layout import wrapped
 from mahovik.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, fnv1a, logged, table_bytes
 from mahovik.emit.names import Names
+from mahovik.emit.statement import dimensions
 from mahovik.emit.templates import template
 from mahovik.lower.layout import Layout
 from mahovik.program.function import Argument, Function
@@ -40,10 +41,16 @@ def _values(stand: Stand, generated: Generated) -> dict[str, Any]:
     found = identities(stand)
     width = program.precision.width
     size, count, wrenches = width // 8, len(layout.structure.flywheels), len(layout.inputs)
-    members = [(f.name, int(f.shape[0])) for f in layout.state.fields]
+    members = [(f.name, dimensions(names, f.shape)[0].strip("[]")) for f in layout.state.fields]
     table = table_bytes(layout, generated.values.table)
     fixed = 7 + 9 + count * size
-    changing = size + 4 + sum(n for _, n in members) * size + 3 * size * layout.stream + (count + 7) // 8
+    changing = (
+        size
+        + 4
+        + sum(int(f.shape[0]) for f in layout.state.fields) * size
+        + 3 * size * layout.stream
+        + (count + 7) // 8
+    )
     flags = [(member.upper(), 1 << place, f"{member} was written") for place, (member, _) in enumerate(members)]
     flags += [(flag, bit, meaning) for flag, (bit, meaning) in CHANGING.items()]
     return {
@@ -64,8 +71,8 @@ def _values(stand: Stand, generated: Generated) -> dict[str, Any]:
         "step": f"0x{STEP:02x}",
         "flags": flags,
         "members": members,
-        "flywheels": count,
-        "wrenches": wrenches,
+        "flywheels": names.constant("N") if count else 0,
+        "wrenches": names.constant("WRENCHES") if wrenches else 0,
         "stream": layout.stream,
         "name_bytes": [f"0x{byte:02x}" for byte in name.encode("ascii")],
         "put_functions": list(_put_functions(layout, names)),
@@ -123,17 +130,17 @@ def _put_functions(layout: Layout, names: Names) -> Iterator[dict[str, Any]]:
 
 def _put(f: Field, names: Names) -> list[str]:
     """Statements that write one member; all dimensions but the last of reals are loops."""
-    shape = [int(n) for n in f.shape]
-    whole = f.type is Kind.REAL and bool(shape)
-    loops = shape[:-1] if whole else shape
+    whole = f.type is Kind.REAL and bool(f.shape)
+    lengths = [d.strip("[]") for d in dimensions(names, f.shape)]
+    loops = lengths[:-1] if whole else lengths
     place = f"from->{f.name}" + "".join(f"[{index}]" for index in "ijk"[: len(loops)])
     if isinstance(f.type, Struct):
-        call = f"{names.function(f'put_{f.type.name}')}(page, &{place});"
+        call = f"{names.function(f'record_put_{f.type.name}')}(page, &{place});"
     elif f.type is Kind.REAL:
-        values, count = (place, shape[-1]) if whole else (f"&{place}", 1)
-        call = f"{names.function('put_reals')}(page, {values}, {count});"
+        values, count = (place, lengths[-1]) if whole else (f"&{place}", "1")
+        call = f"{names.function('record_put_reals')}(page, {values}, {count});"
     else:
-        call = f"{names.function('put')}(page, ({names.function('record_word')}){place}, 4);"
+        call = f"{names.function('record_put')}(page, ({names.function('record_word')}){place}, 4);"
     lines = []
     for depth, count in enumerate(loops):
         index = "ijk"[depth]
