@@ -141,8 +141,8 @@ def test_c_of_a_generator_without_manifests_is_taken_over(folder: Path) -> None:
 
 
 def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
-    add_to_delivery(folder, "old.h", "once delivered\n")
-    add_to_delivery(folder, "kept.h", "once delivered\n")
+    add_to_delivery(folder, {"old.h": "once delivered\n"})
+    add_to_delivery(folder, {"kept.h": "once delivered\n"})
     (folder / "kept.h").write_text("changed by hand\n")
     result = run("generate", DEMO3, "-o", str(folder))
     assert f"{folder / 'old.h'} was removed: it is no longer delivered" in result.output
@@ -200,7 +200,7 @@ def test_into_a_folder_that_cannot_be() -> None:
 
 
 def test_the_cost_of_the_same_c_is_kept_and_listed(folder: Path) -> None:
-    add_to_delivery(folder, "COST.md", f"# Cost\n\nof the source `{sha256(folder / 'demo3.c')}`\n")
+    add_to_delivery(folder, {"COST.md": f"# Cost\n\nof the source `{sha256(folder / 'demo3.c')}`\n"})
     before = contents(folder)
     assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
     assert contents(folder) == before
@@ -212,7 +212,7 @@ def test_the_cost_of_the_same_c_is_kept_and_listed(folder: Path) -> None:
 def test_the_cost_of_other_c_is_removed(listed: bool, folder: Path) -> None:
     text = f"# Cost\n\nof the source `{'0' * 64}`\n"
     if listed:
-        add_to_delivery(folder, "COST.md", text)
+        add_to_delivery(folder, {"COST.md": text})
     else:
         (folder / "COST.md").write_text(text)
     assert "COST.md: speaks of other C" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
@@ -227,6 +227,61 @@ def test_a_cost_of_somebody_else_stays(folder: Path) -> None:
     assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
     assert (folder / "COST.md").read_text() == "what we paid\n"
     assert "COST.md" not in json.loads((folder / "manifest.json").read_text())["files"]
+
+
+# ---- cost.json ----
+
+FIGURES = '{"stand": "demo3", "targets": []}'
+
+
+def test_accepted_figures_are_kept_and_listed(folder: Path) -> None:
+    (folder / "cost.json").write_text(FIGURES)  # of a generator that did not list it
+    assert "cost.json: is not what manifest.json lists" in refused(
+        "generate", DEMO3, "-o", str(folder), "--check", status=1
+    )
+    assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
+    assert (folder / "cost.json").read_text() == FIGURES
+    assert json.loads((folder / "manifest.json").read_text())["files"]["cost.json"] == sha256(folder / "cost.json")
+    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
+    assert run("generate", DEMO3, "-o", str(folder), "--real", "float").exit_code == 0  # other C: that is their use
+    assert (folder / "cost.json").read_text() == FIGURES
+
+
+def test_edited_or_lost_figures_are_found(folder: Path) -> None:
+    add_to_delivery(folder, {"cost.json": FIGURES})
+    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
+    (folder / "cost.json").write_text(FIGURES + " ")
+    said = refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
+    assert f"{folder / 'cost.json'}: is not what manifest.json lists" in said
+    before = contents(folder)
+    assert "cost.json: was changed by hand" in refused("generate", DEMO3, "-o", str(folder))
+    assert contents(folder) == before
+    (folder / "cost.json").unlink()
+    assert "does not list these files" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
+
+
+@pytest.mark.parametrize("text", ["what we paid\n", '{"stand": "bench8", "targets": []}', "[]"])
+def test_figures_of_somebody_else_stay_unlisted(text: str, folder: Path) -> None:
+    (folder / "cost.json").write_text(text)
+    assert run("generate", DEMO3, "-o", str(folder)).exit_code == 0
+    assert (folder / "cost.json").read_text() == text
+    assert "cost.json" not in json.loads((folder / "manifest.json").read_text())["files"]
+
+
+# ---- a project of `export target` ----
+
+
+def test_a_project_and_a_delivered_folder_are_not_mixed(folder: Path, tmp_path: Path) -> None:
+    before = contents(folder)
+    said = refused("export", "target", "host", DEMO3, "-o", str(folder))
+    assert said.startswith(f"error: {folder}: holds what `mahovik generate` delivers: ")
+    assert contents(folder) == before
+    project = tmp_path / "project"
+    assert run("export", "target", "host", DEMO3, "-o", str(project)).exit_code == 0
+    before = contents(project)
+    assert "holds the project of target host" in refused("generate", DEMO3, "-o", str(project))
+    assert contents(project) == before
+    assert run("export", "target", "host", DEMO3, "-o", str(project)).exit_code == 0
 
 
 # ---- --check ----

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -22,48 +22,65 @@ if TYPE_CHECKING:
 @click.option(
     "--real", type=click.Choice(["double", "float"]), help="Element type; default: the widest of each processor's FPU."
 )
-@click.option("--targets", metavar="NAME,...", help="Processors; default m4, m7, rv32imafc, rv64gc.")
+@click.option(
+    "--targets", metavar="NAME,...", help="Processors, whose tables are printed; default m4, m7, rv32imafc, rv64gc."
+)
 @click.option(
     "-o", "output", metavar="DIR", type=click.Path(), help="Folder of the files; default ./NAME of the stand."
 )
-@click.option("--check", is_flag=True, help="Write nothing.")
+@click.option("--check", is_flag=True, help="Write nothing; accepted figures must be there.")
 @click.option("--accept", is_flag=True, help="Accept the figures: what later ones are compared with.")
 def cost(stand_file: str, real: str | None, targets: str | None, output: str | None, check: bool, accept: bool) -> None:
     """Measure the C of a stand on processors.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
-    COST.md beside the C; accepted figures into cost.json. Exit status 1 where a figure is more than 2 % above the
-    accepted one, by the same version of the compiler.
+    COST.md beside the C; accepted figures into cost.json. Exit status 1, and nothing is written, where a figure is
+    more than 2 % above the accepted one by the same version of the compiler, or was never accepted. With --targets or
+    --real the tables are printed instead, and --accept keeps what was accepted for others.
     """
     if check and accept:
         raise UsageError("--check, --accept: one of them")
-    from mahovik.study.cost.check import compare
-    from mahovik.study.cost.measure import asked
-    from mahovik.study.cost.page import DATA, PAGE, accepted, as_json, page
-    from mahovik.verify.delivery import add_to_delivery
-    from mahovik.verify.files import write
+    from mahovik.study.cost.measure import USUAL, asked
+    from mahovik.study.cost.page import accepted, as_json, page
+    from mahovik.verify.cost_files import COST, FIGURES
+    from mahovik.verify.delivery import accepted_figures, add_to_delivery, require_place_for_cost
 
     pairs = asked(targets, real)
+    usual = targets is None and real is None
     stand = load_stand(stand_file)
     folder = Path(output if output is not None else stand.name)
-    data = folder / DATA
-    if check and not data.is_file():
-        raise UsageError(f"{data}: no such file: accept figures first, `mahovik cost` without --check")
-    before = accepted(data.read_text(encoding="utf-8"), str(data)) if data.is_file() and not accept else None
-    found = _measured(stand, pairs)
     if not check:
-        for path in add_to_delivery(folder, PAGE, page(found)):
+        require_place_for_cost(folder, stand)
+    text = accepted_figures(folder, stand)
+    if check and text is None:
+        raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
+    before = accepted(text, str(folder / FIGURES)) if text is not None else None
+    found = _measured(stand, pairs)
+    if not usual and not check:
+        click.echo(page(found))
+    if before is not None and not accept:
+        required = [*USUAL, *((t.name, r) for t, r in pairs)] if check else USUAL if usual else ()
+        _compare(found, before, required)
+    files = {COST: page(found)} if usual and not check else {}
+    if accept or (before is None and usual):
+        files[FIGURES] = as_json(found, before or ())
+    if files:
+        for path in add_to_delivery(folder, files):
             click.echo(click.format_filename(path))
-    if before is None:
-        write(data, as_json(found))
-        click.echo(click.format_filename(data))
-        return
-    result = compare(found, before)
-    for line in (*(f"rise: {line}" for line in result.rises), *(f"not compared: {line}" for line in result.other)):
-        click.echo(line)
-    if result.rises:
-        raise CheckError(f"{stand.name}: the cost has risen; `mahovik cost --accept` accepts it")
-    click.echo(f"{stand.name}: no rise on {'; '.join(result.compared) or 'any target'}")
+
+
+def _compare(found: Costs, before: Sequence[Mapping[str, Any]], required: Sequence[tuple[str, str]]) -> None:
+    """Says what differs from the accepted figures. Raises CheckError where the cost has risen or is not accepted."""
+    from mahovik.study.cost.check import compare
+
+    result = compare(found, before, required)
+    for title, lines in (("rise", result.rises), ("not accepted", result.missing), ("not compared", result.other)):
+        for line in lines:
+            click.echo(f"{title}: {line}")
+    if result.rises or result.missing:
+        what = "the cost has risen" if result.rises else "not all figures are accepted"
+        raise CheckError(f"{found.stand}: {what}; nothing was written; `mahovik cost --accept` accepts it")
+    click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}")
 
 
 def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]]) -> Costs:

@@ -26,7 +26,8 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     """Write a project that runs the self-test on a board.
 
     C of the stand, self-test, startup, linker script, console, Makefile, README: `make run` there runs it on the
-    emulator; the README says what to change for another board. Never over a file that mahovik has not written.
+    emulator; the README says what to change for another board. Never over a file that mahovik has not written, nor into
+    a folder of `mahovik generate`.
     """
     from mahovik.export.target import exportable, project
     from mahovik.verify.delivery import deliver
@@ -35,7 +36,7 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     stand = load_stand(stand_file)
     chosen = real or found.real or "double"
     folder = Path(output if output is not None else f"{stand.name}-{name}")
-    done = deliver(folder, stand, chosen, project(stand, found, chosen))
+    done = deliver(folder, stand, chosen, project(stand, found, chosen), found.name)
     for path in done.paths:
         click.echo(click.format_filename(path))
     for note in done.notes:

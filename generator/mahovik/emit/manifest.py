@@ -23,8 +23,8 @@ def digest(content: str | bytes) -> str:
     return hashlib.sha256(content.encode("utf-8") if isinstance(content, str) else content).hexdigest()
 
 
-def manifest(stand: Stand, real: str, files: Mapping[str, str]) -> str:
-    """Text of the manifest of files, name to content."""
+def manifest(stand: Stand, real: str, files: Mapping[str, str], project: str = "") -> str:
+    """Text of the manifest of files, name to content; `project`: the target whose exported project they are."""
     found = identities(stand)
     return as_text(
         {
@@ -34,6 +34,7 @@ def manifest(stand: Stand, real: str, files: Mapping[str, str]) -> str:
             "structure": found.structure,
             "physics": found.physics,
             "real": real,
+            **({"project": project} if project else {}),
             "files": {name: digest(files[name]) for name in sorted(files)},
         }
     )

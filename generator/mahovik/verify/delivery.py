@@ -8,18 +8,17 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from mahovik.emit.generate import PRECISIONS, generate
 from mahovik.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.errors import UsageError
 from mahovik.stand.model import Stand
+from mahovik.verify.cost_files import COST, FIGURES, is_figures, is_page, speaks_of
 from mahovik.verify.files import write_all
-
-COST = "COST.md"
-"""Measured cost: of the C whose SHA-256 it names. It is kept while that is the C of the folder."""
 
 _MARK = "Generated: change the stand file instead."
 
@@ -32,19 +31,25 @@ class Delivered:
     notes: tuple[str, ...]
 
 
-def deliver(folder: Path, stand: Stand, real: str, files: Mapping[str, str]) -> Delivered:
-    """Writes the files of a stand and their manifest. Raises UsageError where a file there is not the generator's own.
+def deliver(folder: Path, stand: Stand, real: str, files: Mapping[str, str], project: str = "") -> Delivered:
+    """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
 
-    COST.md of the same C stays and is listed; one of other C, and what an older generator left, is removed.
+    Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
+    folder or the reverse. COST.md of the same C stays and is listed, and so do accepted figures; a COST.md of other
+    C, and what an older generator left, is removed.
     """
     old = _manifest(folder)
     _refuse_foreign(folder, stand, files, old)
-    cost = _cost(folder, files)
-    kept = {COST: cost} if cost is not None and _speaks_of(cost, stand, files) else {}
+    if old is not None and bool(old.get("project")) != bool(project):
+        what = f"the project of target {old['project']}" if old.get("project") else "what `mahovik generate` delivers"
+        raise UsageError(f"{folder}: holds {what}: choose another folder, nothing was written")
+    _refuse_changed(folder, old)
+    cost = _text(folder, COST)
+    kept = _kept(folder, stand, files)
     stale = [n for n in _unchanged(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST)
-    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept})})
+    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project)})
     notes = []
     for name in stale:
         (folder / name).unlink(missing_ok=True)
@@ -77,25 +82,66 @@ def differences(folder: Path, stand: Stand, real: str, files: Mapping[str, str])
             found.append(f"{path}: is missing")
         elif path.read_bytes() != text.encode("utf-8"):
             found.append(f"{path}: is not what the generator makes of the stand file")
-    cost = _cost(folder, files)
-    if cost is not None and not _speaks_of(cost, stand, files):
+    cost = _text(folder, COST)
+    if cost is not None and not speaks_of(cost, stand, files):
         found.append(f"{folder / COST}: speaks of other C")
-    kept = {COST: cost} if cost is not None else {}
+    kept = _kept(folder, stand, files) | ({COST: cost} if cost is not None else {})
     path = folder / NAME
     if not path.is_file():
         found.append(f"{path}: is missing")
-    elif path.read_text(encoding="utf-8", errors="replace") != manifest(stand, real, {**files, **kept}):
+    elif (there := path.read_text(encoding="utf-8", errors="replace")) != manifest(stand, real, {**files, **kept}):
+        unlisted = [name for name, text in kept.items() if f'"{name}": "{digest(text)}"' not in there]
+        found += [f"{folder / name}: is not what {NAME} lists" for name in unlisted]
         found.append(f"{path}: does not list these files")
     return found
 
 
-def add_to_delivery(folder: Path, name: str, text: str) -> tuple[Path, ...]:
-    """Writes one file more, such as COST.md, and lists it in the folder's manifest where there is one."""
+def add_to_delivery(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
+    """Writes more files, such as COST.md, and lists them in the folder's manifest where there is one."""
     old = _manifest(folder)
     if old is None:
-        return write_all(folder, {name: text})
-    listed = {**old["files"], name: digest(text)}
-    return write_all(folder, {name: text, NAME: as_text({**old, "files": dict(sorted(listed.items()))})})
+        return write_all(folder, files)
+    listed = {**old["files"], **{name: digest(text) for name, text in files.items()}}
+    return write_all(folder, {**files, NAME: as_text({**old, "files": dict(sorted(listed.items()))})})
+
+
+def require_place_for_cost(folder: Path, stand: Stand) -> None:
+    """Raises UsageError unless COST.md and cost.json of a stand may be written into a folder.
+
+    That is one that is new or empty, or that holds this stand's C as its file gives it; COST.md and cost.json there
+    must be ours.
+    """
+    old = _manifest(folder)
+    if old is not None:
+        _refuse_stand(folder, stand, old)
+        if _text(folder, f"{stand.name}.c") != generate(stand, old["real"])[f"{stand.name}.c"]:
+            raise UsageError(
+                f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
+            )
+    elif folder.is_dir() and any(each.name not in (COST, FIGURES) for each in folder.iterdir()):
+        raise UsageError(
+            f"{folder}: is neither empty nor a folder of `mahovik generate`: choose another, nothing was written"
+        )
+    _refuse_changed(folder, old)
+    for name, ours in ((COST, is_page), (FIGURES, is_figures)):
+        text = _text(folder, name)
+        if text is not None and not ours(text, stand):
+            raise UsageError(
+                f"{folder / name}: was not written by mahovik for {stand.name}: move it away or choose another folder, "
+                "nothing was written"
+            )
+
+
+def accepted_figures(folder: Path, stand: Stand) -> str | None:
+    """Text of the cost.json of a stand in a folder, None where there is none.
+
+    Raises UsageError where it is of somebody else, or not as it was written.
+    """
+    _refuse_changed(folder, _manifest(folder), (FIGURES,))
+    text = _text(folder, FIGURES)
+    if text is not None and not is_figures(text, stand):
+        raise UsageError(f"{folder / FIGURES}: no figures of `mahovik cost` for {stand.name}: choose another folder")
+    return text
 
 
 def _manifest(folder: Path) -> dict[str, Any] | None:
@@ -106,6 +152,7 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
         known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
+        known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
         if known and isinstance(found["files"], dict):
             return dict(found)
     except (ValueError, KeyError, TypeError):
@@ -115,8 +162,8 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
 
 def _refuse_foreign(folder: Path, stand: Stand, files: Mapping[str, str], old: Mapping[str, Any] | None) -> None:
     """Raises UsageError for the first file that would be overwritten and is not ours."""
-    if old is not None and old["stand"] != stand.name:
-        raise UsageError(f'{folder}: holds the C of stand "{old["stand"]}": choose another folder, nothing was written')
+    if old is not None:
+        _refuse_stand(folder, stand, old)
     for name, text in files.items():
         path = folder / name
         if not path.is_file():
@@ -130,6 +177,20 @@ def _refuse_foreign(folder: Path, stand: Stand, files: Mapping[str, str], old: M
         raise UsageError(f"{path}: {why}: move it away or choose another folder, nothing was written")
 
 
+def _refuse_stand(folder: Path, stand: Stand, old: Mapping[str, Any]) -> None:
+    if old["stand"] != stand.name:
+        raise UsageError(f'{folder}: holds the C of stand "{old["stand"]}": choose another folder, nothing was written')
+
+
+def _refuse_changed(folder: Path, old: Mapping[str, Any] | None, names: Sequence[str] = (COST, FIGURES)) -> None:
+    """Raises UsageError for a file of `mahovik cost` that is not as the manifest has it."""
+    for name in names:
+        path = folder / name
+        listed = old["files"].get(name) if old is not None else None
+        if listed is not None and path.is_file() and digest(path.read_bytes()) != listed:
+            raise UsageError(f"{path}: was changed by hand: restore it or move it away, nothing was written")
+
+
 def _unchanged(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
     """Files that the old manifest lists and that still have their hash: these may be removed."""
     if old is None:
@@ -138,11 +199,13 @@ def _unchanged(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
     return [n for n in names if digest((folder / n).read_bytes()) == old["files"][n]]
 
 
-def _cost(folder: Path, files: Mapping[str, str]) -> str | None:
-    path = folder / COST
-    return path.read_text(encoding="utf-8", errors="replace") if COST not in files and path.is_file() else None
+def _kept(folder: Path, stand: Stand, files: Mapping[str, str]) -> dict[str, str]:
+    """What of `mahovik cost` stays beside delivered files, by name: COST.md of the same C, figures of the stand."""
+    cost, figures = _text(folder, COST), _text(folder, FIGURES)
+    found = {COST: cost} if cost is not None and speaks_of(cost, stand, files) else {}
+    return found | ({FIGURES: figures} if figures is not None and is_figures(figures, stand) else {})
 
 
-def _speaks_of(cost: str, stand: Stand, files: Mapping[str, str]) -> bool:
-    """Does it name the source of these files?"""
-    return digest(files[f"{stand.name}.c"]) in cost
+def _text(folder: Path, name: str) -> str | None:
+    path = folder / name
+    return path.read_text(encoding="utf-8", errors="replace") if path.is_file() else None

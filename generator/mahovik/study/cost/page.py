@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
 from mahovik import __version__
 from mahovik.errors import UsageError
+from mahovik.study.cost.check import COMPARED
 from mahovik.study.cost.measure import Costs, TargetCost
 from mahovik.study.cost.states import STATES
-
-PAGE, DATA = "COST.md", "cost.json"
-"""Names of the files beside the C: the page, and the accepted figures."""
 
 
 def page(costs: Costs) -> str:
@@ -87,18 +85,27 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-def as_json(costs: Costs) -> str:
-    """The figures for programs."""
-    return json.dumps(asdict(costs), indent=1) + "\n"
+def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:
+    """The figures for programs; those of `before` for other targets and element types stay."""
+    new = {(t.target, t.real): asdict(t) for t in costs.targets}
+    kept = {(old["target"], old["real"]): old for old in before}
+    return json.dumps({**asdict(costs), "targets": list((kept | new).values())}, indent=1) + "\n"
 
 
 def accepted(text: str, where: str) -> list[dict[str, Any]]:
     """The targets of a JSON of `as_json`. Raises UsageError."""
     try:
         found = json.loads(text)["targets"]
-        for target in found:
-            for key in ("target", "real", "compiler", "functions", "text", "constants"):
-                target[key]
-    except (json.JSONDecodeError, KeyError, TypeError):
-        raise UsageError(f"{where}: no figures of `mahovik cost`: write it again with --accept") from None
+        good = all(_is_target(target) for target in found)
+    except (json.JSONDecodeError, KeyError, TypeError, AttributeError):
+        good = False
+    if not good:
+        raise UsageError(f"{where}: no figures of `mahovik cost`: restore it, or move it away and accept anew")
     return list(found)
+
+
+def _is_target(found: Mapping[str, Any]) -> bool:
+    figures = [found["text"], *found["constants"].values()]
+    figures += [f[what] for f in found["functions"] for what in COMPARED if what in f]
+    names = [found["target"], found["real"], found["compiler"], *(f["function"] for f in found["functions"])]
+    return all(type(n) is int and n >= 0 for n in figures) and all(isinstance(name, str) for name in names)
