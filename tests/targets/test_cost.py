@@ -142,6 +142,8 @@ def test_the_page_names_what_was_measured() -> None:
     text = page(costs())
     for words in (
         "Instructions, not cycles",
+        "`inverse` costs depends on the state",
+        "parameters and options come on top",
         "0" * 64,
         "gcc 1.2.3 `-O2`",
         "counted by qemu 7.2.0",

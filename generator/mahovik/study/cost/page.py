@@ -25,6 +25,9 @@ def page(costs: Costs) -> str:
         "show what grows;\ntime on silicon depends on memory and pipeline as well.\n\n"
         "*Stack* is the deepest chain of calls by the compiler's own frames; *painted* is what a call was seen to use "
         "on the\nemulator. *Code* is a function with all it calls; functions share most of it.\n\n"
+        "What `inverse` costs depends on the state, by limits and damping: its count is of these states, others cost "
+        "more.\nThe bytes of a flywheel are those of the table; parameters and options come on top, and "
+        "`--gc-sections` drops them\nwhere the program does not name them.\n\n"
         f"SHA-256 of the measured `{costs.stand}.c`, by element type:\n\n```text{sources}\n```\n"
     )
     for target in costs.targets:
