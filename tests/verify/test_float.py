@@ -37,8 +37,8 @@ def test_a_stand_with_everything_passes_in_float() -> None:
     assert all(row.second is None or row.second < DOUBLE.derivations for row in found.rows)
 
 
-@pytest.mark.parametrize("number", [0, 3, 6])
-def test_random_stands_of_no_six_and_many_flywheels(number: int) -> None:
+@pytest.mark.parametrize("number", [0, 3, 5])
+def test_random_stands_of_none_and_more_flywheels(number: int) -> None:
     *_, stand = random_stands(number + 1)
     assert verify_c(stand, count=9, real="float", against=None).passed
 

@@ -24,7 +24,6 @@ from mahovik.verify.draw import draw
 from mahovik.verify.evaluate import state_line
 from mahovik.verify.harness import judge, verify_c
 from mahovik.verify.program_backend import PROGRAM_WANTS
-from mahovik.verify.refusals import SENTINEL, refusals
 from mahovik.verify.report import as_json, as_junit, conclusion, worst_lines
 from mahovik.verify.states import read_line
 from verify.build import everything
@@ -223,15 +222,16 @@ def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.Mo
     assert read_line(DEMO, worst_lines(found)).state == rest_state(DEMO)
 
 
-def test_outputs_written_by_a_refusal_are_caught() -> None:
-    backend = CBackend(DEMO)
-    inputs = {**backend.arguments(rest_state(DEMO)), "angles": (0.0, 0.0, 0.0)}
-
-    def careless(name: str, given: Mapping[str, Any], fill: float) -> tuple[int, dict[str, Any]]:
-        status, outputs = backend.library.run(backend.program.function(name), given, fill)
-        return status, {"V_dot": [SENTINEL, 0.0]} if name == "forward" else outputs
-
-    row = refusals(backend.program, inputs, careless)
+def test_outputs_written_by_a_refusal_are_caught(tmp_path: Path) -> None:
+    """A forward that clears one number before it has checked its inputs."""
+    source = generate(DEMO)["demo3.c"]
+    start = source.index("demo3_status demo3_forward(")
+    check = source.index("    demo3_status status = ", start)
+    early = source[:check] + "    V_dot[5] = 0.0;\n" + source[check:]
+    found = verify_c(
+        DEMO, count=4, against=written(tmp_path, DEMO, lambda name, text: early if text == source else text)
+    )
+    row = next(row for row in found.rows if row.quantity == "bad inputs refused, outputs untouched")
     assert row.verdict == "FAILED"
     assert row.reason == "refused, but outputs were written"
     assert row.state.startswith("forward: ")

@@ -13,6 +13,9 @@ from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind, Struct
 from mahovik.toolchain.compiler import build_shared, preprocess
 
+_PATTERN = b"\xa5"
+"""What results hold before a call that must not write them; no number that a stand has is made of it."""
+
 
 class Library:
     """One stand's C, built into `scratch` from a header and a source that lie side by side.
@@ -74,6 +77,23 @@ class Library:
                 stored = storage[a.name]
                 outputs[a.name] = self._plain(stored if a.shape else stored[0], a.type, a.shape)
         return int(status), outputs
+
+    def probe(self, function: Function, inputs: Mapping[str, Any]) -> tuple[int, bool]:
+        """Calls a public function; returns its status, and whether every byte of its results is as it was."""
+        storage = {}
+        before = {}
+        for a in function.arguments:
+            if a.direction != "out":
+                storage[a.name] = self._storage(a, inputs.get(a.name), None)
+            else:
+                count = int(a.shape[0]) if a.shape else 1
+                storage[a.name] = self._ffi.new(f"{self._c_type(a.type)}[{count}]")
+                held = self._ffi.buffer(storage[a.name])
+                held[:] = _PATTERN * len(held)
+            if a.direction != "in":
+                before[a.name] = bytes(self._ffi.buffer(storage[a.name]))
+        status = getattr(self._library, f"{self._prefix}_{function.name}")(*storage.values())
+        return int(status), all(bytes(self._ffi.buffer(storage[name])) == held for name, held in before.items())
 
     def _storage(self, a: Argument, value: Any, fill: float | None) -> Any:
         if isinstance(value, self._ffi.CData):

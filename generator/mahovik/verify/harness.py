@@ -137,8 +137,8 @@ def _good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict
     return {**backend.arguments(state), "angles": (0.1, 0.7, -0.2), "dt": 1e-4, "order": 4}
 
 
-def _raw(backend: CBackend) -> Callable[[str, Mapping[str, Any], float], tuple[int, dict[str, Any]]]:
-    def call(name: str, inputs: Mapping[str, Any], fill: float) -> tuple[int, dict[str, Any]]:
-        return backend.library.run(backend.program.function(name), inputs, fill)
+def _raw(backend: CBackend) -> Callable[[str, Mapping[str, Any]], tuple[int, bool]]:
+    def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
+        return backend.library.probe(backend.program.function(name), inputs)
 
     return call
