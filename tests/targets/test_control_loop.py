@@ -23,6 +23,15 @@ def counted(name: str, real: str, folder: Path) -> Counts:
     return read_counts(run(chosen, build(chosen, texts, folder)))
 
 
+def test_the_loop_reads_counters_that_wrap() -> None:
+    """Of 16 bits, as timers are; one that is read as absolute loses its place at the first wrap, right at the start."""
+    text = control_loop(load(path("bench8")), BENCH8, "double", TICKS)["loop.c"]
+    inside = text[text.index("static int tick(") : text.index("static int count_at(")]
+    for name in ("accumulate", "phase_of_counts", "speed_of_counts"):
+        assert f"bench8_{name}(" in inside
+    assert "65530u" in text
+
+
 @pytest.mark.parametrize(("board", "real"), [("m7", "double"), ("m4", "float")])
 def test_the_loop_on_a_board(board: str, real: str, tmp_path: Path) -> None:
     here, there = counted("host", real, tmp_path / "host"), counted(board, real, tmp_path / board)
