@@ -141,7 +141,7 @@ def accumulate(lib: Library) -> Function:
     encoder = Argument(
         "encoder", layout.encoder, (), "inout", purpose="begin with the first reading, place: counts within the turn"
     )
-    counter = Argument("counter", Kind.INT, purpose="as it is read; int32_t where it has 32 bits")
+    counter = Argument("counter", Kind.INT, purpose="as it is read; of 32 bits: as signed")
     bits = Argument("bits", Kind.INT, purpose="of the counter, 2 to 32; 0: it counts 0 to per_turn - 1")
     per_turn = _per_turn(lib)
     e = encoder.place
