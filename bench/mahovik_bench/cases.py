@@ -55,6 +55,6 @@ def case(N: int) -> Case:
     """The same for the same N, on every machine. The carrier is aligned with E0, at its origin."""
     rng = np.random.default_rng([SEED, N])
     stand = random_stand(rng, N, BARE, name=f"free{N}")
-    still = {"position": (0.0, 0.0, 0.0), "angles": None, "quaternion": None}
-    states = tuple(replace(random_state(stand, rng), **still) for _ in range(STATES))
+    drawn = (random_state(stand, rng) for _ in range(STATES))
+    states = tuple(replace(state, position=(0.0, 0.0, 0.0), angles=None, quaternion=None) for state in drawn)
     return Case(stand, states)

@@ -15,7 +15,7 @@ from mahovik_bench.cases import case
 
 ACCEPTED = ROOT / "bench" / "accepted.json"
 SIZES = (2, 8, 12)
-TARGET, REAL = "host-gcc", "double"
+TARGET, REAL = "host", "double"
 
 
 def costs(sizes: Sequence[int] = SIZES) -> dict[int, Costs]:

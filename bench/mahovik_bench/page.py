@@ -94,8 +94,8 @@ def _state(results: Results) -> str:
     load, spread = results["load"], median_spread(results)
     cores = int(results["machine"]["cores"])
     text = (
-        f"* In this run {load['before']:.1f} processes wanted to run before the timing and {load['after']:.1f} after it, "
-        f"on {cores} cores;\n  the median block was {spread:.1%} above the fastest (median over contestants).\n"
+        f"* In this run {load['before']:.1f} processes wanted to run before the timing and {load['after']:.1f} "
+        f"after it, on {cores} cores;\n  the median block was {spread:.1%} above the fastest (median over contestants).\n"
     )
     if spread > QUIET or load["before"] > cores:
         text += "* **The machine was busy.** Ratios of paired blocks and counts hold; single times may not.\n"
