@@ -5,12 +5,15 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import shutil
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass
-from functools import cache
 from pathlib import Path
+from threading import Lock
 
 from mahovik.errors import ToolchainError
 
@@ -42,7 +45,7 @@ def measured(command: Sequence[str], folder: Path) -> Effort:
     errors = folder / "stderr"
     with errors.open("wb") as stream:
         done = subprocess.run(
-            [_launcher(), *command],
+            [str(tool("launch.c")), *command],
             cwd=folder,
             stdout=subprocess.PIPE,
             stderr=stream,
@@ -59,13 +62,35 @@ def measured(command: Sequence[str], folder: Path) -> Effort:
     return Effort(float(seconds), int(memory) / 1024)
 
 
-@cache
-def _launcher() -> str:
-    """native/launch.c, compiled."""
-    program = CACHE / "launch"
-    CACHE.mkdir(parents=True, exist_ok=True)
-    subprocess.run(["gcc", "-std=c99", "-O2", str(NATIVE / "launch.c"), "-o", str(program)], check=True)
-    return str(program)
+def tool(source: str, *flags: str) -> Path:
+    """A C file of native/, compiled to a program or library of our own, and kept."""
+    path = NATIVE / source
+    made = CACHE / f"{path.stem}-{key(path.read_text(encoding='utf-8'), *flags)}"
+    with _TOOLS:
+        if not made.is_file():
+            with filling(made.with_suffix(".folder")) as folder:
+                unfinished = folder / made.name
+                command = ["gcc", "-std=gnu11", "-O2", str(path), "-o", str(unfinished), *flags]
+                subprocess.run(command, check=True)
+                unfinished.replace(made)
+    return made
+
+
+_TOOLS = Lock()
+
+
+@contextmanager
+def filling(folder: Path) -> Iterator[Path]:
+    """A scratch folder that becomes `folder` when it is full: no other thread or process sees half of it."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    scratch = Path(tempfile.mkdtemp(prefix="unfinished-", dir=folder.parent))
+    try:
+        yield scratch
+        if any(scratch.iterdir()) and not folder.exists():
+            with suppress(OSError):  # another was faster
+                scratch.rename(folder)
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
 
 
 def _environment() -> dict[str, str]:
@@ -111,10 +136,11 @@ class Recipe:
         record = folder / "built.json"
         library = folder / "peer.so"
         if not record.is_file():
-            folder.mkdir(parents=True, exist_ok=True)
-            for name, text in self.sources.items():
-                (folder / name).write_text(text, encoding="utf-8")
-            record.write_text(json.dumps(self._compile(folder, library)), encoding="utf-8")
+            with filling(folder) as scratch:
+                for name, text in self.sources.items():
+                    (scratch / name).write_text(text, encoding="utf-8")
+                found = self._compile(scratch, scratch / library.name)
+                (scratch / record.name).write_text(json.dumps(found), encoding="utf-8")
         told = json.loads(record.read_text(encoding="utf-8"))
         return Built(library, Effort(**told["compiled"]), told["text"], told["data"])
 
@@ -144,9 +170,9 @@ def generated(name: str, *arguments: str) -> tuple[Path, Effort]:
     folder = CACHE / key(name, *arguments, *texts)
     record = folder / "generated.json"
     if not record.is_file():
-        folder.mkdir(parents=True, exist_ok=True)
-        effort = measured([sys.executable, "-m", f"mahovik_bench.{name}", str(folder), *arguments], folder)
-        record.write_text(json.dumps(asdict(effort)), encoding="utf-8")
+        with filling(folder) as scratch:
+            effort = measured([sys.executable, "-m", f"mahovik_bench.{name}", str(scratch), *arguments], scratch)
+            (scratch / record.name).write_text(json.dumps(asdict(effort)), encoding="utf-8")
     return folder, Effort(**json.loads(record.read_text(encoding="utf-8")))
 
 

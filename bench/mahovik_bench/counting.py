@@ -6,11 +6,10 @@ import re
 import shutil
 import subprocess
 import tempfile
-from functools import cache
 from pathlib import Path
 
 from mahovik.errors import ToolchainError
-from mahovik_bench.build import CACHE, NATIVE, Built, key
+from mahovik_bench.build import Built, tool
 from mahovik_bench.cases import Case
 from mahovik_bench.peer import Peer
 from mahovik_bench.works import WORKS
@@ -23,17 +22,6 @@ def available() -> bool:
     return shutil.which("valgrind") is not None and HEADER.is_file()
 
 
-@cache
-def _counter() -> Path:
-    """native/count.c, compiled."""
-    source = NATIVE / "count.c"
-    program = CACHE / f"count-{key(source.read_text(encoding='utf-8'))}"
-    if not program.is_file():
-        CACHE.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["gcc", "-std=gnu11", "-O2", str(source), "-o", str(program), "-ldl"], check=True)
-    return program
-
-
 def instructions(peer: Peer, built: Built, case: Case) -> dict[str, int]:
     """By work, at the case's first state. Raises ToolchainError where callgrind cannot run the peer."""
     symbols = [WORKS[name].symbol for name in peer.works]
@@ -42,7 +30,7 @@ def instructions(peer: Peer, built: Built, case: Case) -> dict[str, int]:
         flat.write_bytes(case.flat[0].tobytes())
         out = Path(folder) / "counts"
         options = ["--tool=callgrind", "--instr-atstart=no", f"--callgrind-out-file={out}"]
-        program = [str(_counter()), str(built.library), peer.model, str(flat), *symbols]
+        program = [str(tool("count.c", "-ldl")), str(built.library), peer.model, str(flat), *symbols]
         done = subprocess.run(["valgrind", *options, *program], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             said = done.stderr.strip().splitlines()

@@ -14,7 +14,7 @@ from mahovik_bench.build import ROOT
 from mahovik_bench.cases import case
 
 ACCEPTED = ROOT / "bench" / "accepted.json"
-SIZES = (2, 8, 12)
+SIZES = (2, 8)
 TARGET, REAL = "host", "double"
 
 

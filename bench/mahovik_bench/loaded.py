@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import subprocess
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -11,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.errors import ToolchainError
-from mahovik_bench.build import CACHE, NATIVE, Built, key
+from mahovik_bench.build import Built, tool
 from mahovik_bench.cases import Array, Case
 from mahovik_bench.peer import Peer
 from mahovik_bench.works import WORKS, Work
@@ -20,12 +19,7 @@ from mahovik_bench.works import WORKS, Work
 @cache
 def harness() -> ctypes.CDLL:
     """native/harness.c, compiled and loaded."""
-    source = NATIVE / "harness.c"
-    library = CACHE / f"harness-{key(source.read_text(encoding='utf-8'))}.so"
-    if not library.is_file():
-        CACHE.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["gcc", "-std=c99", "-O2", "-shared", "-fPIC", str(source), "-o", str(library)], check=True)
-    loaded = ctypes.CDLL(str(library))
+    loaded = ctypes.CDLL(str(tool("harness.c", "-shared", "-fPIC")))
     loaded.independent.restype = ctypes.c_double
     loaded.chained.restype = ctypes.c_double
     return loaded

@@ -30,8 +30,8 @@ independent calls unless a table says *chained*, where each call waits for the r
   does more in a call (sensors, tendons, energy). RNEA and `mj_inverse` give the wrench on the carrier as well, while
   `torque` gives the torques alone. `forward` for given accelerations is nothing that they offer: for Pinocchio it is
   put together from CRBA, RNEA and Eigen's LDLT of the carrier's block, and MuJoCo has none.
-* **The expressions for CasADi and SymPy are the literal equations**, as one writes them from the paper. A user who
-  derives tables of harmonics by hand and gives these to CasADi would come near to ours.
+* **The expressions for CasADi, SymPy and SymForce are the literal equations**, as one writes them from the paper, with
+  zeros left out. A user who derives tables of harmonics by hand and gives these to CasADi would come near to ours.
 * mahovik checks every input on every call; the peers check none.
 * The batch of states that mahovik is to have is not here yet, nor are lanes where the generator has none.
 * Instructions are those of one call at one state, counted by callgrind, which knows no AVX-512: builds for this
@@ -63,6 +63,7 @@ def page(results: Results) -> str:
     parts += ["\nGeneration: the whole process, imports included.\n"]
     parts += ["\n## Agreement\n\nThe largest difference to the NumPy reference, relative to the "]
     parts += ["[natural scale](verification.md#the-natural-scale).\n\n", tables.agreement_table(results)]
+    parts += ["\nSlopes: of the peers to ours, over the largest element of a block.\n"]
     return "".join(parts)
 
 
@@ -95,7 +96,8 @@ def _state(results: Results) -> str:
     cores = int(results["machine"]["cores"])
     text = (
         f"* In this run {load['before']:.1f} processes wanted to run before the timing and {load['after']:.1f} "
-        f"after it, on {cores} cores;\n  the median block was {spread:.1%} above the fastest (median over contestants).\n"
+        f"after it, on {cores} cores;\n  the median block was {spread:.1%} above the fastest "
+        "(median over contestants).\n"
     )
     if spread > QUIET or load["before"] > cores:
         text += "* **The machine was busy.** Ratios of paired blocks and counts hold; single times may not.\n"

@@ -19,6 +19,7 @@ MODULES = {
     "pinocchio": "pinocchio_peer",
     "mujoco": "mujoco_peer",
     "sympy": "sympy_peer",
+    "symforce": "symforce_peer",
 }
 """Program to module; each has `peers(case)`."""
 JOBS = 2

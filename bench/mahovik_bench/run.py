@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik.errors import ToolchainError
 from mahovik_bench import counting, machine
-from mahovik_bench.agree import differences, failures
+from mahovik_bench.agree import differences, failures, slope_differences
 from mahovik_bench.cases import case
 from mahovik_bench.loaded import Contestant
 from mahovik_bench.roster import Roster
@@ -35,7 +35,7 @@ def run(
     }
     for N, each in cases.items():
         contestants = [Contestant(peer, built, each) for peer, built in roster.built[N]]
-        agreement = differences(each, contestants)
+        agreement = differences(each, contestants) | slope_differences(each, contestants)
         if wrong := failures(agreement):
             raise ToolchainError(f"N = {N}: {'; '.join(wrong)}")
         timed = [c for c in contestants if c.peer.timed]

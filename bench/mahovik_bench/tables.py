@@ -57,7 +57,7 @@ def ratio_table(results: Results, work: str) -> str:
         cells = []
         for one in results["cases"].values():
             row = one["times"]["independent"][work].get(name)
-            cells.append("" if row is None else f"{row['ratios'][SCALAR]:.2f}")
+            cells.append("" if row is None or SCALAR not in row["ratios"] else f"{row['ratios'][SCALAR]:.2f}")
         if any(cells):
             rows.append([name, *cells])
     return table([f"`{work}`: time over that of {SCALAR}", *(f"N = {N}" for N in results["cases"])], rows)

@@ -26,8 +26,8 @@ def results(peer: float = 10.0, load: float = 0.5) -> dict[str, Any]:
     for N in (2, 6, 8):
         ours = dict(zip(OWN, (20.0 + 10 * N, 15.0 + 8 * N), strict=True))
         lines = {**{name: row(ns, ours) for name, ns in ours.items()}, "casadi ldl -O2": row(peer * ours[OWN[0]], ours)}
-        times = {work: lines for work in WORKS}
-        counts = {work: 100 + 300 * N for work in WORKS}
+        times = dict.fromkeys(WORKS, lines)
+        counts = dict.fromkeys(WORKS, 100 + 300 * N)
         effort = {"seconds": 1.5, "memory": 80.0}
         cases[str(N)] = {
             "agreement": {"forward": dict.fromkeys(lines, 1e-16)},

@@ -6,7 +6,6 @@ import json
 import shutil
 
 import pytest
-
 from mahovik_bench.counting import read
 from mahovik_bench.gate import ACCEPTED, SIZES, compared, costs, text
 

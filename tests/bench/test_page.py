@@ -5,12 +5,12 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 
 import pytest
-
-from bench.results import results
-from docs.pages import cells
 from mahovik_bench.page import page, plots
 from mahovik_bench.slopes import slope
 from mahovik_bench.targets import FACTORS, INSTRUCTIONS, SLOPES, best_ratio, verdicts
+
+from bench.results import results
+from docs.pages import cells
 
 
 def test_slope_is_that_of_the_line() -> None:

@@ -8,7 +8,6 @@ from importlib import import_module
 
 import numpy as np
 import pytest
-
 from mahovik_bench.agree import ACCEPTED, differences, failures
 from mahovik_bench.cases import case
 from mahovik_bench.counting import available, instructions
