@@ -33,25 +33,25 @@ class Roster:
         self.built: dict[int, list[tuple[Peer, Built]]] = {case.N: [] for case in cases}
         self._deadline = time.monotonic() + budget
         self._say = say
-        wanted = [(case, program) for program in self._slowest_first(programs) for case in reversed(cases)]
+        wanted = [(case, program) for program in programs for case in reversed(cases)]
         with ThreadPoolExecutor(max_workers=JOBS) as pool:
             listed = list(pool.map(lambda pair: self._peers(*pair), wanted))
             pairs = [(case, peer) for (case, _), peers in zip(wanted, listed, strict=True) for peer in peers]
-            deque(pool.map(lambda pair: self._build(*pair), self._once(pairs)), maxlen=0)
+            deque(pool.map(lambda pair: self._build(*pair), self._in_order(pairs)), maxlen=0)
         for case, peer in sorted(pairs, key=lambda pair: programs.index(pair[1].program)):
             if peer.recipe.made():
                 self.built[case.N].append((peer, peer.recipe.build()))
 
     @staticmethod
-    def _slowest_first(programs: Sequence[str]) -> list[str]:
-        """Ours, and then those whose library takes longest to compile: so the two jobs end together."""
-        return sorted(programs, key=lambda name: (name != "mahovik", name != "pinocchio"))
-
-    @staticmethod
-    def _once(pairs: Sequence[tuple[Case, Peer]]) -> list[tuple[Case, Peer]]:
-        """One of those that share a library."""
+    def _in_order(pairs: Sequence[tuple[Case, Peer]]) -> list[tuple[Case, Peer]]:
+        """One of those that share a library: ours, Pinocchio (the longest), the others; last what is only counted."""
         by_folder = {peer.recipe.folder(): (case, peer) for case, peer in pairs}
-        return list(by_folder.values())
+
+        def place(pair: tuple[Case, Peer]) -> tuple[bool, bool, bool]:
+            peer = pair[1]
+            return (peer.program != "mahovik", not peer.timed, peer.program != "pinocchio")
+
+        return sorted(by_folder.values(), key=place)
 
     def _peers(self, case: Case, program: str) -> list[Peer]:
         try:
