@@ -26,7 +26,7 @@ help:
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
-	@echo "make bench-full the same with N = 32, 64, without CasADi there"
+	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
 	@echo "make bench-gate fails where instructions, stack or code have risen; ACCEPT=--accept accepts that"
 	@echo "make lint       format, lint and type checks"

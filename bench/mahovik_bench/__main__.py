@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 
 from mahovik.errors import MahovikError
@@ -26,7 +27,10 @@ def main() -> int:
     parser.add_argument("--accept", action="store_true", help="gate: accept the figures of today")
     parser.add_argument("--budget", type=float, default=330.0, help="seconds, after which no compiling is begun")
     parser.add_argument("--repetitions", type=int, default=200)
+    parser.add_argument("--patient", action="store_true", help="full: CasADi for all N, compiled for an hour")
     given = parser.parse_args()
+    if given.patient:
+        os.environ["MAHOVIK_BENCH_PATIENT"] = "1"
     try:
         if given.what == "gate":
             return _gate(given.accept)

@@ -40,10 +40,17 @@ independent calls unless a table says *chained*, where each call waits for the r
 * Compile times are wall-clock, two at a time, on the machine as it was.
 """
 
+TARGETS = """## Targets
+
+Of the scalar build (-O2), of flywheels across the host's lanes, of batches: how many times faster than the best build
+of the best peer that was timed at that number of flywheels (median of paired ratios).
+
+"""
+
 
 def page(results: Results) -> str:
     """The text of the page."""
-    parts = [INTRODUCTION, _state(results), _who(results), "## Targets\n\n", tables.target_table(results)]
+    parts = [INTRODUCTION, _state(results), _who(results), TARGETS, tables.target_table(results)]
     parts += ["\n## Where a peer is faster\n\n", _won(results)]
     parts.append("\n## Times\n")
     for work in WORKS:

@@ -1,7 +1,8 @@
 """Writes CasADi's C of the literal equations: python -m mahovik_bench.write_casadi FOLDER N FORM.
 
 FORM naive: (8) with `solve(K, b)`, no common subexpressions taken out. FORM ldl: `cse`, and CasADi's symbolic LDL^T;
-coupled by the sparse LDL^T of the (N + 6) unknowns, flywheels first. FORM jacobian: slopes of the latter forward.
+coupled by the sparse LDL^T of the (N + 6) unknowns, flywheels first. FORM torque: that of it alone. FORM
+jacobian: slopes of the latter forward.
 """
 
 from __future__ import annotations
@@ -30,6 +31,9 @@ def functions(N: int, form: str) -> list[Any]:
     at = Literal(case(N).stand, symbols)
     if form == "naive":
         return [ca.Function("forward", symbols, [ca.solve(at.K, at.right())])]
+    torque = at.of_flywheels(at.V_dot, at.phi_ddot)
+    if form == "torque":
+        return [ca.Function("torque", symbols, [torque], {"cse": True})]
     forward = solved(at.K, at.right())
     if form == "jacobian":
         slopes = ca.jacobian(forward, ca.vertcat(*symbols[:4]))
@@ -38,7 +42,7 @@ def functions(N: int, form: str) -> list[Any]:
     works = {
         "forward": forward,
         "coupled": ca.vertcat(found[N:], found[:N]),
-        "torque": at.of_flywheels(at.V_dot, at.phi_ddot),
+        "torque": torque,
     }
     return [ca.Function(name, symbols, [expression], {"cse": True}) for name, expression in works.items()]
 
