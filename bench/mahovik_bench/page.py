@@ -47,6 +47,12 @@ of the best peer that was timed at that number of flywheels (median of paired ra
 
 """
 
+SIZES = """
+Generation: the whole process, imports included. MuJoCo comes compiled: its row is of our adapter alone. Pinocchio's is
+of all that its headers instantiate, for any joints. Compile times are those of the day when a library entered the cache,
+on a machine that did other work as well.
+"""
+
 
 def page(results: Results) -> str:
     """The text of the page."""
@@ -67,7 +73,7 @@ def page(results: Results) -> str:
         tables.slope_table(results),
     ]
     parts += ["\n## Size, compiling, generation\n\n", tables.made_table(results)]
-    parts += ["\nGeneration: the whole process, imports included.\n"]
+    parts += [SIZES]
     parts += ["\n## Agreement\n\nThe largest difference to the NumPy reference, relative to the "]
     parts += ["[natural scale](verification.md#the-natural-scale).\n\n", tables.agreement_table(results)]
     parts += ["\nSlopes: of the peers to ours, over the largest element of a block.\n"]
