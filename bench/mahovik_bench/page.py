@@ -49,7 +49,7 @@ of the best peer that was timed at that number of flywheels (median of paired ra
 
 SIZES = """
 Generation: the whole process, imports included. MuJoCo comes compiled: its row is of our adapter alone. Pinocchio's is
-of all that its headers instantiate, for any joints. Compile times are those of the day when a library entered the cache,
+of all that its headers instantiate, for any joints. Compile times are those of when a library entered the cache,
 on a machine that did other work as well.
 """
 
