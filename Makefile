@@ -5,7 +5,10 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
-.PHONY: help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
+BENCH := .venv-bench
+BENCH_READY := $(BENCH)/.ready
+
+.PHONY: bench bench-quick bench-full bench-gate help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -22,6 +25,10 @@ help:
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
+	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
+	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
+	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
+	@echo "make bench-gate fails where instructions, stack or code have risen; ACCEPT=--accept accepts that"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -81,10 +88,27 @@ control-loop: setup
 verify-time: setup
 	$(BIN)/python tools/verify_time.py
 
+bench: $(BENCH_READY)
+	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench bench
+
+bench-full: $(BENCH_READY)
+	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench full
+
+bench-quick: setup
+	PYTHONPATH=bench:generator $(BIN)/python -m mahovik_bench quick
+
+bench-gate: setup
+	PYTHONPATH=bench:generator $(BIN)/python -m mahovik_bench gate $(ACCEPT)
+
+$(BENCH_READY): bench/requirements.txt bench/constraints.txt
+	$(PYTHON) -m venv $(BENCH)
+	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check -c bench/constraints.txt -r bench/requirements.txt
+	@touch $(BENCH_READY)
+
 lint: setup
-	$(BIN)/ruff check generator tests tools
-	$(BIN)/ruff format --check generator tests tools
-	$(BIN)/mypy
+	$(BIN)/ruff check generator tests tools bench
+	$(BIN)/ruff format --check generator tests tools bench
+	MYPYPATH=bench $(BIN)/mypy generator/mahovik bench/mahovik_bench
 
 clean:
-	rm -rf $(VENV) build dist .pytest_cache .hypothesis .mypy_cache .ruff_cache
+	rm -rf $(VENV) $(BENCH) build dist .pytest_cache .hypothesis .mypy_cache .ruff_cache

@@ -1,0 +1,78 @@
+"""Do all give the same? Differences to the NumPy reference over the natural scale."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from mahovik_bench.cases import Array, Case
+from mahovik_bench.loaded import Contestant
+from mahovik_bench.works import WORKS
+
+ACCEPTED = 1e-11
+
+
+def differences(case: Case, contestants: Sequence[Contestant]) -> dict[str, dict[str, float]]:
+    """The largest difference, by work and contestant; of works that the reference has."""
+    found: dict[str, dict[str, float]] = {}
+    for work in WORKS.values():
+        having = [c for c in contestants if work.name in c.peer.works]
+        if not work.parts or not having:
+            continue
+        expected, scale = case.expected(work)
+        found[work.name] = {
+            c.name: float(np.max(np.abs(c.results(work) - expected) / np.maximum(scale, 1e-300))) for c in having
+        }
+    return found
+
+
+def slope_differences(case: Case, contestants: Sequence[Contestant]) -> dict[str, dict[str, float]]:
+    """Of the Jacobians, which the reference has not: peers against our first build, by the largest of each block."""
+    found: dict[str, dict[str, float]] = {}
+    for name, rows in (("forward_jacobian", 6), ("coupled_jacobian", 6 + case.N)):
+        having = [c for c in contestants if name in c.peer.works]
+        tables = {c.name: [_matrix(c, row, rows) for row in c.results(WORKS[name])] for c in having}
+        first = next(iter(tables), "")
+        found[name] = {
+            other: max(_apart(a, b, case.N) for a, b in zip(each, tables[first], strict=True))
+            for other, each in tables.items()
+            if other != first
+        }
+    return found
+
+
+def _matrix(c: Contestant, numbers: Array, rows: int) -> Array:
+    """Slopes of `rows` results by V and three times N inputs: ours lie block by block, those of others by columns."""
+    N = c.case.N
+    if c.peer.program != "mahovik":
+        return numbers.reshape(6 + 3 * N, rows).T
+    found, at = [], 0
+    for height in (6, rows - 6):
+        blocks = []
+        for width in (6, N, N, N):
+            blocks.append(numbers[at : at + height * width].reshape(height, width))
+            at += height * width
+        found.append(np.hstack(blocks))
+    return np.vstack(found)
+
+
+def _apart(a: Array, b: Array, N: int) -> float:
+    """The largest difference over the largest element of its block."""
+    worst = 0.0
+    for rows in (slice(0, 6), slice(6, None)):
+        for start, width in ((0, 6), (6, N), (6 + N, N), (6 + 2 * N, N)):
+            block = (rows, slice(start, start + width))
+            if a[block].size:
+                worst = max(worst, float(np.max(np.abs(a[block] - b[block])) / np.max(np.abs(b[block]))))
+    return worst
+
+
+def failures(found: dict[str, dict[str, float]]) -> list[str]:
+    """Those beyond what is accepted, NaN among them."""
+    return [
+        f"{work}: {name} is {worst:.1e} off"
+        for work, by_name in found.items()
+        for name, worst in by_name.items()
+        if not worst <= ACCEPTED
+    ]

@@ -1,0 +1,43 @@
+"""C that CasADi generates of the literal equations, as contestants."""
+
+from __future__ import annotations
+
+import json
+import os
+
+from mahovik_bench.build import NATIVE, Recipe, generated
+from mahovik_bench.cases import Case
+from mahovik_bench.peer import Peer
+
+FORMS = {
+    "naive": ("forward",),
+    "ldl": ("forward", "coupled", "torque"),
+    "torque": ("torque",),
+    "jacobian": ("forward_jacobian",),
+}
+"""Works of each form. `torque` is one of `ldl`, alone: for so many flywheels that the others take long."""
+BUILDS = {"-O2": ("-O2",), "-O3 native": ("-O3", "-march=native")}
+USUAL = {"naive": range(13), "ldl": range(13), "torque": range(13, 65), "jacobian": range(3)}
+"""Flywheels for which compiling fits into the budget."""
+PATIENT = {**USUAL, "ldl": range(65), "torque": range(0)}
+"""Those of `full --patient`: a quarter of an hour a library and more."""
+
+
+def peers(case: Case) -> list[Peer]:
+    """Each form by each build."""
+    allowed = PATIENT if os.environ.get("MAHOVIK_BENCH_PATIENT") else USUAL
+    adapter = (NATIVE / "casadi_peer.c").read_text(encoding="utf-8")
+    found = []
+    for form, works in FORMS.items():
+        if case.N not in allowed[form]:
+            continue
+        folder, effort = generated("write_casadi", str(case.N), form)
+        facts = json.loads((folder / "facts.json").read_text(encoding="utf-8"))
+        sizes = (f"-DWORK_SIZE={facts['work'] + 1}", f"-DARGUMENTS={facts['arguments'] + 1}")
+        text = adapter + "".join(f"WORK({work})\n" for work in works)
+        files = {"casadi.c": (folder / "casadi.c").read_text(encoding="utf-8"), "adapter.c": text}
+        shown = "ldl" if form == "torque" else form
+        for build, flags in BUILDS.items():
+            recipe = Recipe("gcc", (*sizes, f"-DFLYWHEELS={case.N}", *flags), files, ("casadi.c",), ("-lm",))
+            found.append(Peer("casadi", f"{shown} {build}", works, recipe, "", effort, counted=build == "-O2"))
+    return found

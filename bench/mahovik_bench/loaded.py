@@ -1,0 +1,75 @@
+"""Libraries of peers in this process: records, calls, results."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from mahovik.errors import ToolchainError
+from mahovik_bench.build import Built, tool
+from mahovik_bench.cases import Array, Case
+from mahovik_bench.peer import Peer
+from mahovik_bench.works import WORKS, Work
+
+
+@cache
+def harness() -> ctypes.CDLL:
+    """native/harness.c, compiled and loaded."""
+    loaded = ctypes.CDLL(str(tool("harness.c", "-shared", "-fPIC")))
+    loaded.independent.restype = ctypes.c_double
+    loaded.chained.restype = ctypes.c_double
+    return loaded
+
+
+def pointer(array: Array) -> Any:
+    """A C array of doubles."""
+    return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+
+
+class Contestant:
+    """A peer with its records of the case's states."""
+
+    def __init__(self, peer: Peer, built: Built, case: Case) -> None:
+        self.peer, self.built, self.case = peer, built, case
+        self._library = ctypes.CDLL(str(built.library))
+        if self._library.peer_setup(peer.model.encode()) != 0:
+            raise ToolchainError(f"{peer.name}: it refuses {peer.model}")
+        self._size = int(self._library.peer_size())
+        self._records = np.zeros((len(case.states), self._size))
+        for flat, record in zip(np.ascontiguousarray(case.flat), self._records, strict=True):
+            self._library.peer_pack(pointer(flat), pointer(record))
+        self._out = np.zeros(max(work.size(case.N) for work in WORKS.values()) + 64)
+
+    @property
+    def name(self) -> str:
+        """Of its peer."""
+        return self.peer.name
+
+    def results(self, work: Work) -> Array:
+        """What it gives, a row a state."""
+        call = getattr(self._library, work.symbol)
+        rows = []
+        for record in self._records:
+            self._out[:] = np.nan
+            call(pointer(record), pointer(self._out))
+            rows.append(self._out[: work.size(self.case.N)].copy())
+        return np.array(rows)
+
+    def block(self, work: Work, chained: bool) -> Callable[[int], float]:
+        """Nanoseconds of a state in a block of that many calls."""
+        call = getattr(self._library, work.symbol)
+        records, out = pointer(self._records), pointer(self._out)
+        counts = (self._size, len(self._records))
+        timer = harness()
+        V, phi, N = int(self._library.peer_V()), int(self._library.peer_phi()), self.case.N
+
+        def once(calls: int) -> float:
+            if chained:
+                return float(timer.chained(call, records, *counts, calls, out, V, phi, N)) / work.states
+            return float(timer.independent(call, records, *counts, calls, out)) / work.states
+
+        return once

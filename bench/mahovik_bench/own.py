@@ -1,0 +1,55 @@
+"""mahovik's own C as contestants."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik_bench.build import NATIVE, Recipe, generated
+from mahovik_bench.cases import Case
+from mahovik_bench.peer import Peer
+from mahovik_bench.write_own import HAS_LANES
+
+WORKS = ("forward", "coupled", "torque", "step", "inverse", "inverse_fast", "forward_jacobian", "coupled_jacobian")
+
+
+@dataclass(frozen=True)
+class Build:
+    """How the C is made. `lanes`: of the generator, 0 for its default; -1: the fitting number for this N."""
+
+    name: str
+    flags: tuple[str, ...]
+    lanes: int = 0
+    counted: bool = False
+
+
+SCALAR = Build("-O2", ("-O2", "-ffp-contract=off"), lanes=1, counted=True)
+"""What firmware is built with; callgrind counts it."""
+LANES = Build("lanes native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=-1)
+"""Flywheels across the lanes of the host's vectors; takes part when the generator has `lanes`."""
+BUILDS = (
+    SCALAR,
+    Build("-O3 native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=1),
+    Build("-O3 native fma", ("-O3", "-march=native", "-ffp-contract=fast"), lanes=1),
+    *((LANES,) if HAS_LANES else ()),
+)
+
+
+def lanes(build: Build, N: int) -> int:
+    """The argument of the generator; 0 where it has none."""
+    if not HAS_LANES:
+        return 0
+    return build.lanes if build.lanes >= 0 else 2 if N <= 4 else 8 if N % 8 == 0 else 4
+
+
+def peers(case: Case) -> list[Peer]:
+    """A contestant a build."""
+    name = case.stand.name
+    adapter = (NATIVE / "own_peer.c").read_text(encoding="utf-8")
+    found = []
+    for build in BUILDS:
+        folder, effort = generated("write_own", str(case.N), str(lanes(build, case.N)))
+        files = {path.name: path.read_text(encoding="ascii") for path in sorted(folder.glob(f"{name}.[ch]"))}
+        flags = ("-std=c99", f"-DSTAND={name}", f'-DHEADER="{name}.h"', f"-DFLYWHEELS={case.N}", *build.flags)
+        recipe = Recipe("gcc", flags, {**files, "own_peer.c": adapter}, (f"{name}.c",))
+        found.append(Peer("mahovik", build.name, WORKS, recipe, "", effort, counted=build.counted))
+    return found

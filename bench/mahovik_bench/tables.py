@@ -1,0 +1,139 @@
+"""Tables of the page, from the data of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from mahovik_bench.slopes import slope
+from mahovik_bench.targets import SCALAR, counted, least, verdicts
+from mahovik_bench.works import WORKS
+
+Results = dict[str, Any]
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table; all columns but the first to the right."""
+    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def names(results: Results, work: str) -> list[str]:
+    """Who has the work, ours first, in the order of their roster."""
+    found: dict[str, None] = {}
+    for one in results["cases"].values():
+        found |= dict.fromkeys(one["times"]["independent"][work])
+        found |= dict.fromkeys(name for name, counts in one["instructions"].items() if work in counts)
+    return sorted(found, key=lambda name: not name.startswith("mahovik "))
+
+
+def ns(value: float) -> str:
+    """Three digits."""
+    return f"{value:,.0f}" if value >= 100 else f"{value:.1f}"
+
+
+def work_table(results: Results, work: str) -> str:
+    """Times: least, median and median chained, by contestant and N."""
+    Ns = list(results["cases"])
+    head = [f"`{work}`: least / median / chained", *(f"N = {N}" for N in Ns)]
+    rows = []
+    for name in names(results, work):
+        cells = []
+        for one in results["cases"].values():
+            alone, chain = (one["times"][mode][work].get(name) for mode in ("independent", "chained"))
+            shown = [ns(alone["least"]), ns(alone["median"])] if alone else []
+            cells.append(" / ".join([*shown, *([ns(chain["median"])] if chain else [])]))
+        if any(cells):
+            rows.append([name, *cells])
+    return table(head, rows)
+
+
+def ratio_table(results: Results, work: str) -> str:
+    """How many times faster than each other contestant the scalar build is."""
+    rows = []
+    for name in names(results, work):
+        if name == SCALAR:
+            continue
+        cells = []
+        for one in results["cases"].values():
+            row = one["times"]["independent"][work].get(name)
+            cells.append("" if row is None or SCALAR not in row["ratios"] else f"{row['ratios'][SCALAR]:.2f}")
+        if any(cells):
+            rows.append([name, *cells])
+    return table([f"`{work}`: time over that of {SCALAR}", *(f"N = {N}" for N in results["cases"])], rows)
+
+
+def count_table(results: Results, work: str) -> str:
+    """Instructions of a call."""
+    rows = []
+    for name in names(results, work):
+        by_N = counted(results, work, name)
+        if by_N:
+            rows.append([name, *(f"{by_N[int(N)]:,.0f}" if int(N) in by_N else "" for N in results["cases"])])
+    return table([f"`{work}`: instructions", *(f"N = {N}" for N in results["cases"])], rows)
+
+
+def slope_table(results: Results) -> str:
+    """Cost of a further flywheel."""
+    rows = []
+    for work in WORKS:
+        for name in names(results, work):
+            line, counts = slope(least(results, work, name)), slope(counted(results, work, name))
+            if line is None and counts is None:
+                continue
+            cells = [f"{line[0]:.1f}", f"{line[1]:.0f}"] if line else ["", ""]
+            cells += [f"{counts[0]:.0f}", f"{counts[1]:.0f}"] if counts else ["", ""]
+            rows.append([f"`{work}`, {name}", *cells])
+    return table(["", "ns a flywheel", "ns at none", "instructions a flywheel", "instructions at none"], rows)
+
+
+def made_table(results: Results) -> str:
+    """Size, compile time, generation."""
+    rows = []
+    for N, one in results["cases"].items():
+        for name, made in one["made"].items():
+            effort = made["generated"]
+            generated = [f"{effort['seconds']:.1f}", f"{effort['memory']:.0f}"] if effort["seconds"] else ["", ""]
+            compiled = [f"{made['compiled']['seconds']:.1f}", f"{made['compiled']['memory']:.0f}"]
+            rows.append([f"N = {N}, {name}", f"{made['text']:,}", f"{made['data']:,}", *compiled, *generated])
+    head = ["", "code, bytes", "constants, bytes", "C compile, s", "its memory, MB", "generation, s", "its memory, MB"]
+    return table(head, rows)
+
+
+def agreement_table(results: Results) -> str:
+    """The largest difference to the reference over its natural scale."""
+    found: dict[tuple[str, str], dict[str, float]] = {}
+    for N, one in results["cases"].items():
+        for work, by_name in one["agreement"].items():
+            for name, worst in by_name.items():
+                found.setdefault((work, name), {})[N] = worst
+    rows = [
+        [f"`{work}`, {name}", *(f"{by_N[N]:.0e}" if N in by_N else "" for N in results["cases"])]
+        for (work, name), by_N in found.items()
+    ]
+    return table(["", *(f"N = {N}" for N in results["cases"])], rows)
+
+
+def target_table(results: Results) -> str:
+    """Asked, found, verdict."""
+    words = {True: "reached", False: "**not reached**", None: "not measured"}
+    rows = [[v.what, v.N, v.asked, v.found, words[v.reached]] for v in verdicts(results)]
+    return table(["", "N", "asked", "found", "verdict"], rows)
+
+
+def won_by_peers(results: Results) -> list[str]:
+    """Where a peer is faster than our scalar build, and than all of ours."""
+    lines = []
+    for work in WORKS:
+        for N, one in results["cases"].items():
+            for name, row in one["times"]["independent"][work].items():
+                if name.startswith("mahovik ") or row["ratios"].get(SCALAR, 1.0) >= 1.0:
+                    continue
+                ours = max(row["ratios"], key=lambda build: row["ratios"][build])
+                rest = (
+                    "and than every other build of ours"
+                    if row["ratios"][ours] < 1.0
+                    else f"not than {ours}: {row['ratios'][ours]:.2f}"
+                )
+                lines.append(f"`{work}`, N = {N}: {name} is faster than {SCALAR} ({row['ratios'][SCALAR]:.2f}), {rest}")
+    return lines

@@ -1,0 +1,50 @@
+"""The works that are timed: what goes in, what comes out, and how a result is judged."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Work:
+    """One function of every peer that has it, `peer_NAME` in C.
+
+    `size`: how many numbers it gives for N flywheels. `parts`: names and lengths of these by the reference, empty
+    where the reference has no such want. `states`: of one call, 1; a batch gives more.
+    """
+
+    name: str
+    meaning: str
+    size: Callable[[int], int]
+    parts: Mapping[str, Callable[[int], int]]
+    states: int = 1
+
+    @property
+    def symbol(self) -> str:
+        """The function in C."""
+        return f"peer_{self.name}"
+
+
+def _six(_: int) -> int:
+    return 6
+
+
+def _each(N: int) -> int:
+    return N
+
+
+WORKS = {
+    work.name: work
+    for work in (
+        Work("forward", "V* for given phi''", _six, {"V_dot": _six}),
+        Work("coupled", "V* and phi'' for given torques", lambda N: 6 + N, {"V_dot": _six, "phi_ddot": _each}),
+        Work("torque", "torques for a given motion", _each, {"tau": _each}),
+        Work("step", "one Runge-Kutta step of coupled, order 4", lambda N: 13 + 2 * N, {}),
+        Work("inverse", "phi'' for a wanted V*, with diagnostics", _each, {"phi_ddot": _each}),
+        Work("inverse_fast", "phi'' for a wanted V*", _each, {}),
+        Work("forward_jacobian", "slopes of forward", lambda N: 6 * (6 + 3 * N), {}),
+        Work("coupled_jacobian", "slopes of coupled", lambda N: (6 + N) * (6 + 3 * N), {}),
+    )
+}
+"""Those of single states; batches join here, with `states` in a call, when the emitted C has them."""

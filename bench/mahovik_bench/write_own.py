@@ -1,0 +1,26 @@
+"""Writes mahovik's C of a case: python -m mahovik_bench.write_own FOLDER N LANES."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from pathlib import Path
+from typing import Any
+
+from mahovik.emit.generate import generate_all
+from mahovik_bench.cases import case
+
+HAS_LANES = "lanes" in inspect.signature(generate_all).parameters
+"""Can the generator put flywheels across lanes?"""
+
+
+def main() -> None:
+    """The files of `generate`, nothing else; 0 lanes: the generator's default."""
+    folder, N, lanes = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+    options: dict[str, Any] = {"lanes": lanes} if lanes else {}
+    for name, text in generate_all(case(N).stand, **options).files.items():
+        (folder / name).write_text(text, encoding="ascii")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+"""What is installed here gives the same as the reference, at N = 2; nothing is timed."""
+
+from __future__ import annotations
+
+import math
+import shutil
+from importlib import import_module
+
+import numpy as np
+import pytest
+from mahovik_bench.agree import ACCEPTED, differences, failures
+from mahovik_bench.cases import case
+from mahovik_bench.counting import available, instructions
+from mahovik_bench.loaded import Contestant
+from mahovik_bench.peer import Peer
+from mahovik_bench.roster import Roster
+from mahovik_bench.timing import Times, ratio
+from mahovik_bench.works import WORKS
+
+pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+SLOW_TO_COMPILE = ("jacobian", "-O3")
+
+
+def contestants(program: str) -> list[Contestant]:
+    module = import_module(f"mahovik_bench.{program}")
+    peers: list[Peer] = [p for p in module.peers(case(2)) if not any(word in p.build for word in SLOW_TO_COMPILE)]
+    return [Contestant(peer, peer.recipe.build(), case(2)) for peer in peers]
+
+
+@pytest.mark.parametrize("program", ["own", "casadi_peer", "mujoco_peer"])
+def test_results_agree(program: str) -> None:
+    if program == "mujoco_peer":
+        pytest.importorskip("mujoco")
+    found = differences(case(2), contestants(program))
+    assert {"coupled", "torque"} <= set(found)
+    assert failures(found) == []
+
+
+def test_own_slopes_are_finite() -> None:
+    (own,) = contestants("own")
+    for name in ("step", "inverse_fast", "forward_jacobian", "coupled_jacobian"):
+        assert np.all(np.isfinite(own.results(WORKS[name]))), name
+
+
+def test_a_wrong_result_is_a_failure() -> None:
+    good, wrong, missing = ACCEPTED / 2, ACCEPTED * 2, math.nan
+    found = failures({"forward": {"good": good, "wrong": wrong, "missing": missing}})
+    assert [line.split()[1] for line in found] == ["wrong", "missing"]
+
+
+def test_stands_are_the_same_every_time() -> None:
+    assert case(6) == case(6)
+    assert case(6).stand != case(8).stand
+
+
+def test_paired_ratio_is_the_median_of_ratios() -> None:
+    assert ratio(Times((10.0, 40.0, 10.0)), Times((5.0, 10.0, 1.0))) == 4.0
+    assert Times((2.0, 3.0, 4.0)).spread == 0.5
+
+
+@pytest.mark.skipif(not available(), reason="no valgrind: make targets")
+def test_counts_are_exact() -> None:
+    (own,) = contestants("own")
+    first, second = (instructions(own.peer, own.built, own.case) for _ in range(2))
+    assert first == second
+    assert 0 < first["torque"] < first["forward"] < first["coupled"] < first["step"]
+
+
+def test_who_is_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(import_module("mahovik_bench.roster").MODULES, "nobody", "no_such_peer")
+    roster = Roster([case(2)], ["nobody"], 60.0, lambda _: None)
+    assert "no_such_peer" in roster.absent["nobody"]
+    assert roster.built[2] == []
