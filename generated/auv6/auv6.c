@@ -713,11 +713,11 @@ auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_mom
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 AUV6_CODE
-static void auv6_couple(const auv6_row *row, auv6_real s, auv6_real c, const auv6_real V[6],
-                        const auv6_real swing[3], auv6_coupling *restrict out)
+static void auv6_couple(const auv6_row *row, auv6_real s, auv6_real c, const auv6_real swing[3],
+                        const auv6_real spun[6], auv6_coupling *restrict out)
 {
-    const auv6_real c2 = 1.0 - 2.0 * (s * s);
-    const auv6_real s2 = 2.0 * c * s;
+    const auv6_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
+    const auv6_real two_s2 = 4.0 * c * s;
     out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
     out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
     out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
@@ -725,18 +725,14 @@ static void auv6_couple(const auv6_row *row, auv6_real s, auv6_real c, const auv
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     auv6_real J_p[6];  /* dJ / dphi */
-    J_p[0] = 2.0 * row->J_2s[0] * c2 + row->J_s[0] * c - 2.0 * row->J_2c[0] * s2 - row->J_c[0] * s;
-    J_p[1] = 2.0 * row->J_2s[1] * c2 + row->J_s[1] * c - 2.0 * row->J_2c[1] * s2 - row->J_c[1] * s;
-    J_p[2] = 2.0 * row->J_2s[2] * c2 + row->J_s[2] * c - 2.0 * row->J_2c[2] * s2 - row->J_c[2] * s;
-    J_p[3] = 2.0 * row->J_2s[3] * c2 + row->J_s[3] * c - 2.0 * row->J_2c[3] * s2 - row->J_c[3] * s;
-    J_p[4] = 2.0 * row->J_2s[4] * c2 + row->J_s[4] * c - 2.0 * row->J_2c[4] * s2 - row->J_c[4] * s;
-    J_p[5] = 2.0 * row->J_2s[5] * c2 + row->J_s[5] * c - 2.0 * row->J_2c[5] * s2 - row->J_c[5] * s;
-    auv6_real turned[3];  /* J' omega */
-    turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
-    turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
-    turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
-    out->bias = out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2] - 0.5 * V[3] * turned[0]
-        - 0.5 * V[4] * turned[1] - 0.5 * V[5] * turned[2];
+    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
+        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -774,11 +770,14 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
     swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    auv6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     auv6_coupling drive;
     for (int s = 0; s < AUV6_N; ++s) {
         auv6_real s_phi, c_phi;
         auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive);
+        auv6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
         tau[s] = V_r_dot[0] * drive.I[0] + V_r_dot[1] * drive.I[1] + V_r_dot[2] * drive.I[2]
             + V_r_dot[3] * drive.I[3] + V_r_dot[4] * drive.I[4] + V_r_dot[5] * drive.I[5]
             + stand->flywheel[s].spin * phi_ddot[s] + drive.bias;
@@ -879,11 +878,14 @@ static auv6_status auv6_move(const auv6_table *stand, const auv6_state *x, const
     swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    auv6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
         auv6_real s_phi, c_phi;
         auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive[s]);
+        auv6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
     }
     auv6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
@@ -951,7 +953,7 @@ auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv
     return AUV6_OK;
 }
 
-/* to = x + h rate; phases are brought within half a turn. */
+/* to = x + h rate, phases from within half a turn. */
 AUV6_CODE
 static void auv6_advance(const auv6_state *x, const auv6_state *rate, auv6_real h, auv6_state *restrict to)
 {
@@ -965,17 +967,18 @@ static void auv6_advance(const auv6_state *x, const auv6_state *rate, auv6_real 
         to->V[i] = x->V[i] + h * rate->V[i];
     }
     for (int i = 0; i < AUV6_N; ++i) {
-        to->phi[i] = auv6_wrapped(x->phi[i] + h * rate->phi[i]);
+        to->phi[i] = auv6_wrapped(x->phi[i]) + h * rate->phi[i];
     }
     for (int i = 0; i < AUV6_N; ++i) {
         to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
     }
 }
 
-/* brings the quaternion to unit length; RANGE where the state has left its ranges. */
+/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
 AUV6_CODE
 static auv6_status auv6_finish(auv6_state *restrict x)
 {
+    auv6_status status;
     const auv6_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
     if (!(square > 0.5 && square < 2.0)) { return AUV6_RANGE; }
@@ -984,7 +987,12 @@ static auv6_status auv6_finish(auv6_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    return auv6_check_state(x);
+    status = auv6_check_state(x);
+    if (status != AUV6_OK) { return status; }
+    for (int s = 0; s < AUV6_N; ++s) {
+        x->phi[s] = auv6_wrapped(x->phi[s]);
+    }
+    return AUV6_OK;
 }
 
 /* rates of the state under drive torques. */
@@ -1707,6 +1715,9 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    auv6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     auv6_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = stand->A[0];  K.A[1] = stand->A[1];  K.A[2] = stand->A[2];
     K.A[3] = stand->A[3];  K.A[4] = stand->A[4];  K.A[5] = stand->A[5];
@@ -1723,7 +1734,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     for (int s = 0; s < AUV6_N; ++s) {
         auv6_real s_phi, c_phi;
         auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive[s]);
+        auv6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         if (locked[s] == 0) {
             auv6_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1734,20 +1745,20 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     for (int s = 0; s < AUV6_N; ++s) {
         auv6_real s_phi, c_phi;
         auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        const auv6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);
-        const auv6_real s2 = 2.0 * c_phi * s_phi;
-        J_p[0] = 2.0 * stand->flywheel[s].J_2s[0] * c2 + stand->flywheel[s].J_s[0] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[0] * s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = 2.0 * stand->flywheel[s].J_2s[1] * c2 + stand->flywheel[s].J_s[1] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[1] * s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = 2.0 * stand->flywheel[s].J_2s[2] * c2 + stand->flywheel[s].J_s[2] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[2] * s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = 2.0 * stand->flywheel[s].J_2s[3] * c2 + stand->flywheel[s].J_s[3] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[3] * s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = 2.0 * stand->flywheel[s].J_2s[4] * c2 + stand->flywheel[s].J_s[4] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[4] * s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = 2.0 * stand->flywheel[s].J_2s[5] * c2 + stand->flywheel[s].J_s[5] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[5] * s2 - stand->flywheel[s].J_c[5] * s_phi;
+        const auv6_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
+        const auv6_real two_s2 = 4.0 * c_phi * s_phi;
+        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
+            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
+            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
+            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
+            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
+            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
+            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
         turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
         turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
@@ -3069,7 +3080,7 @@ static auv6_status auv6_check_parameters(const auv6_parameters *parameters)
     for (int s = 0; s < AUV6_N; ++s) {
         status = auv6_check_dry_body(&parameters->flywheel[s].body);
         if (status != AUV6_OK) { return status; }
-        if (!(parameters->flywheel[s].body.inertia[0] > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        if (!(parameters->flywheel[s].body.inertia[0] >= 1.0e-30)) { return AUV6_NOT_POSITIVE_DEFINITE; }
         status = auv6_place_flywheel(parameters, &parameters->flywheel[s], O, R);
         if (status != AUV6_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
@@ -3077,7 +3088,7 @@ static auv6_status auv6_check_parameters(const auv6_parameters *parameters)
             + parameters->flywheel[s].body.inertia[2]
             + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
-    if (!(mass > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+    if (!(mass >= 1.0e-30)) { return AUV6_NOT_POSITIVE_DEFINITE; }
     if (!(size <= 1.0e60)) { return AUV6_RANGE; }
     auv6_real A[6];
     auv6_real A_inv[6];

@@ -9,8 +9,8 @@
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
- * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
- * mahovik. */
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: README.md
+ * of the delivered folder. */
 #ifndef AUV6_H
 #define AUV6_H
 
@@ -46,7 +46,7 @@ typedef enum auv6_status {
     AUV6_UNREACHABLE = 8,                 /* least squares: residual above 1e-9 of the demand */
     AUV6_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
     AUV6_NOT_FINITE = -1,                 /* an input is NaN or infinite */
-    AUV6_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
+    AUV6_RANGE = -2,                      /* out of range, quaternion off unit length */
     AUV6_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
     AUV6_SINGULAR_ATTITUDE = -4,          /* attitude angles within 1e-6 of their singularity */
     AUV6_BAD_ARGUMENT = -5                /* a null pointer, a count, an index, a step or an option */
@@ -306,7 +306,7 @@ auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_mom
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1305 operations on reals, 1 of them a division. */
+ * At most 1170 operations on reals, 1 of them a division. */
 auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[AUV6_N]);
 
@@ -320,7 +320,7 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3344 operations on reals, 5 of them divisions. */
+ * At most 3209 operations on reals, 5 of them divisions. */
 auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                          const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N]);
 
@@ -335,7 +335,7 @@ auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 13988 operations on reals, 26 of them divisions. */
+ * At most 13502 operations on reals, 26 of them divisions. */
 auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                       const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next);
 
@@ -349,7 +349,7 @@ auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_r
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9388 operations on reals, 22 of them divisions. */
+ * At most 9442 operations on reals, 22 of them divisions. */
 auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next);
 
@@ -384,8 +384,8 @@ auv6_status auv6_speed_of_counts(int moved, int per_turn, auv6_real dt, auv6_rea
 
 /* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
  * moved, exactly.
- *   encoder   in and out: begin with the counter's first reading
- *   counter   the counter as it is read; one of 32 bits cast to int
+ *   encoder   in and out: begin with the first reading, place: counts within the turn
+ *   counter   as it is read; of 32 bits: as signed
  *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  * Read it before the counter has moved by half its range (where bits is 0: half a turn).
@@ -415,7 +415,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 22240 operations on reals, 102 of them divisions. */
+ * At most 21898 operations on reals, 102 of them divisions. */
 auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_slopes *out);
 

@@ -15,16 +15,28 @@ typedef char auv6_recorder_real[(sizeof(auv6_real) == 8) ? 1 : -1];
 
 typedef uint64_t auv6_record_word;  /* the bits of a real */
 
+/* Counts of bytes, and the first byte of a step's record. */
+enum {
+    AUV6_RECORD_STEP = 0x53,
+    AUV6_RECORD_REAL_BYTES = 8,
+    AUV6_RECORD_TABLE_BYTES = 2952,
+    AUV6_RECORD_LOCKS_A_BYTE = 8
+};
+
+/* FNV-1a, 32 bits. */
+#define AUV6_RECORD_BASIS 2166136261u
+#define AUV6_RECORD_PRIME 16777619u
+
 /* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
 typedef struct auv6_page {
-    const auv6_recorder *log;
+    auv6_recorder *log;
     uint32_t check;
     size_t used;
     unsigned char bytes[AUV6_RECORD_BYTES];
 } auv6_page;
 
-static const unsigned char auv6_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
-static const unsigned char auv6_record_name[4] = {
+static const unsigned char auv6_record_magic[] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char auv6_record_name[] = {
     0x61, 0x75, 0x76, 0x36
 };
 
@@ -37,117 +49,125 @@ static auv6_record_word auv6_record_bits(auv6_real value)
 }
 
 AUV6_CODE
-static void auv6_begin(auv6_page *page, const auv6_recorder *log)
+static void auv6_record_begin(auv6_page *page, auv6_recorder *log)
 {
     page->log = log;
-    page->check = 2166136261u;
+    page->check = AUV6_RECORD_BASIS;
     page->used = 0;
 }
 
 AUV6_CODE
-static void auv6_flush(auv6_page *page)
+static void auv6_record_flush(auv6_page *page)
 {
-    if (page->log != NULL && page->used > 0) {
-        page->log->write(page->log->context, page->bytes, page->used);
+    if (page->log != NULL && page->used > 0 && page->log->write(page->log->context, page->bytes, page->used) != 0) {
+        ++page->log->lost;
     }
     page->used = 0;
 }
 
 /* The lowest bytes of a word, least significant first. */
 AUV6_CODE
-static void auv6_put(auv6_page *page, auv6_record_word value, int bytes)
+static void auv6_record_put(auv6_page *page, auv6_record_word value, int bytes)
 {
     for (int i = 0; i < bytes; ++i) {
         const unsigned char byte = (unsigned char)(value & 0xffu);
         if (page->used == sizeof page->bytes) {
-            auv6_flush(page);
+            auv6_record_flush(page);
         }
         page->bytes[page->used++] = byte;
-        page->check = (page->check ^ byte) * 16777619u;
+        page->check = (page->check ^ byte) * AUV6_RECORD_PRIME;
         value >>= 8;
     }
 }
 
 AUV6_CODE
-static void auv6_put_reals(auv6_page *page, const auv6_real *values, int count)
+static void auv6_record_put_reals(auv6_page *page, const auv6_real *values, int count)
 {
     for (int i = 0; i < count; ++i) {
-        auv6_put(page, auv6_record_bits(values[i]), 8);
+        auv6_record_put(page, auv6_record_bits(values[i]), AUV6_RECORD_REAL_BYTES);
+    }
+}
+
+AUV6_CODE
+static void auv6_record_put_bytes(auv6_page *page, const unsigned char *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        auv6_record_put(page, bytes[i], 1);
     }
 }
 
 /* The check, and out with what waits. */
 AUV6_CODE
-static void auv6_close(auv6_page *page)
+static void auv6_record_end(auv6_page *page)
 {
-    auv6_put(page, page->check, 4);
-    auv6_flush(page);
+    auv6_record_put(page, page->check, 4);
+    auv6_record_flush(page);
 }
 
 AUV6_CODE
-static void auv6_put_row(auv6_page *page, const auv6_row *from)
+static void auv6_record_put_row(auv6_page *page, const auv6_row *from)
 {
-    auv6_put_reals(page, from->mu_c, 3);
-    auv6_put_reals(page, from->mu_s, 3);
-    auv6_put_reals(page, from->J_c, 6);
-    auv6_put_reals(page, from->J_s, 6);
-    auv6_put_reals(page, from->J_2c, 6);
-    auv6_put_reals(page, from->J_2s, 6);
-    auv6_put_reals(page, from->t_0, 3);
-    auv6_put_reals(page, from->t_c, 3);
-    auv6_put_reals(page, from->t_s, 3);
-    auv6_put_reals(page, &from->spin, 1);
-    auv6_put_reals(page, &from->spin_inv, 1);
+    auv6_record_put_reals(page, from->mu_c, 3);
+    auv6_record_put_reals(page, from->mu_s, 3);
+    auv6_record_put_reals(page, from->J_c, 6);
+    auv6_record_put_reals(page, from->J_s, 6);
+    auv6_record_put_reals(page, from->J_2c, 6);
+    auv6_record_put_reals(page, from->J_2s, 6);
+    auv6_record_put_reals(page, from->t_0, 3);
+    auv6_record_put_reals(page, from->t_c, 3);
+    auv6_record_put_reals(page, from->t_s, 3);
+    auv6_record_put_reals(page, &from->spin, 1);
+    auv6_record_put_reals(page, &from->spin_inv, 1);
 }
 
 AUV6_CODE
-static void auv6_put_sensor(auv6_page *page, const auv6_sensor *from)
+static void auv6_record_put_sensor(auv6_page *page, const auv6_sensor *from)
 {
-    auv6_put_reals(page, from->origin, 3);
-    auv6_put_reals(page, from->axes, 9);
+    auv6_record_put_reals(page, from->origin, 3);
+    auv6_record_put_reals(page, from->axes, 9);
 }
 
 AUV6_CODE
-static void auv6_put_damper(auv6_page *page, const auv6_damper *from)
+static void auv6_record_put_damper(auv6_page *page, const auv6_damper *from)
 {
     for (int i = 0; i < 6; ++i) {
-        auv6_put_reals(page, from->linear[i], 6);
+        auv6_record_put_reals(page, from->linear[i], 6);
     }
     for (int i = 0; i < 6; ++i) {
-        auv6_put_reals(page, from->quadratic[i], 6);
+        auv6_record_put_reals(page, from->quadratic[i], 6);
     }
 }
 
 AUV6_CODE
-static void auv6_put_table(auv6_page *page, const auv6_table *from)
+static void auv6_record_put_table(auv6_page *page, const auv6_table *from)
 {
-    auv6_put_reals(page, &from->mass, 1);
-    auv6_put_reals(page, &from->mass_inverse, 1);
-    auv6_put_reals(page, from->first_moment, 3);
-    auv6_put_reals(page, from->inertia, 6);
-    auv6_put_reals(page, from->A, 6);
-    auv6_put_reals(page, from->A_inv, 6);
-    auv6_put_reals(page, from->G, 9);
-    auv6_put_reals(page, &from->weight_mass, 1);
-    auv6_put_reals(page, from->displaced_moment, 3);
-    for (int i = 0; i < 6; ++i) {
-        auv6_put_row(page, &from->flywheel[i]);
+    auv6_record_put_reals(page, &from->mass, 1);
+    auv6_record_put_reals(page, &from->mass_inverse, 1);
+    auv6_record_put_reals(page, from->first_moment, 3);
+    auv6_record_put_reals(page, from->inertia, 6);
+    auv6_record_put_reals(page, from->A, 6);
+    auv6_record_put_reals(page, from->A_inv, 6);
+    auv6_record_put_reals(page, from->G, 9);
+    auv6_record_put_reals(page, &from->weight_mass, 1);
+    auv6_record_put_reals(page, from->displaced_moment, 3);
+    for (int i = 0; i < AUV6_N; ++i) {
+        auv6_record_put_row(page, &from->flywheel[i]);
     }
-    for (int i = 0; i < 1; ++i) {
-        auv6_put_sensor(page, &from->sensor[i]);
+    for (int i = 0; i < AUV6_SENSORS; ++i) {
+        auv6_record_put_sensor(page, &from->sensor[i]);
     }
-    auv6_put_reals(page, from->gravity, 3);
-    auv6_put_damper(page, &from->damper);
+    auv6_record_put_reals(page, from->gravity, 3);
+    auv6_record_put_damper(page, &from->damper);
 }
 
 AUV6_CODE
 static uint32_t auv6_record_hash(const auv6_real *values, int count)
 {
-    uint32_t hash = 2166136261u;
+    uint32_t hash = AUV6_RECORD_BASIS;
     for (int i = 0; i < count; ++i) {
         auv6_record_word word = auv6_record_bits(values[i]);
-        for (int k = 0; k < 8; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+        for (int k = 0; k < AUV6_RECORD_REAL_BYTES; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * AUV6_RECORD_PRIME;
             word >>= 8;
         }
     }
@@ -156,13 +176,13 @@ static uint32_t auv6_record_hash(const auv6_real *values, int count)
 
 /* A hash of each member of a state. */
 AUV6_CODE
-static void auv6_look(const auv6_state *x, uint32_t seen[5])
+static void auv6_hash_members(const auv6_state *x, uint32_t seen[AUV6_RECORD_MEMBERS])
 {
     seen[0] = auv6_record_hash(x->position, 3);
     seen[1] = auv6_record_hash(x->attitude, 4);
     seen[2] = auv6_record_hash(x->V, 6);
-    seen[3] = auv6_record_hash(x->phi, 6);
-    seen[4] = auv6_record_hash(x->phi_dot, 6);
+    seen[3] = auv6_record_hash(x->phi, AUV6_N);
+    seen[4] = auv6_record_hash(x->phi_dot, AUV6_N);
 }
 
 AUV6_CODE
@@ -173,52 +193,49 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *stand, con
     if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
         return AUV6_BAD_ARGUMENT;
     }
-    auv6_begin(&page, NULL);
-    auv6_put_table(&page, stand);
+    auv6_record_begin(&page, NULL);
+    auv6_record_put_table(&page, stand);
     table = page.check;
-    auv6_begin(&page, log);
-    for (int i = 0; i < 8; ++i) {
-        auv6_put(&page, auv6_record_magic[i], 1);
-    }
-    auv6_put(&page, AUV6_RECORDER_FORMAT, 1);
-    auv6_put(&page, 8, 1);
-    auv6_put(&page, 4, 1);
-    for (int i = 0; i < 4; ++i) {
-        auv6_put(&page, auv6_record_name[i], 1);
-    }
-    auv6_put(&page, AUV6_STRUCTURE, 4);
-    auv6_put(&page, AUV6_PHYSICS, 4);
-    auv6_put(&page, AUV6_RECORDER_SOURCE, 4);
-    auv6_put(&page, 6, 2);
-    auv6_put(&page, 0, 2);
-    auv6_put(&page, table, 4);
-    auv6_put(&page, log->count, 4);
-    auv6_put_reals(&page, x->position, 3);
-    auv6_put_reals(&page, x->attitude, 4);
-    auv6_put_reals(&page, x->V, 6);
-    auv6_put_reals(&page, x->phi, 6);
-    auv6_put_reals(&page, x->phi_dot, 6);
+    auv6_record_begin(&page, log);
+    auv6_record_put_bytes(&page, auv6_record_magic, sizeof auv6_record_magic);
+    auv6_record_put(&page, AUV6_RECORDER_FORMAT, 1);
+    auv6_record_put(&page, AUV6_RECORD_REAL_BYTES, 1);
+    auv6_record_put(&page, sizeof auv6_record_name, 1);
+    auv6_record_put_bytes(&page, auv6_record_name, sizeof auv6_record_name);
+    auv6_record_put(&page, AUV6_STRUCTURE, 4);
+    auv6_record_put(&page, AUV6_PHYSICS, 4);
+    auv6_record_put(&page, AUV6_RECORDER_SOURCE, 4);
+    auv6_record_put(&page, AUV6_N, 2);
+    auv6_record_put(&page, 0, 2);
+    auv6_record_put(&page, table, 4);
+    auv6_record_put(&page, log->count, 4);
+    auv6_record_put_reals(&page, x->position, 3);
+    auv6_record_put_reals(&page, x->attitude, 4);
+    auv6_record_put_reals(&page, x->V, 6);
+    auv6_record_put_reals(&page, x->phi, AUV6_N);
+    auv6_record_put_reals(&page, x->phi_dot, AUV6_N);
     if (table == AUV6_RECORDER_TABLE) {
-        auv6_put(&page, 0, 4);
+        auv6_record_put(&page, 0, 4);
     } else {
-        auv6_put(&page, 2952, 4);
-        auv6_put_table(&page, stand);
+        auv6_record_put(&page, AUV6_RECORD_TABLE_BYTES, 4);
+        auv6_record_put_table(&page, stand);
     }
-    auv6_close(&page);
-    auv6_look(x, log->seen);
+    auv6_record_end(&page);
+    auv6_hash_members(x, log->seen);
     log->fresh = 1;
     return AUV6_OK;
 }
 
-/* The head of a step's record: flags, and what changed since the last one. */
+/* Flags of what changed since the last step: members of the state, dt and order, stream. The log takes them as its last. */
 AUV6_CODE
-static void auv6_open(auv6_page *page, auv6_recorder *log, const auv6_table *stand,
-                     const auv6_state *x, auv6_real dt, int order, unsigned flags)
+static unsigned auv6_notice_changes(auv6_recorder *log, const auv6_table *stand, const auv6_state *x,
+                                  auv6_real dt, int order)
 {
     const auv6_record_word step = auv6_record_bits(dt);
-    uint32_t seen[5];
-    auv6_look(x, seen);
-    for (int i = 0; i < 5; ++i) {
+    uint32_t seen[AUV6_RECORD_MEMBERS];
+    unsigned flags = 0;
+    auv6_hash_members(x, seen);
+    for (int i = 0; i < AUV6_RECORD_MEMBERS; ++i) {
         flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
     }
     if (log->fresh || step != log->dt || order != log->order) {
@@ -232,47 +249,56 @@ static void auv6_open(auv6_page *page, auv6_recorder *log, const auv6_table *sta
     log->fresh = 0;
     log->dt = step;
     log->order = order;
-    auv6_begin(page, log);
-    auv6_put(page, 0x53, 1);
-    auv6_put(page, flags, 2);
-    auv6_put(page, log->count, 4);
+    return flags;
+}
+
+/* The head of a step's record: flags, and what changed. */
+AUV6_CODE
+static void auv6_record_head(auv6_page *page, auv6_recorder *log, const auv6_state *x, unsigned flags)
+{
+    auv6_record_begin(page, log);
+    auv6_record_put(page, AUV6_RECORD_STEP, 1);
+    auv6_record_put(page, flags, 2);
+    auv6_record_put(page, log->count, 4);
     if (flags & AUV6_RECORD_SETTINGS) {
-        auv6_put(page, step, 8);
-        auv6_put(page, (auv6_record_word)order, 4);
+        auv6_record_put(page, log->dt, AUV6_RECORD_REAL_BYTES);
+        auv6_record_put(page, (auv6_record_word)log->order, 4);
     }
     if (flags & AUV6_RECORD_POSITION) {
-        auv6_put_reals(page, x->position, 3);
+        auv6_record_put_reals(page, x->position, 3);
     }
     if (flags & AUV6_RECORD_ATTITUDE) {
-        auv6_put_reals(page, x->attitude, 4);
+        auv6_record_put_reals(page, x->attitude, 4);
     }
     if (flags & AUV6_RECORD_V) {
-        auv6_put_reals(page, x->V, 6);
+        auv6_record_put_reals(page, x->V, 6);
     }
     if (flags & AUV6_RECORD_PHI) {
-        auv6_put_reals(page, x->phi, 6);
+        auv6_record_put_reals(page, x->phi, AUV6_N);
     }
     if (flags & AUV6_RECORD_PHI_DOT) {
-        auv6_put_reals(page, x->phi_dot, 6);
+        auv6_record_put_reals(page, x->phi_dot, AUV6_N);
     }
     if (flags & AUV6_RECORD_STREAM) {
-        auv6_put_reals(page, stand->stream, 3);
+        for (int i = 0; i < 3; ++i) {
+            auv6_record_put(page, log->stream[i], AUV6_RECORD_REAL_BYTES);
+        }
     }
 }
 
 /* The tail: status and the hash of the state after the step. */
 AUV6_CODE
-static void auv6_finish_record(auv6_page *page, auv6_recorder *log,
+static void auv6_record_result(auv6_page *page, auv6_recorder *log,
                               const auv6_state *x, auv6_status status)
 {
-    uint32_t hash = 2166136261u;
-    auv6_look(x, log->seen);
-    for (int i = 0; i < 5; ++i) {
-        hash = (hash ^ log->seen[i]) * 16777619u;
+    uint32_t hash = AUV6_RECORD_BASIS;
+    auv6_hash_members(x, log->seen);
+    for (int i = 0; i < AUV6_RECORD_MEMBERS; ++i) {
+        hash = (hash ^ log->seen[i]) * AUV6_RECORD_PRIME;
     }
-    auv6_put(page, (auv6_record_word)status, 1);
-    auv6_put(page, hash, 4);
-    auv6_close(page);
+    auv6_record_put(page, (auv6_record_word)status, 1);
+    auv6_record_put(page, hash, 4);
+    auv6_record_end(page);
     ++log->count;
 }
 
@@ -289,19 +315,20 @@ auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *stand, auv6
     for (int s = 0; s < AUV6_N; ++s) {
         flags |= (locked[s] != 0) ? AUV6_RECORD_LOCKS : 0u;
     }
-    auv6_open(&page, log, stand, x, dt, order, flags);
-    auv6_put_reals(&page, tau, AUV6_N);
+    flags |= auv6_notice_changes(log, stand, x, dt, order);
+    auv6_record_head(&page, log, x, flags);
+    auv6_record_put_reals(&page, tau, AUV6_N);
     if (flags & AUV6_RECORD_LOCKS) {
-        for (int first = 0; first < AUV6_N; first += 8) {
+        for (int first = 0; first < AUV6_N; first += AUV6_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
-            for (int s = first; s < AUV6_N && s < first + 8; ++s) {
+            for (int s = first; s < AUV6_N && s < first + AUV6_RECORD_LOCKS_A_BYTE; ++s) {
                 mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
             }
-            auv6_put(&page, mask, 1);
+            auv6_record_put(&page, mask, 1);
         }
     }
     status = auv6_step(stand, x, tau, locked, dt, order, x);
-    auv6_finish_record(&page, log, x, status);
+    auv6_record_result(&page, log, x, status);
     return status;
 }
 
@@ -314,9 +341,10 @@ auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *stan
     unsigned flags = AUV6_RECORD_DRIVEN;
     if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_open(&page, log, stand, x, dt, order, flags);
-    auv6_put_reals(&page, phi_ddot, AUV6_N);
+    flags |= auv6_notice_changes(log, stand, x, dt, order);
+    auv6_record_head(&page, log, x, flags);
+    auv6_record_put_reals(&page, phi_ddot, AUV6_N);
     status = auv6_step_driven(stand, x, phi_ddot, dt, order, x);
-    auv6_finish_record(&page, log, x, status);
+    auv6_record_result(&page, log, x, status);
     return status;
 }

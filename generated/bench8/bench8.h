@@ -9,8 +9,8 @@
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
- * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
- * mahovik. */
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: README.md
+ * of the delivered folder. */
 #ifndef BENCH8_H
 #define BENCH8_H
 
@@ -46,7 +46,7 @@ typedef enum bench8_status {
     BENCH8_UNREACHABLE = 8,               /* least squares: residual above 1e-9 of the demand */
     BENCH8_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
-    BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
+    BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length */
     BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
     BENCH8_SINGULAR_ATTITUDE = -4,        /* attitude angles within 1e-6 of their singularity */
     BENCH8_BAD_ARGUMENT = -5              /* a null pointer, a count, an index, a step or an option */
@@ -262,7 +262,7 @@ bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, 
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1627 operations on reals, 1 of them a division. */
+ * At most 1444 operations on reals, 1 of them a division. */
 bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
 
@@ -276,7 +276,7 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4211 operations on reals, 8 of them divisions. */
+ * At most 4028 operations on reals, 8 of them divisions. */
 bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N]);
@@ -292,7 +292,7 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 17560 operations on reals, 38 of them divisions. */
+ * At most 16900 operations on reals, 38 of them divisions. */
 bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
@@ -306,7 +306,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11152 operations on reals, 34 of them divisions. */
+ * At most 11224 operations on reals, 34 of them divisions. */
 bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
@@ -342,8 +342,8 @@ bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, be
 
 /* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
  * moved, exactly.
- *   encoder   in and out: begin with the counter's first reading
- *   counter   the counter as it is read; one of 32 bits cast to int
+ *   encoder   in and out: begin with the first reading, place: counts within the turn
+ *   counter   as it is read; of 32 bits: as signed
  *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  * Read it before the counter has moved by half its range (where bits is 0: half a turn).
@@ -373,7 +373,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 28083 operations on reals, 129 of them divisions. */
+ * At most 27621 operations on reals, 129 of them divisions. */
 bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_slopes *out);

@@ -15,16 +15,28 @@ typedef char bench8_recorder_real[(sizeof(bench8_real) == 8) ? 1 : -1];
 
 typedef uint64_t bench8_record_word;  /* the bits of a real */
 
+/* Counts of bytes, and the first byte of a step's record. */
+enum {
+    BENCH8_RECORD_STEP = 0x53,
+    BENCH8_RECORD_REAL_BYTES = 8,
+    BENCH8_RECORD_TABLE_BYTES = 3368,
+    BENCH8_RECORD_LOCKS_A_BYTE = 8
+};
+
+/* FNV-1a, 32 bits. */
+#define BENCH8_RECORD_BASIS 2166136261u
+#define BENCH8_RECORD_PRIME 16777619u
+
 /* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
 typedef struct bench8_page {
-    const bench8_recorder *log;
+    bench8_recorder *log;
     uint32_t check;
     size_t used;
     unsigned char bytes[BENCH8_RECORD_BYTES];
 } bench8_page;
 
-static const unsigned char bench8_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
-static const unsigned char bench8_record_name[6] = {
+static const unsigned char bench8_record_magic[] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char bench8_record_name[] = {
     0x62, 0x65, 0x6e, 0x63, 0x68, 0x38
 };
 
@@ -37,104 +49,112 @@ static bench8_record_word bench8_record_bits(bench8_real value)
 }
 
 BENCH8_CODE
-static void bench8_begin(bench8_page *page, const bench8_recorder *log)
+static void bench8_record_begin(bench8_page *page, bench8_recorder *log)
 {
     page->log = log;
-    page->check = 2166136261u;
+    page->check = BENCH8_RECORD_BASIS;
     page->used = 0;
 }
 
 BENCH8_CODE
-static void bench8_flush(bench8_page *page)
+static void bench8_record_flush(bench8_page *page)
 {
-    if (page->log != NULL && page->used > 0) {
-        page->log->write(page->log->context, page->bytes, page->used);
+    if (page->log != NULL && page->used > 0 && page->log->write(page->log->context, page->bytes, page->used) != 0) {
+        ++page->log->lost;
     }
     page->used = 0;
 }
 
 /* The lowest bytes of a word, least significant first. */
 BENCH8_CODE
-static void bench8_put(bench8_page *page, bench8_record_word value, int bytes)
+static void bench8_record_put(bench8_page *page, bench8_record_word value, int bytes)
 {
     for (int i = 0; i < bytes; ++i) {
         const unsigned char byte = (unsigned char)(value & 0xffu);
         if (page->used == sizeof page->bytes) {
-            bench8_flush(page);
+            bench8_record_flush(page);
         }
         page->bytes[page->used++] = byte;
-        page->check = (page->check ^ byte) * 16777619u;
+        page->check = (page->check ^ byte) * BENCH8_RECORD_PRIME;
         value >>= 8;
     }
 }
 
 BENCH8_CODE
-static void bench8_put_reals(bench8_page *page, const bench8_real *values, int count)
+static void bench8_record_put_reals(bench8_page *page, const bench8_real *values, int count)
 {
     for (int i = 0; i < count; ++i) {
-        bench8_put(page, bench8_record_bits(values[i]), 8);
+        bench8_record_put(page, bench8_record_bits(values[i]), BENCH8_RECORD_REAL_BYTES);
+    }
+}
+
+BENCH8_CODE
+static void bench8_record_put_bytes(bench8_page *page, const unsigned char *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        bench8_record_put(page, bytes[i], 1);
     }
 }
 
 /* The check, and out with what waits. */
 BENCH8_CODE
-static void bench8_close(bench8_page *page)
+static void bench8_record_end(bench8_page *page)
 {
-    bench8_put(page, page->check, 4);
-    bench8_flush(page);
+    bench8_record_put(page, page->check, 4);
+    bench8_record_flush(page);
 }
 
 BENCH8_CODE
-static void bench8_put_row(bench8_page *page, const bench8_row *from)
+static void bench8_record_put_row(bench8_page *page, const bench8_row *from)
 {
-    bench8_put_reals(page, from->mu_c, 3);
-    bench8_put_reals(page, from->mu_s, 3);
-    bench8_put_reals(page, from->J_c, 6);
-    bench8_put_reals(page, from->J_s, 6);
-    bench8_put_reals(page, from->J_2c, 6);
-    bench8_put_reals(page, from->J_2s, 6);
-    bench8_put_reals(page, from->t_0, 3);
-    bench8_put_reals(page, from->t_c, 3);
-    bench8_put_reals(page, from->t_s, 3);
-    bench8_put_reals(page, &from->spin, 1);
-    bench8_put_reals(page, &from->spin_inv, 1);
+    bench8_record_put_reals(page, from->mu_c, 3);
+    bench8_record_put_reals(page, from->mu_s, 3);
+    bench8_record_put_reals(page, from->J_c, 6);
+    bench8_record_put_reals(page, from->J_s, 6);
+    bench8_record_put_reals(page, from->J_2c, 6);
+    bench8_record_put_reals(page, from->J_2s, 6);
+    bench8_record_put_reals(page, from->t_0, 3);
+    bench8_record_put_reals(page, from->t_c, 3);
+    bench8_record_put_reals(page, from->t_s, 3);
+    bench8_record_put_reals(page, &from->spin, 1);
+    bench8_record_put_reals(page, &from->spin_inv, 1);
 }
 
 BENCH8_CODE
-static void bench8_put_suspension(bench8_page *page, const bench8_suspension *from)
+static void bench8_record_put_suspension(bench8_page *page, const bench8_suspension *from)
 {
     for (int i = 0; i < 6; ++i) {
-        bench8_put_reals(page, from->stiffness[i], 6);
+        bench8_record_put_reals(page, from->stiffness[i], 6);
     }
     for (int i = 0; i < 6; ++i) {
-        bench8_put_reals(page, from->damping[i], 6);
+        bench8_record_put_reals(page, from->damping[i], 6);
     }
-    bench8_put_reals(page, from->position, 3);
-    bench8_put_reals(page, from->attitude, 4);
+    bench8_record_put_reals(page, from->position, 3);
+    bench8_record_put_reals(page, from->attitude, 4);
 }
 
 BENCH8_CODE
-static void bench8_put_table(bench8_page *page, const bench8_table *from)
+static void bench8_record_put_table(bench8_page *page, const bench8_table *from)
 {
-    bench8_put_reals(page, &from->mass, 1);
-    bench8_put_reals(page, &from->mass_inverse, 1);
-    bench8_put_reals(page, from->first_moment, 3);
-    bench8_put_reals(page, from->inertia, 6);
-    for (int i = 0; i < 8; ++i) {
-        bench8_put_row(page, &from->flywheel[i]);
+    bench8_record_put_reals(page, &from->mass, 1);
+    bench8_record_put_reals(page, &from->mass_inverse, 1);
+    bench8_record_put_reals(page, from->first_moment, 3);
+    bench8_record_put_reals(page, from->inertia, 6);
+    for (int i = 0; i < BENCH8_N; ++i) {
+        bench8_record_put_row(page, &from->flywheel[i]);
     }
-    bench8_put_reals(page, from->gravity, 3);
-    bench8_put_suspension(page, &from->suspension);
+    bench8_record_put_reals(page, from->gravity, 3);
+    bench8_record_put_suspension(page, &from->suspension);
 }
 
 BENCH8_CODE
 static uint32_t bench8_record_hash(const bench8_real *values, int count)
 {
-    uint32_t hash = 2166136261u;
+    uint32_t hash = BENCH8_RECORD_BASIS;
     for (int i = 0; i < count; ++i) {
         bench8_record_word word = bench8_record_bits(values[i]);
-        for (int k = 0; k < 8; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+        for (int k = 0; k < BENCH8_RECORD_REAL_BYTES; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * BENCH8_RECORD_PRIME;
             word >>= 8;
         }
     }
@@ -143,13 +163,13 @@ static uint32_t bench8_record_hash(const bench8_real *values, int count)
 
 /* A hash of each member of a state. */
 BENCH8_CODE
-static void bench8_look(const bench8_state *x, uint32_t seen[5])
+static void bench8_hash_members(const bench8_state *x, uint32_t seen[BENCH8_RECORD_MEMBERS])
 {
     seen[0] = bench8_record_hash(x->position, 3);
     seen[1] = bench8_record_hash(x->attitude, 4);
     seen[2] = bench8_record_hash(x->V, 6);
-    seen[3] = bench8_record_hash(x->phi, 8);
-    seen[4] = bench8_record_hash(x->phi_dot, 8);
+    seen[3] = bench8_record_hash(x->phi, BENCH8_N);
+    seen[4] = bench8_record_hash(x->phi_dot, BENCH8_N);
 }
 
 BENCH8_CODE
@@ -160,99 +180,102 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *st
     if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
         return BENCH8_BAD_ARGUMENT;
     }
-    bench8_begin(&page, NULL);
-    bench8_put_table(&page, stand);
+    bench8_record_begin(&page, NULL);
+    bench8_record_put_table(&page, stand);
     table = page.check;
-    bench8_begin(&page, log);
-    for (int i = 0; i < 8; ++i) {
-        bench8_put(&page, bench8_record_magic[i], 1);
-    }
-    bench8_put(&page, BENCH8_RECORDER_FORMAT, 1);
-    bench8_put(&page, 8, 1);
-    bench8_put(&page, 6, 1);
-    for (int i = 0; i < 6; ++i) {
-        bench8_put(&page, bench8_record_name[i], 1);
-    }
-    bench8_put(&page, BENCH8_STRUCTURE, 4);
-    bench8_put(&page, BENCH8_PHYSICS, 4);
-    bench8_put(&page, BENCH8_RECORDER_SOURCE, 4);
-    bench8_put(&page, 8, 2);
-    bench8_put(&page, 0, 2);
-    bench8_put(&page, table, 4);
-    bench8_put(&page, log->count, 4);
-    bench8_put_reals(&page, x->position, 3);
-    bench8_put_reals(&page, x->attitude, 4);
-    bench8_put_reals(&page, x->V, 6);
-    bench8_put_reals(&page, x->phi, 8);
-    bench8_put_reals(&page, x->phi_dot, 8);
+    bench8_record_begin(&page, log);
+    bench8_record_put_bytes(&page, bench8_record_magic, sizeof bench8_record_magic);
+    bench8_record_put(&page, BENCH8_RECORDER_FORMAT, 1);
+    bench8_record_put(&page, BENCH8_RECORD_REAL_BYTES, 1);
+    bench8_record_put(&page, sizeof bench8_record_name, 1);
+    bench8_record_put_bytes(&page, bench8_record_name, sizeof bench8_record_name);
+    bench8_record_put(&page, BENCH8_STRUCTURE, 4);
+    bench8_record_put(&page, BENCH8_PHYSICS, 4);
+    bench8_record_put(&page, BENCH8_RECORDER_SOURCE, 4);
+    bench8_record_put(&page, BENCH8_N, 2);
+    bench8_record_put(&page, 0, 2);
+    bench8_record_put(&page, table, 4);
+    bench8_record_put(&page, log->count, 4);
+    bench8_record_put_reals(&page, x->position, 3);
+    bench8_record_put_reals(&page, x->attitude, 4);
+    bench8_record_put_reals(&page, x->V, 6);
+    bench8_record_put_reals(&page, x->phi, BENCH8_N);
+    bench8_record_put_reals(&page, x->phi_dot, BENCH8_N);
     if (table == BENCH8_RECORDER_TABLE) {
-        bench8_put(&page, 0, 4);
+        bench8_record_put(&page, 0, 4);
     } else {
-        bench8_put(&page, 3368, 4);
-        bench8_put_table(&page, stand);
+        bench8_record_put(&page, BENCH8_RECORD_TABLE_BYTES, 4);
+        bench8_record_put_table(&page, stand);
     }
-    bench8_close(&page);
-    bench8_look(x, log->seen);
+    bench8_record_end(&page);
+    bench8_hash_members(x, log->seen);
     log->fresh = 1;
     return BENCH8_OK;
 }
 
-/* The head of a step's record: flags, and what changed since the last one. */
+/* Flags of what changed since the last step: members of the state, dt and order. The log takes them as its last. */
 BENCH8_CODE
-static void bench8_open(bench8_page *page, bench8_recorder *log, const bench8_table *stand,
-                     const bench8_state *x, bench8_real dt, int order, unsigned flags)
+static unsigned bench8_notice_changes(bench8_recorder *log, const bench8_state *x,
+                                  bench8_real dt, int order)
 {
     const bench8_record_word step = bench8_record_bits(dt);
-    uint32_t seen[5];
-    bench8_look(x, seen);
-    for (int i = 0; i < 5; ++i) {
+    uint32_t seen[BENCH8_RECORD_MEMBERS];
+    unsigned flags = 0;
+    bench8_hash_members(x, seen);
+    for (int i = 0; i < BENCH8_RECORD_MEMBERS; ++i) {
         flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
     }
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= BENCH8_RECORD_SETTINGS;
     }
-    (void)stand;
     log->fresh = 0;
     log->dt = step;
     log->order = order;
-    bench8_begin(page, log);
-    bench8_put(page, 0x53, 1);
-    bench8_put(page, flags, 2);
-    bench8_put(page, log->count, 4);
+    return flags;
+}
+
+/* The head of a step's record: flags, and what changed. */
+BENCH8_CODE
+static void bench8_record_head(bench8_page *page, bench8_recorder *log, const bench8_state *x, unsigned flags)
+{
+    bench8_record_begin(page, log);
+    bench8_record_put(page, BENCH8_RECORD_STEP, 1);
+    bench8_record_put(page, flags, 2);
+    bench8_record_put(page, log->count, 4);
     if (flags & BENCH8_RECORD_SETTINGS) {
-        bench8_put(page, step, 8);
-        bench8_put(page, (bench8_record_word)order, 4);
+        bench8_record_put(page, log->dt, BENCH8_RECORD_REAL_BYTES);
+        bench8_record_put(page, (bench8_record_word)log->order, 4);
     }
     if (flags & BENCH8_RECORD_POSITION) {
-        bench8_put_reals(page, x->position, 3);
+        bench8_record_put_reals(page, x->position, 3);
     }
     if (flags & BENCH8_RECORD_ATTITUDE) {
-        bench8_put_reals(page, x->attitude, 4);
+        bench8_record_put_reals(page, x->attitude, 4);
     }
     if (flags & BENCH8_RECORD_V) {
-        bench8_put_reals(page, x->V, 6);
+        bench8_record_put_reals(page, x->V, 6);
     }
     if (flags & BENCH8_RECORD_PHI) {
-        bench8_put_reals(page, x->phi, 8);
+        bench8_record_put_reals(page, x->phi, BENCH8_N);
     }
     if (flags & BENCH8_RECORD_PHI_DOT) {
-        bench8_put_reals(page, x->phi_dot, 8);
+        bench8_record_put_reals(page, x->phi_dot, BENCH8_N);
     }
 }
 
 /* The tail: status and the hash of the state after the step. */
 BENCH8_CODE
-static void bench8_finish_record(bench8_page *page, bench8_recorder *log,
+static void bench8_record_result(bench8_page *page, bench8_recorder *log,
                               const bench8_state *x, bench8_status status)
 {
-    uint32_t hash = 2166136261u;
-    bench8_look(x, log->seen);
-    for (int i = 0; i < 5; ++i) {
-        hash = (hash ^ log->seen[i]) * 16777619u;
+    uint32_t hash = BENCH8_RECORD_BASIS;
+    bench8_hash_members(x, log->seen);
+    for (int i = 0; i < BENCH8_RECORD_MEMBERS; ++i) {
+        hash = (hash ^ log->seen[i]) * BENCH8_RECORD_PRIME;
     }
-    bench8_put(page, (bench8_record_word)status, 1);
-    bench8_put(page, hash, 4);
-    bench8_close(page);
+    bench8_record_put(page, (bench8_record_word)status, 1);
+    bench8_record_put(page, hash, 4);
+    bench8_record_end(page);
     ++log->count;
 }
 
@@ -269,19 +292,20 @@ bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *sta
     for (int s = 0; s < BENCH8_N; ++s) {
         flags |= (locked[s] != 0) ? BENCH8_RECORD_LOCKS : 0u;
     }
-    bench8_open(&page, log, stand, x, dt, order, flags);
-    bench8_put_reals(&page, tau, BENCH8_N);
+    flags |= bench8_notice_changes(log, x, dt, order);
+    bench8_record_head(&page, log, x, flags);
+    bench8_record_put_reals(&page, tau, BENCH8_N);
     if (flags & BENCH8_RECORD_LOCKS) {
-        for (int first = 0; first < BENCH8_N; first += 8) {
+        for (int first = 0; first < BENCH8_N; first += BENCH8_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
-            for (int s = first; s < BENCH8_N && s < first + 8; ++s) {
+            for (int s = first; s < BENCH8_N && s < first + BENCH8_RECORD_LOCKS_A_BYTE; ++s) {
                 mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
             }
-            bench8_put(&page, mask, 1);
+            bench8_record_put(&page, mask, 1);
         }
     }
     status = bench8_step(stand, x, tau, locked, dt, order, x);
-    bench8_finish_record(&page, log, x, status);
+    bench8_record_result(&page, log, x, status);
     return status;
 }
 
@@ -294,9 +318,10 @@ bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_tab
     unsigned flags = BENCH8_RECORD_DRIVEN;
     if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return BENCH8_BAD_ARGUMENT; }
-    bench8_open(&page, log, stand, x, dt, order, flags);
-    bench8_put_reals(&page, phi_ddot, BENCH8_N);
+    flags |= bench8_notice_changes(log, x, dt, order);
+    bench8_record_head(&page, log, x, flags);
+    bench8_record_put_reals(&page, phi_ddot, BENCH8_N);
     status = bench8_step_driven(stand, x, phi_ddot, dt, order, x);
-    bench8_finish_record(&page, log, x, status);
+    bench8_record_result(&page, log, x, status);
     return status;
 }

@@ -1,7 +1,8 @@
 /* bench8_selftest.c: does bench8.c give the right bits on this machine?
  * mahovik 0.1.0; structure 309d41a6, physics 139422e0. Generated: change the stand file instead.
  *
- * Compile it with bench8.c (-std=c99 -ffp-contract=off, as firmware is compiled) and run it; on a board, define
+ * Compile it with bench8.c as firmware is compiled (-std=c99 -ffp-contract=off; -fno-tree-vectorize as well by gcc
+ * for x86-64 with FMA and for a Cortex-M55, or bits differ) and run it; on a board, define
  * BENCH8_SELFTEST_NO_MAIN and call bench8_selftest with what prints a text, such as to a serial port.
  * Golden vectors: inputs and answers of the generator's interpreter as hexadecimal constants; each bit must agree.
  * Sweep: states that an integer generator makes here; a hash of all answers a function is printed, to be
@@ -9,7 +10,8 @@
  *
  *     mahovik selftest bench8 structure 309d41a6 physics 139422e0 real double
  *     generator mahovik 0.1.0
- *     forward PASS cases 3 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *     forward PASS cases 4 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *                                        (a distance above 1000000 ulp: worst more than 1000000 ulp)
  *     sweep 100                          states
  *     forward 0123abcd                   a line a function: FNV-1a of its statuses and outputs
  *     failures 0                         functions that failed; the last line
@@ -36,6 +38,8 @@ int bench8_selftest(void (*print)(const char *text), unsigned long sweep);
 typedef uint64_t real_bits;
 
 enum { CASES = 3, FUNCTIONS = 22, SWEPT = 1 };
+
+#define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
 /* ---- inputs and results ---- */
 
@@ -827,8 +831,8 @@ static const bench8_real numbers_torque[] =
 {
     0x1.62a6e959df85p-2, -0x1.8f011aed08e3cp-3, 0x1.053cbfdd674eep-1, 0x1.47a4b834effb2p-1,
         0x1.e8cd52baa4de5p-3, -0x1.622ce13dbda1bp-4, 0x1.e299e8e5ab86cp-3, 0x1.c61848e127e4cp-2,
-    -0x1.8b6b686418b4p-6, -0x1.059833981f8e5p-2, 0x1.c563d5b63b7dap-2, -0x1.3e40c0846a6c2p-2,
-        0x1.03886bddf7045p-1, -0x1.f4c9ada8dcff9p-3, 0x1.c04a097638fb4p-3, -0x1.7242ad9c45592p-4,
+    -0x1.8b6b686418b38p-6, -0x1.059833981f8e5p-2, 0x1.c563d5b63b7dap-2, -0x1.3e40c0846a6c2p-2,
+        0x1.03886bddf7045p-1, -0x1.f4c9ada8dcff8p-3, 0x1.c04a097638fb3p-3, -0x1.7242ad9c45593p-4,
 };
 
 static const bench8_real numbers_coupled[] =
@@ -847,17 +851,17 @@ static const bench8_real numbers_step[] =
     -0x1.779a12def6434p-1, 0x1.80b85673f6eb6p+0, -0x1.10f684458a964p-4, 0x1.23d5c0eea731p-1,
         -0x1.2f8708b42b0e4p-5, -0x1.fa5efb8ae93f5p-2, -0x1.4f6e2fd0ae167p-1, 0x1.99dce4a35c006p+0,
         0x1.e6c925de3b64cp+0, 0x1.ccf5a5865ba1ep-1, 0x1.f182bc2f83fd8p+0, 0x1.48cdc5cb529fbp-1,
-        0x1.b07d470f5dfd4p-1, -0x1.0bb79f1e2b92ep-3, 0x1.4ae3394c2bdcbp+1, -0x1.239445d8b8c7bp+1,
-        -0x1.a0daa2c871b36p-1, -0x1.ec26d86de973ep+0, -0x1.3f40dff434a6bp+0, -0x1.9e46a387590dep+0,
+        0x1.b07d470f5dfd4p-1, -0x1.0bb79f1e2b945p-3, 0x1.4ae3394c2bdcap+1, -0x1.239445d8b8c7bp+1,
+        -0x1.a0daa2c871b38p-1, -0x1.ec26d86de973ep+0, -0x1.3f40dff434a6dp+0, -0x1.9e46a387590e1p+0,
         -0x1.3ebb50fc308d4p+0, -0x1.c4e8837fa528ap+7, 0x1.d77f92ecd1347p+7, 0x1.3232123c9b722p+3,
         0x1.29bbdfbc824aap+6, -0x1.94148p+3, -0x1.f41cb85ec3074p+7, 0x1.9e9d0462837c9p+6,
         -0x1.398c15ff5ba97p+7,
     -0x1.0257c6b73c06fp+0, -0x1.36fb96eae57bep-1, -0x1.21591ed0e8bcap+0, -0x1.eb7dda97631fap-1,
         -0x1.9a5b2fb239b49p-3, -0x1.8986e8299427fp-3, -0x1.36763b0156e63p-5, -0x1.7a4daf8f8cc4cp+1,
         0x1.d1e6ad41ab162p+1, -0x1.3648e52e1169p+3, 0x1.202e2dff69ce1p+5, -0x1.6048139bdf734p+3,
-        0x1.4a1869ccf7574p+1, 0x1.afe2e2a584264p-1, -0x1.433121abc8201p+0, -0x1.7ddbf63042fa1p-1,
-        -0x1.2fcc9723c9508p+0, 0x1.c31562b27a7c8p+0, 0x1.c5f3acc71f656p+0, -0x1.328ac60ecef5fp+0,
-        -0x1.3a71c66ded032p+1, -0x1.6c96de3a0b1ebp+13, 0x1.499108p+13, -0x1.859fdp+13, 0x1.fdb38ca7db7c5p+13,
+        0x1.4a1869ccf7574p+1, 0x1.afe2e2a64f108p-1, -0x1.433121abc8201p+0, -0x1.7ddbf63042fa1p-1,
+        -0x1.2fcc972342c8fp+0, 0x1.c31562b3d03cp+0, 0x1.c5f3acc71f656p+0, -0x1.328ac61017f5cp+0,
+        -0x1.3a71c66dff272p+1, -0x1.6c96de3a0b1ebp+13, 0x1.499108p+13, -0x1.859fdp+13, 0x1.fdb38ca7db7c5p+13,
         0x1.1fbb53e7f9c4ep+13, -0x1.2794p+6, 0x1.32ab854af8d25p+13, -0x1.1d625e4166d67p+6,
 };
 
@@ -873,9 +877,9 @@ static const bench8_real numbers_step_driven[] =
     -0x1.0257c40b07eefp+0, -0x1.36fb93eed6eap-1, -0x1.21591f14ed7aap+0, -0x1.eb7e04e0f89bfp-1,
         -0x1.9a58903fd35eap-3, -0x1.8986510094e8bp-3, -0x1.3676ba5f380fp-5, -0x1.79df301d5301p+1,
         0x1.d1bad3df1d896p+1, -0x1.3701e25336444p+3, 0x1.1db2f6d1df983p+5, -0x1.60166c4a40432p+3,
-        0x1.4bddeae8395cp+1, 0x1.b09b17c584264p-1, -0x1.43312ce7c8201p+0, -0x1.7ddbeba642fa1p-1,
-        -0x1.2fc0a0c1c9508p+0, 0x1.c32c568e7a7c8p+0, 0x1.c5f39eed1f656p+0, -0x1.322221c2cef5fp+0,
-        -0x1.3a7d9c00ed032p+1, -0x1.6b39d24797p+13, 0x1.4990db0fb4p+13, -0x1.859fbaed9a8p+13,
+        0x1.4bddeae8395cp+1, 0x1.b09b17c1b8a64p-1, -0x1.43312ce7db201p+0, -0x1.7ddbeba7103a1p-1,
+        -0x1.2fc0a0c2b9b08p+0, 0x1.c32c568e2bbc8p+0, 0x1.c5f39eed35a56p+0, -0x1.322221c309b5fp+0,
+        -0x1.3a7d9c00bff32p+1, -0x1.6b39d24797p+13, 0x1.4990db0fb4p+13, -0x1.859fbaed9a8p+13,
         0x1.fdee8c4c3e8p+13, 0x1.1fb708eec5p+13, -0x1.27afb3d38p+6, 0x1.33df0c7f15p+13, -0x1.424fdf4bcp+6,
 };
 
@@ -1103,19 +1107,19 @@ static const function functions[FUNCTIONS] =
       0x9e92b592u },
     { "torque", sizeof results.torque,
       call_torque, take_torque_results, numbers_torque,
-      { { 0, 0x808ccee9u, 8 }, { 0, 0xce71823au, 8 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x703cfbc2u },
+      { { 0, 0x808ccee9u, 8 }, { 0, 0xb22a5b39u, 8 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x872a6fb7u },
     { "coupled", sizeof results.coupled,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0xa7208c38u, 14 }, { 0, 0xdd7000b2u, 14 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6b1336f1u },
     { "step", sizeof results.step,
       call_step, take_step_results, numbers_step,
-      { { 0, 0x45d43245u, 29 }, { 0, 0x30dd0935u, 29 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x6e51b51cu },
+      { { 0, 0x20da45f8u, 29 }, { 0, 0xd7627958u, 29 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x4826dd03u },
     { "step_driven", sizeof results.step_driven,
       call_step_driven, take_step_driven_results, numbers_step_driven,
-      { { 0, 0x83835b56u, 29 }, { 0, 0xa7fd2bdbu, 29 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x83835b56u, 29 }, { 0, 0xd1f2a2a6u, 29 }, { -2, 0x8e5b0aa0u, 0 } },
       0xdf1c5c91u },
     { "wrap", sizeof results.wrap,
       call_wrap, take_wrap_results, numbers_wrap,
@@ -1363,8 +1367,8 @@ static int judge(const function *f, uint32_t swept, void (*print)(const char *te
         add_text(" wrong ");
         add_decimal(wrong);
     }
-    add_text(" worst ");
-    add_decimal(worst);
+    add_text(worst > FAR ? " worst more than " : " worst ");
+    add_decimal(worst > FAR ? FAR : worst);
     add_text(" ulp");
     end_line(print);
     return wrong != 0u ? 1 : 0;

@@ -558,11 +558,11 @@ demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 DEMO3_CODE
-static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c, const demo3_real V[6],
-                         const demo3_real swing[3], demo3_coupling *restrict out)
+static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c, const demo3_real swing[3],
+                         const demo3_real spun[6], demo3_coupling *restrict out)
 {
-    const demo3_real c2 = 1.0 - 2.0 * (s * s);
-    const demo3_real s2 = 2.0 * c * s;
+    const demo3_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
+    const demo3_real two_s2 = 4.0 * c * s;
     out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
     out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
     out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
@@ -570,18 +570,14 @@ static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c, const
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     demo3_real J_p[6];  /* dJ / dphi */
-    J_p[0] = 2.0 * row->J_2s[0] * c2 + row->J_s[0] * c - 2.0 * row->J_2c[0] * s2 - row->J_c[0] * s;
-    J_p[1] = 2.0 * row->J_2s[1] * c2 + row->J_s[1] * c - 2.0 * row->J_2c[1] * s2 - row->J_c[1] * s;
-    J_p[2] = 2.0 * row->J_2s[2] * c2 + row->J_s[2] * c - 2.0 * row->J_2c[2] * s2 - row->J_c[2] * s;
-    J_p[3] = 2.0 * row->J_2s[3] * c2 + row->J_s[3] * c - 2.0 * row->J_2c[3] * s2 - row->J_c[3] * s;
-    J_p[4] = 2.0 * row->J_2s[4] * c2 + row->J_s[4] * c - 2.0 * row->J_2c[4] * s2 - row->J_c[4] * s;
-    J_p[5] = 2.0 * row->J_2s[5] * c2 + row->J_s[5] * c - 2.0 * row->J_2c[5] * s2 - row->J_c[5] * s;
-    demo3_real turned[3];  /* J' omega */
-    turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
-    turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
-    turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
-    out->bias = out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2] - 0.5 * V[3] * turned[0]
-        - 0.5 * V[4] * turned[1] - 0.5 * V[5] * turned[2];
+    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
+        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -601,11 +597,16 @@ demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const 
     swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     demo3_coupling drive;
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_real s_phi, c_phi;
         demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive);
+        demo3_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
         tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
             + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
             + drive.bias;
@@ -697,11 +698,16 @@ static demo3_status demo3_move(const demo3_table *stand, const demo3_state *x, c
     swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     demo3_start_sums(stand, &sum);
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_real s_phi, c_phi;
         demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive[s]);
+        demo3_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
     }
     demo3_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
@@ -762,7 +768,7 @@ demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const
     return DEMO3_OK;
 }
 
-/* to = x + h rate; phases are brought within half a turn. */
+/* to = x + h rate, phases from within half a turn. */
 DEMO3_CODE
 static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_real h,
                           demo3_state *restrict to)
@@ -777,17 +783,18 @@ static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_r
         to->V[i] = x->V[i] + h * rate->V[i];
     }
     for (int i = 0; i < DEMO3_N; ++i) {
-        to->phi[i] = demo3_wrapped(x->phi[i] + h * rate->phi[i]);
+        to->phi[i] = demo3_wrapped(x->phi[i]) + h * rate->phi[i];
     }
     for (int i = 0; i < DEMO3_N; ++i) {
         to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
     }
 }
 
-/* brings the quaternion to unit length; RANGE where the state has left its ranges. */
+/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
 DEMO3_CODE
 static demo3_status demo3_finish(demo3_state *restrict x)
 {
+    demo3_status status;
     const demo3_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
     if (!(square > 0.5 && square < 2.0)) { return DEMO3_RANGE; }
@@ -796,7 +803,12 @@ static demo3_status demo3_finish(demo3_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    return demo3_check_state(x);
+    status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        x->phi[s] = demo3_wrapped(x->phi[s]);
+    }
+    return DEMO3_OK;
 }
 
 /* rates of the state under drive torques. */
@@ -1407,6 +1419,11 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
     swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     demo3_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
@@ -1423,7 +1440,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_real s_phi, c_phi;
         demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive[s]);
+        demo3_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         if (locked[s] == 0) {
             demo3_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1434,20 +1451,20 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_real s_phi, c_phi;
         demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        const demo3_real c2 = 1.0 - 2.0 * (s_phi * s_phi);
-        const demo3_real s2 = 2.0 * c_phi * s_phi;
-        J_p[0] = 2.0 * stand->flywheel[s].J_2s[0] * c2 + stand->flywheel[s].J_s[0] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[0] * s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = 2.0 * stand->flywheel[s].J_2s[1] * c2 + stand->flywheel[s].J_s[1] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[1] * s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = 2.0 * stand->flywheel[s].J_2s[2] * c2 + stand->flywheel[s].J_s[2] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[2] * s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = 2.0 * stand->flywheel[s].J_2s[3] * c2 + stand->flywheel[s].J_s[3] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[3] * s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = 2.0 * stand->flywheel[s].J_2s[4] * c2 + stand->flywheel[s].J_s[4] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[4] * s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = 2.0 * stand->flywheel[s].J_2s[5] * c2 + stand->flywheel[s].J_s[5] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[5] * s2 - stand->flywheel[s].J_c[5] * s_phi;
+        const demo3_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
+        const demo3_real two_s2 = 4.0 * c_phi * s_phi;
+        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
+            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
+            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
+            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
+            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
+            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
+            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
@@ -2527,7 +2544,7 @@ static demo3_status demo3_check_parameters(const demo3_parameters *parameters)
     for (int s = 0; s < DEMO3_N; ++s) {
         status = demo3_check_body(&parameters->flywheel[s].body);
         if (status != DEMO3_OK) { return status; }
-        if (!(parameters->flywheel[s].body.inertia[0] > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+        if (!(parameters->flywheel[s].body.inertia[0] >= 1.0e-30)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
         status = demo3_place_flywheel(&parameters->flywheel[s], O, R);
         if (status != DEMO3_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
@@ -2535,7 +2552,7 @@ static demo3_status demo3_check_parameters(const demo3_parameters *parameters)
             + parameters->flywheel[s].body.inertia[2]
             + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
-    if (!(mass > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+    if (!(mass >= 1.0e-30)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
     if (!(size <= 1.0e60)) { return DEMO3_RANGE; }
     return DEMO3_OK;
 }

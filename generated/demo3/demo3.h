@@ -9,8 +9,8 @@
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
- * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
- * mahovik. */
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: README.md
+ * of the delivered folder. */
 #ifndef DEMO3_H
 #define DEMO3_H
 
@@ -46,7 +46,7 @@ typedef enum demo3_status {
     DEMO3_UNREACHABLE = 8,                /* least squares: residual above 1e-9 of the demand */
     DEMO3_RANK_DEFICIENT = 16,            /* fewer than min(6, N) singular values above 1e-9 of the largest */
     DEMO3_NOT_FINITE = -1,                /* an input is NaN or infinite */
-    DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length, leg of no length */
+    DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length */
     DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* no mass, no spin inertia, or a pivot failed */
     DEMO3_SINGULAR_ATTITUDE = -4,         /* attitude angles within 1e-6 of their singularity */
     DEMO3_BAD_ARGUMENT = -5               /* a null pointer, a count, an index, a step or an option */
@@ -244,7 +244,7 @@ demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   tau[3]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 652 operations on reals, no division. */
+ * At most 589 operations on reals, no division. */
 demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N]);
 
@@ -258,7 +258,7 @@ demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const 
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1695 operations on reals, 4 of them divisions. */
+ * At most 1632 operations on reals, 4 of them divisions. */
 demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
 
@@ -273,7 +273,7 @@ demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7326 operations on reals, 22 of them divisions. */
+ * At most 7101 operations on reals, 22 of them divisions. */
 demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
 
@@ -287,7 +287,7 @@ demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const de
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4610 operations on reals, 18 of them divisions. */
+ * At most 4637 operations on reals, 18 of them divisions. */
 demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
@@ -323,8 +323,8 @@ demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3
 
 /* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
  * moved, exactly.
- *   encoder   in and out: begin with the counter's first reading
- *   counter   the counter as it is read; one of 32 bits cast to int
+ *   encoder   in and out: begin with the first reading, place: counts within the turn
+ *   counter   as it is read; of 32 bits: as signed
  *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  * Read it before the counter has moved by half its range (where bits is 0: half a turn).
@@ -354,7 +354,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state 
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10299 operations on reals, 64 of them divisions. */
+ * At most 10137 operations on reals, 64 of them divisions. */
 demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_slopes *out);

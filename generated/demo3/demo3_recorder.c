@@ -15,16 +15,28 @@ typedef char demo3_recorder_real[(sizeof(demo3_real) == 8) ? 1 : -1];
 
 typedef uint64_t demo3_record_word;  /* the bits of a real */
 
+/* Counts of bytes, and the first byte of a step's record. */
+enum {
+    DEMO3_RECORD_STEP = 0x53,
+    DEMO3_RECORD_REAL_BYTES = 8,
+    DEMO3_RECORD_TABLE_BYTES = 1072,
+    DEMO3_RECORD_LOCKS_A_BYTE = 8
+};
+
+/* FNV-1a, 32 bits. */
+#define DEMO3_RECORD_BASIS 2166136261u
+#define DEMO3_RECORD_PRIME 16777619u
+
 /* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
 typedef struct demo3_page {
-    const demo3_recorder *log;
+    demo3_recorder *log;
     uint32_t check;
     size_t used;
     unsigned char bytes[DEMO3_RECORD_BYTES];
 } demo3_page;
 
-static const unsigned char demo3_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
-static const unsigned char demo3_record_name[5] = {
+static const unsigned char demo3_record_magic[] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char demo3_record_name[] = {
     0x64, 0x65, 0x6d, 0x6f, 0x33
 };
 
@@ -37,89 +49,97 @@ static demo3_record_word demo3_record_bits(demo3_real value)
 }
 
 DEMO3_CODE
-static void demo3_begin(demo3_page *page, const demo3_recorder *log)
+static void demo3_record_begin(demo3_page *page, demo3_recorder *log)
 {
     page->log = log;
-    page->check = 2166136261u;
+    page->check = DEMO3_RECORD_BASIS;
     page->used = 0;
 }
 
 DEMO3_CODE
-static void demo3_flush(demo3_page *page)
+static void demo3_record_flush(demo3_page *page)
 {
-    if (page->log != NULL && page->used > 0) {
-        page->log->write(page->log->context, page->bytes, page->used);
+    if (page->log != NULL && page->used > 0 && page->log->write(page->log->context, page->bytes, page->used) != 0) {
+        ++page->log->lost;
     }
     page->used = 0;
 }
 
 /* The lowest bytes of a word, least significant first. */
 DEMO3_CODE
-static void demo3_put(demo3_page *page, demo3_record_word value, int bytes)
+static void demo3_record_put(demo3_page *page, demo3_record_word value, int bytes)
 {
     for (int i = 0; i < bytes; ++i) {
         const unsigned char byte = (unsigned char)(value & 0xffu);
         if (page->used == sizeof page->bytes) {
-            demo3_flush(page);
+            demo3_record_flush(page);
         }
         page->bytes[page->used++] = byte;
-        page->check = (page->check ^ byte) * 16777619u;
+        page->check = (page->check ^ byte) * DEMO3_RECORD_PRIME;
         value >>= 8;
     }
 }
 
 DEMO3_CODE
-static void demo3_put_reals(demo3_page *page, const demo3_real *values, int count)
+static void demo3_record_put_reals(demo3_page *page, const demo3_real *values, int count)
 {
     for (int i = 0; i < count; ++i) {
-        demo3_put(page, demo3_record_bits(values[i]), 8);
+        demo3_record_put(page, demo3_record_bits(values[i]), DEMO3_RECORD_REAL_BYTES);
+    }
+}
+
+DEMO3_CODE
+static void demo3_record_put_bytes(demo3_page *page, const unsigned char *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        demo3_record_put(page, bytes[i], 1);
     }
 }
 
 /* The check, and out with what waits. */
 DEMO3_CODE
-static void demo3_close(demo3_page *page)
+static void demo3_record_end(demo3_page *page)
 {
-    demo3_put(page, page->check, 4);
-    demo3_flush(page);
+    demo3_record_put(page, page->check, 4);
+    demo3_record_flush(page);
 }
 
 DEMO3_CODE
-static void demo3_put_row(demo3_page *page, const demo3_row *from)
+static void demo3_record_put_row(demo3_page *page, const demo3_row *from)
 {
-    demo3_put_reals(page, from->mu_c, 3);
-    demo3_put_reals(page, from->mu_s, 3);
-    demo3_put_reals(page, from->J_c, 6);
-    demo3_put_reals(page, from->J_s, 6);
-    demo3_put_reals(page, from->J_2c, 6);
-    demo3_put_reals(page, from->J_2s, 6);
-    demo3_put_reals(page, from->t_0, 3);
-    demo3_put_reals(page, from->t_c, 3);
-    demo3_put_reals(page, from->t_s, 3);
-    demo3_put_reals(page, &from->spin, 1);
-    demo3_put_reals(page, &from->spin_inv, 1);
+    demo3_record_put_reals(page, from->mu_c, 3);
+    demo3_record_put_reals(page, from->mu_s, 3);
+    demo3_record_put_reals(page, from->J_c, 6);
+    demo3_record_put_reals(page, from->J_s, 6);
+    demo3_record_put_reals(page, from->J_2c, 6);
+    demo3_record_put_reals(page, from->J_2s, 6);
+    demo3_record_put_reals(page, from->t_0, 3);
+    demo3_record_put_reals(page, from->t_c, 3);
+    demo3_record_put_reals(page, from->t_s, 3);
+    demo3_record_put_reals(page, &from->spin, 1);
+    demo3_record_put_reals(page, &from->spin_inv, 1);
 }
 
 DEMO3_CODE
-static void demo3_put_table(demo3_page *page, const demo3_table *from)
+static void demo3_record_put_table(demo3_page *page, const demo3_table *from)
 {
-    demo3_put_reals(page, &from->mass, 1);
-    demo3_put_reals(page, &from->mass_inverse, 1);
-    demo3_put_reals(page, from->first_moment, 3);
-    demo3_put_reals(page, from->inertia, 6);
-    for (int i = 0; i < 3; ++i) {
-        demo3_put_row(page, &from->flywheel[i]);
+    demo3_record_put_reals(page, &from->mass, 1);
+    demo3_record_put_reals(page, &from->mass_inverse, 1);
+    demo3_record_put_reals(page, from->first_moment, 3);
+    demo3_record_put_reals(page, from->inertia, 6);
+    for (int i = 0; i < DEMO3_N; ++i) {
+        demo3_record_put_row(page, &from->flywheel[i]);
     }
 }
 
 DEMO3_CODE
 static uint32_t demo3_record_hash(const demo3_real *values, int count)
 {
-    uint32_t hash = 2166136261u;
+    uint32_t hash = DEMO3_RECORD_BASIS;
     for (int i = 0; i < count; ++i) {
         demo3_record_word word = demo3_record_bits(values[i]);
-        for (int k = 0; k < 8; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+        for (int k = 0; k < DEMO3_RECORD_REAL_BYTES; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * DEMO3_RECORD_PRIME;
             word >>= 8;
         }
     }
@@ -128,13 +148,13 @@ static uint32_t demo3_record_hash(const demo3_real *values, int count)
 
 /* A hash of each member of a state. */
 DEMO3_CODE
-static void demo3_look(const demo3_state *x, uint32_t seen[5])
+static void demo3_hash_members(const demo3_state *x, uint32_t seen[DEMO3_RECORD_MEMBERS])
 {
     seen[0] = demo3_record_hash(x->position, 3);
     seen[1] = demo3_record_hash(x->attitude, 4);
     seen[2] = demo3_record_hash(x->V, 6);
-    seen[3] = demo3_record_hash(x->phi, 3);
-    seen[4] = demo3_record_hash(x->phi_dot, 3);
+    seen[3] = demo3_record_hash(x->phi, DEMO3_N);
+    seen[4] = demo3_record_hash(x->phi_dot, DEMO3_N);
 }
 
 DEMO3_CODE
@@ -145,99 +165,102 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *stand,
     if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
         return DEMO3_BAD_ARGUMENT;
     }
-    demo3_begin(&page, NULL);
-    demo3_put_table(&page, stand);
+    demo3_record_begin(&page, NULL);
+    demo3_record_put_table(&page, stand);
     table = page.check;
-    demo3_begin(&page, log);
-    for (int i = 0; i < 8; ++i) {
-        demo3_put(&page, demo3_record_magic[i], 1);
-    }
-    demo3_put(&page, DEMO3_RECORDER_FORMAT, 1);
-    demo3_put(&page, 8, 1);
-    demo3_put(&page, 5, 1);
-    for (int i = 0; i < 5; ++i) {
-        demo3_put(&page, demo3_record_name[i], 1);
-    }
-    demo3_put(&page, DEMO3_STRUCTURE, 4);
-    demo3_put(&page, DEMO3_PHYSICS, 4);
-    demo3_put(&page, DEMO3_RECORDER_SOURCE, 4);
-    demo3_put(&page, 3, 2);
-    demo3_put(&page, 0, 2);
-    demo3_put(&page, table, 4);
-    demo3_put(&page, log->count, 4);
-    demo3_put_reals(&page, x->position, 3);
-    demo3_put_reals(&page, x->attitude, 4);
-    demo3_put_reals(&page, x->V, 6);
-    demo3_put_reals(&page, x->phi, 3);
-    demo3_put_reals(&page, x->phi_dot, 3);
+    demo3_record_begin(&page, log);
+    demo3_record_put_bytes(&page, demo3_record_magic, sizeof demo3_record_magic);
+    demo3_record_put(&page, DEMO3_RECORDER_FORMAT, 1);
+    demo3_record_put(&page, DEMO3_RECORD_REAL_BYTES, 1);
+    demo3_record_put(&page, sizeof demo3_record_name, 1);
+    demo3_record_put_bytes(&page, demo3_record_name, sizeof demo3_record_name);
+    demo3_record_put(&page, DEMO3_STRUCTURE, 4);
+    demo3_record_put(&page, DEMO3_PHYSICS, 4);
+    demo3_record_put(&page, DEMO3_RECORDER_SOURCE, 4);
+    demo3_record_put(&page, DEMO3_N, 2);
+    demo3_record_put(&page, 0, 2);
+    demo3_record_put(&page, table, 4);
+    demo3_record_put(&page, log->count, 4);
+    demo3_record_put_reals(&page, x->position, 3);
+    demo3_record_put_reals(&page, x->attitude, 4);
+    demo3_record_put_reals(&page, x->V, 6);
+    demo3_record_put_reals(&page, x->phi, DEMO3_N);
+    demo3_record_put_reals(&page, x->phi_dot, DEMO3_N);
     if (table == DEMO3_RECORDER_TABLE) {
-        demo3_put(&page, 0, 4);
+        demo3_record_put(&page, 0, 4);
     } else {
-        demo3_put(&page, 1072, 4);
-        demo3_put_table(&page, stand);
+        demo3_record_put(&page, DEMO3_RECORD_TABLE_BYTES, 4);
+        demo3_record_put_table(&page, stand);
     }
-    demo3_close(&page);
-    demo3_look(x, log->seen);
+    demo3_record_end(&page);
+    demo3_hash_members(x, log->seen);
     log->fresh = 1;
     return DEMO3_OK;
 }
 
-/* The head of a step's record: flags, and what changed since the last one. */
+/* Flags of what changed since the last step: members of the state, dt and order. The log takes them as its last. */
 DEMO3_CODE
-static void demo3_open(demo3_page *page, demo3_recorder *log, const demo3_table *stand,
-                     const demo3_state *x, demo3_real dt, int order, unsigned flags)
+static unsigned demo3_notice_changes(demo3_recorder *log, const demo3_state *x,
+                                  demo3_real dt, int order)
 {
     const demo3_record_word step = demo3_record_bits(dt);
-    uint32_t seen[5];
-    demo3_look(x, seen);
-    for (int i = 0; i < 5; ++i) {
+    uint32_t seen[DEMO3_RECORD_MEMBERS];
+    unsigned flags = 0;
+    demo3_hash_members(x, seen);
+    for (int i = 0; i < DEMO3_RECORD_MEMBERS; ++i) {
         flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
     }
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= DEMO3_RECORD_SETTINGS;
     }
-    (void)stand;
     log->fresh = 0;
     log->dt = step;
     log->order = order;
-    demo3_begin(page, log);
-    demo3_put(page, 0x53, 1);
-    demo3_put(page, flags, 2);
-    demo3_put(page, log->count, 4);
+    return flags;
+}
+
+/* The head of a step's record: flags, and what changed. */
+DEMO3_CODE
+static void demo3_record_head(demo3_page *page, demo3_recorder *log, const demo3_state *x, unsigned flags)
+{
+    demo3_record_begin(page, log);
+    demo3_record_put(page, DEMO3_RECORD_STEP, 1);
+    demo3_record_put(page, flags, 2);
+    demo3_record_put(page, log->count, 4);
     if (flags & DEMO3_RECORD_SETTINGS) {
-        demo3_put(page, step, 8);
-        demo3_put(page, (demo3_record_word)order, 4);
+        demo3_record_put(page, log->dt, DEMO3_RECORD_REAL_BYTES);
+        demo3_record_put(page, (demo3_record_word)log->order, 4);
     }
     if (flags & DEMO3_RECORD_POSITION) {
-        demo3_put_reals(page, x->position, 3);
+        demo3_record_put_reals(page, x->position, 3);
     }
     if (flags & DEMO3_RECORD_ATTITUDE) {
-        demo3_put_reals(page, x->attitude, 4);
+        demo3_record_put_reals(page, x->attitude, 4);
     }
     if (flags & DEMO3_RECORD_V) {
-        demo3_put_reals(page, x->V, 6);
+        demo3_record_put_reals(page, x->V, 6);
     }
     if (flags & DEMO3_RECORD_PHI) {
-        demo3_put_reals(page, x->phi, 3);
+        demo3_record_put_reals(page, x->phi, DEMO3_N);
     }
     if (flags & DEMO3_RECORD_PHI_DOT) {
-        demo3_put_reals(page, x->phi_dot, 3);
+        demo3_record_put_reals(page, x->phi_dot, DEMO3_N);
     }
 }
 
 /* The tail: status and the hash of the state after the step. */
 DEMO3_CODE
-static void demo3_finish_record(demo3_page *page, demo3_recorder *log,
+static void demo3_record_result(demo3_page *page, demo3_recorder *log,
                               const demo3_state *x, demo3_status status)
 {
-    uint32_t hash = 2166136261u;
-    demo3_look(x, log->seen);
-    for (int i = 0; i < 5; ++i) {
-        hash = (hash ^ log->seen[i]) * 16777619u;
+    uint32_t hash = DEMO3_RECORD_BASIS;
+    demo3_hash_members(x, log->seen);
+    for (int i = 0; i < DEMO3_RECORD_MEMBERS; ++i) {
+        hash = (hash ^ log->seen[i]) * DEMO3_RECORD_PRIME;
     }
-    demo3_put(page, (demo3_record_word)status, 1);
-    demo3_put(page, hash, 4);
-    demo3_close(page);
+    demo3_record_put(page, (demo3_record_word)status, 1);
+    demo3_record_put(page, hash, 4);
+    demo3_record_end(page);
     ++log->count;
 }
 
@@ -254,19 +277,20 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *stand, 
     for (int s = 0; s < DEMO3_N; ++s) {
         flags |= (locked[s] != 0) ? DEMO3_RECORD_LOCKS : 0u;
     }
-    demo3_open(&page, log, stand, x, dt, order, flags);
-    demo3_put_reals(&page, tau, DEMO3_N);
+    flags |= demo3_notice_changes(log, x, dt, order);
+    demo3_record_head(&page, log, x, flags);
+    demo3_record_put_reals(&page, tau, DEMO3_N);
     if (flags & DEMO3_RECORD_LOCKS) {
-        for (int first = 0; first < DEMO3_N; first += 8) {
+        for (int first = 0; first < DEMO3_N; first += DEMO3_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
-            for (int s = first; s < DEMO3_N && s < first + 8; ++s) {
+            for (int s = first; s < DEMO3_N && s < first + DEMO3_RECORD_LOCKS_A_BYTE; ++s) {
                 mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
             }
-            demo3_put(&page, mask, 1);
+            demo3_record_put(&page, mask, 1);
         }
     }
     status = demo3_step(stand, x, tau, locked, dt, order, x);
-    demo3_finish_record(&page, log, x, status);
+    demo3_record_result(&page, log, x, status);
     return status;
 }
 
@@ -279,9 +303,10 @@ demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *
     unsigned flags = DEMO3_RECORD_DRIVEN;
     if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_open(&page, log, stand, x, dt, order, flags);
-    demo3_put_reals(&page, phi_ddot, DEMO3_N);
+    flags |= demo3_notice_changes(log, x, dt, order);
+    demo3_record_head(&page, log, x, flags);
+    demo3_record_put_reals(&page, phi_ddot, DEMO3_N);
     status = demo3_step_driven(stand, x, phi_ddot, dt, order, x);
-    demo3_finish_record(&page, log, x, status);
+    demo3_record_result(&page, log, x, status);
     return status;
 }

@@ -1,7 +1,8 @@
 /* demo3_selftest.c: does demo3.c give the right bits on this machine?
  * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead.
  *
- * Compile it with demo3.c (-std=c99 -ffp-contract=off, as firmware is compiled) and run it; on a board, define
+ * Compile it with demo3.c as firmware is compiled (-std=c99 -ffp-contract=off; -fno-tree-vectorize as well by gcc
+ * for x86-64 with FMA and for a Cortex-M55, or bits differ) and run it; on a board, define
  * DEMO3_SELFTEST_NO_MAIN and call demo3_selftest with what prints a text, such as to a serial port.
  * Golden vectors: inputs and answers of the generator's interpreter as hexadecimal constants; each bit must agree.
  * Sweep: states that an integer generator makes here; a hash of all answers a function is printed, to be
@@ -9,7 +10,8 @@
  *
  *     mahovik selftest demo3 structure 055bf547 physics fdeb29e7 real double
  *     generator mahovik 0.1.0
- *     forward PASS cases 3 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *     forward PASS cases 4 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *                                        (a distance above 1000000 ulp: worst more than 1000000 ulp)
  *     sweep 100                          states
  *     forward 0123abcd                   a line a function: FNV-1a of its statuses and outputs
  *     failures 0                         functions that failed; the last line
@@ -36,6 +38,8 @@ int demo3_selftest(void (*print)(const char *text), unsigned long sweep);
 typedef uint64_t real_bits;
 
 enum { CASES = 3, FUNCTIONS = 21, SWEPT = 1 };
+
+#define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
 /* ---- inputs and results ---- */
 
@@ -790,12 +794,12 @@ static const demo3_real numbers_step[] =
     -0x1.779a179f43d86p-1, 0x1.80b85a98a9966p+0, -0x1.10f6835c7bb16p-4, 0x1.23d5bc33dc8b9p-1,
         -0x1.2f86ce3cc05bfp-5, -0x1.fa5f05b05ddfcp-2, -0x1.4f6e304eb8d92p-1, 0x1.98d1b92e11017p+0,
         0x1.e6290d20c4a7fp+0, 0x1.d113bf2949261p-1, 0x1.f401b37449712p+0, 0x1.45fc661bed65cp-1,
-        0x1.ab18bdf5354ffp-1, -0x1.fb3c50d3c7dddp-4, 0x1.473c11bd5a287p+1, -0x1.2497fdf266508p+1,
+        0x1.ab18bdf5354ffp-1, -0x1.fb3c50d3c7dafp-4, 0x1.473c11bd5a286p+1, -0x1.2497fdf266508p+1,
         -0x1.c698e6a37425cp+6, -0x1.cf942335ae2d6p+7, -0x1.e101f999c1c01p+6,
     0x1.f4364aa576f5ep-2, 0x1.3589c9e32d5fdp-2, 0x1.d3fc45e4c7871p-1, -0x1.d559933c41b36p-2,
         0x1.a1d7684db3b2ap-1, -0x1.c87dccf8a1ebap-4, 0x1.55e6d6d3d29c3p-2, 0x1.cf08c1604e0f1p+1,
         0x1.2f69e2c969df7p-1, 0x1.9446e1e45088ap+1, -0x1.9c25445cfd0f4p+1, 0x1.b63ac8822b88bp+1,
-        0x1.a1a562d418e0ep+1, 0x1.8cc254ece6ae4p-1, 0x1.c2b93c8edb948p-1, 0x1.671aa6821cc4bp-2,
+        0x1.a1a562d418e0ep+1, 0x1.8cc254ecfd22bp-1, 0x1.c2b93c8eaafb6p-1, 0x1.671aa6801dafap-2,
         0x1.bc595379c425dp+13, -0x1.58a21981c3b8cp+13, 0x1.554cca90bb6aep+12,
 };
 
@@ -809,7 +813,7 @@ static const demo3_real numbers_step_driven[] =
     0x1.f4364aa576f5ep-2, 0x1.3589c9e32d5fdp-2, 0x1.d3fc45e4c7871p-1, -0x1.d55993d63c613p-2,
         0x1.a1d767d7ec3a8p-1, -0x1.c87dcdd82f4d9p-4, 0x1.55e6d82d8c1c7p-2, 0x1.cf08c0378d2e5p+1,
         0x1.2f69e6694fc49p-1, 0x1.9446e30cb0b92p+1, -0x1.9c05b339be19cp+1, 0x1.b669a1f24d565p+1,
-        0x1.a1a2068e4397dp+1, 0x1.8cc225ace6ae4p-1, 0x1.c2b8f16f5b948p-1, 0x1.671ac0fe1cc4bp-2,
+        0x1.a1a2068e4397dp+1, 0x1.8cc225accdae4p-1, 0x1.c2b8f16f8d148p-1, 0x1.671ac0fe6544bp-2,
         0x1.bc58f55fcep+13, -0x1.58a2b0cf9dp+13, 0x1.554cfb6891p+12,
 };
 
@@ -1002,11 +1006,11 @@ static const function functions[FUNCTIONS] =
       0x9ad467a7u },
     { "step", sizeof results.step,
       call_step, take_step_results, numbers_step,
-      { { 0, 0x8e676194u, 19 }, { 0, 0x4d5ffaccu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xfcf1dfd7u, 19 }, { 0, 0x699a6e4eu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
       0x94a3d479u },
     { "step_driven", sizeof results.step_driven,
       call_step_driven, take_step_driven_results, numbers_step_driven,
-      { { 0, 0xe55a5e71u, 19 }, { 0, 0x7fdc357bu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xe55a5e71u, 19 }, { 0, 0x2ecc82dfu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
       0x10cdff3fu },
     { "wrap", sizeof results.wrap,
       call_wrap, take_wrap_results, numbers_wrap,
@@ -1254,8 +1258,8 @@ static int judge(const function *f, uint32_t swept, void (*print)(const char *te
         add_text(" wrong ");
         add_decimal(wrong);
     }
-    add_text(" worst ");
-    add_decimal(worst);
+    add_text(worst > FAR ? " worst more than " : " worst ");
+    add_decimal(worst > FAR ? FAR : worst);
     add_text(" ulp");
     end_line(print);
     return wrong != 0u ? 1 : 0;

@@ -708,11 +708,11 @@ remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, 
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 REMUS6_CODE
-static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c, const remus6_real V[6],
-                          const remus6_real swing[3], remus6_coupling *restrict out)
+static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c, const remus6_real swing[3],
+                          const remus6_real spun[6], remus6_coupling *restrict out)
 {
-    const remus6_real c2 = 1.0 - 2.0 * (s * s);
-    const remus6_real s2 = 2.0 * c * s;
+    const remus6_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
+    const remus6_real two_s2 = 4.0 * c * s;
     out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
     out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
     out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
@@ -720,18 +720,14 @@ static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c, c
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     remus6_real J_p[6];  /* dJ / dphi */
-    J_p[0] = 2.0 * row->J_2s[0] * c2 + row->J_s[0] * c - 2.0 * row->J_2c[0] * s2 - row->J_c[0] * s;
-    J_p[1] = 2.0 * row->J_2s[1] * c2 + row->J_s[1] * c - 2.0 * row->J_2c[1] * s2 - row->J_c[1] * s;
-    J_p[2] = 2.0 * row->J_2s[2] * c2 + row->J_s[2] * c - 2.0 * row->J_2c[2] * s2 - row->J_c[2] * s;
-    J_p[3] = 2.0 * row->J_2s[3] * c2 + row->J_s[3] * c - 2.0 * row->J_2c[3] * s2 - row->J_c[3] * s;
-    J_p[4] = 2.0 * row->J_2s[4] * c2 + row->J_s[4] * c - 2.0 * row->J_2c[4] * s2 - row->J_c[4] * s;
-    J_p[5] = 2.0 * row->J_2s[5] * c2 + row->J_s[5] * c - 2.0 * row->J_2c[5] * s2 - row->J_c[5] * s;
-    remus6_real turned[3];  /* J' omega */
-    turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
-    turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
-    turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
-    out->bias = out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2] - 0.5 * V[3] * turned[0]
-        - 0.5 * V[4] * turned[1] - 0.5 * V[5] * turned[2];
+    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
+        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -769,11 +765,14 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
     swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_coupling drive;
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_real s_phi, c_phi;
         remus6_sincos(x->phi[s], &s_phi, &c_phi);
-        remus6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive);
+        remus6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
         tau[s] = V_r_dot[0] * drive.I[0] + V_r_dot[1] * drive.I[1] + V_r_dot[2] * drive.I[2]
             + V_r_dot[3] * drive.I[3] + V_r_dot[4] * drive.I[4] + V_r_dot[5] * drive.I[5]
             + stand->flywheel[s].spin * phi_ddot[s] + drive.bias;
@@ -875,11 +874,14 @@ static remus6_status remus6_move(const remus6_table *stand, const remus6_state *
     swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_start_sums(stand, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_real s_phi, c_phi;
         remus6_sincos(x->phi[s], &s_phi, &c_phi);
-        remus6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive[s]);
+        remus6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         remus6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
     }
     remus6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
@@ -948,7 +950,7 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
     return REMUS6_OK;
 }
 
-/* to = x + h rate; phases are brought within half a turn. */
+/* to = x + h rate, phases from within half a turn. */
 REMUS6_CODE
 static void remus6_advance(const remus6_state *x, const remus6_state *rate, remus6_real h,
                            remus6_state *restrict to)
@@ -963,17 +965,18 @@ static void remus6_advance(const remus6_state *x, const remus6_state *rate, remu
         to->V[i] = x->V[i] + h * rate->V[i];
     }
     for (int i = 0; i < REMUS6_N; ++i) {
-        to->phi[i] = remus6_wrapped(x->phi[i] + h * rate->phi[i]);
+        to->phi[i] = remus6_wrapped(x->phi[i]) + h * rate->phi[i];
     }
     for (int i = 0; i < REMUS6_N; ++i) {
         to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
     }
 }
 
-/* brings the quaternion to unit length; RANGE where the state has left its ranges. */
+/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
 REMUS6_CODE
 static remus6_status remus6_finish(remus6_state *restrict x)
 {
+    remus6_status status;
     const remus6_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
     if (!(square > 0.5 && square < 2.0)) { return REMUS6_RANGE; }
@@ -982,7 +985,12 @@ static remus6_status remus6_finish(remus6_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    return remus6_check_state(x);
+    status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        x->phi[s] = remus6_wrapped(x->phi[s]);
+    }
+    return REMUS6_OK;
 }
 
 /* rates of the state under drive torques. */
@@ -1704,6 +1712,9 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
     swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = stand->A[0];  K.A[1] = stand->A[1];  K.A[2] = stand->A[2];
     K.A[3] = stand->A[3];  K.A[4] = stand->A[4];  K.A[5] = stand->A[5];
@@ -1720,7 +1731,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_real s_phi, c_phi;
         remus6_sincos(x->phi[s], &s_phi, &c_phi);
-        remus6_couple(&stand->flywheel[s], s_phi, c_phi, V, swing, &drive[s]);
+        remus6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         if (locked[s] == 0) {
             remus6_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1731,20 +1742,20 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_real s_phi, c_phi;
         remus6_sincos(x->phi[s], &s_phi, &c_phi);
-        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);
-        const remus6_real s2 = 2.0 * c_phi * s_phi;
-        J_p[0] = 2.0 * stand->flywheel[s].J_2s[0] * c2 + stand->flywheel[s].J_s[0] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[0] * s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = 2.0 * stand->flywheel[s].J_2s[1] * c2 + stand->flywheel[s].J_s[1] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[1] * s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = 2.0 * stand->flywheel[s].J_2s[2] * c2 + stand->flywheel[s].J_s[2] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[2] * s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = 2.0 * stand->flywheel[s].J_2s[3] * c2 + stand->flywheel[s].J_s[3] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[3] * s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = 2.0 * stand->flywheel[s].J_2s[4] * c2 + stand->flywheel[s].J_s[4] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[4] * s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = 2.0 * stand->flywheel[s].J_2s[5] * c2 + stand->flywheel[s].J_s[5] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[5] * s2 - stand->flywheel[s].J_c[5] * s_phi;
+        const remus6_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
+        const remus6_real two_s2 = 4.0 * c_phi * s_phi;
+        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
+            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
+            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
+            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
+            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
+            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
+            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
         turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
         turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
@@ -3112,7 +3123,7 @@ static remus6_status remus6_check_parameters(const remus6_parameters *parameters
     for (int s = 0; s < REMUS6_N; ++s) {
         status = remus6_check_dry_body(&parameters->flywheel[s].body);
         if (status != REMUS6_OK) { return status; }
-        if (!(parameters->flywheel[s].body.inertia[0] > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+        if (!(parameters->flywheel[s].body.inertia[0] >= 1.0e-30)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
         status = remus6_place_flywheel(parameters, &parameters->flywheel[s], O, R);
         if (status != REMUS6_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
@@ -3124,7 +3135,7 @@ static remus6_status remus6_check_parameters(const remus6_parameters *parameters
         status = remus6_place_point(parameters, &parameters->point[k], O, R);
         if (status != REMUS6_OK) { return status; }
     }
-    if (!(mass > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
+    if (!(mass >= 1.0e-30)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
     if (!(size <= 1.0e60)) { return REMUS6_RANGE; }
     remus6_real A[6];
     remus6_real A_inv[6];

@@ -9,8 +9,8 @@
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
- * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
- * mahovik. */
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: README.md
+ * of the delivered folder. */
 #ifndef REMUS6_H
 #define REMUS6_H
 
@@ -46,7 +46,7 @@ typedef enum remus6_status {
     REMUS6_UNREACHABLE = 8,               /* least squares: residual above 1e-9 of the demand */
     REMUS6_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     REMUS6_NOT_FINITE = -1,               /* an input is NaN or infinite */
-    REMUS6_RANGE = -2,                    /* out of range, quaternion off unit length, leg of no length */
+    REMUS6_RANGE = -2,                    /* out of range, quaternion off unit length */
     REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
     REMUS6_SINGULAR_ATTITUDE = -4,        /* attitude angles within 1e-6 of their singularity */
     REMUS6_BAD_ARGUMENT = -5              /* a null pointer, a count, an index, a step or an option */
@@ -324,7 +324,7 @@ remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, 
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1305 operations on reals, 1 of them a division. */
+ * At most 1170 operations on reals, 1 of them a division. */
 remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N]);
 
@@ -338,7 +338,7 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3194 operations on reals, 5 of them divisions. */
+ * At most 3059 operations on reals, 5 of them divisions. */
 remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                              remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N]);
@@ -354,7 +354,7 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 13388 operations on reals, 26 of them divisions. */
+ * At most 12902 operations on reals, 26 of them divisions. */
 remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next);
 
@@ -368,7 +368,7 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 8788 operations on reals, 22 of them divisions. */
+ * At most 8842 operations on reals, 22 of them divisions. */
 remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next);
@@ -404,8 +404,8 @@ remus6_status remus6_speed_of_counts(int moved, int per_turn, remus6_real dt, re
 
 /* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
  * moved, exactly.
- *   encoder   in and out: begin with the counter's first reading
- *   counter   the counter as it is read; one of 32 bits cast to int
+ *   encoder   in and out: begin with the first reading, place: counts within the turn
+ *   counter   as it is read; of 32 bits: as signed
  *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  * Read it before the counter has moved by half its range (where bits is 0: half a turn).
@@ -435,7 +435,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 21094 operations on reals, 102 of them divisions. */
+ * At most 20752 operations on reals, 102 of them divisions. */
 remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_slopes *out);

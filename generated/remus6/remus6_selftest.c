@@ -1,7 +1,8 @@
 /* remus6_selftest.c: does remus6.c give the right bits on this machine?
  * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead.
  *
- * Compile it with remus6.c (-std=c99 -ffp-contract=off, as firmware is compiled) and run it; on a board, define
+ * Compile it with remus6.c as firmware is compiled (-std=c99 -ffp-contract=off; -fno-tree-vectorize as well by gcc
+ * for x86-64 with FMA and for a Cortex-M55, or bits differ) and run it; on a board, define
  * REMUS6_SELFTEST_NO_MAIN and call remus6_selftest with what prints a text, such as to a serial port.
  * Golden vectors: inputs and answers of the generator's interpreter as hexadecimal constants; each bit must agree.
  * Sweep: states that an integer generator makes here; a hash of all answers a function is printed, to be
@@ -9,7 +10,8 @@
  *
  *     mahovik selftest remus6 structure 3687deee physics 5f25aea2 real double
  *     generator mahovik 0.1.0
- *     forward PASS cases 3 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *     forward PASS cases 4 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *                                        (a distance above 1000000 ulp: worst more than 1000000 ulp)
  *     sweep 100                          states
  *     forward 0123abcd                   a line a function: FNV-1a of its statuses and outputs
  *     failures 0                         functions that failed; the last line
@@ -36,6 +38,8 @@ int remus6_selftest(void (*print)(const char *text), unsigned long sweep);
 typedef uint64_t real_bits;
 
 enum { CASES = 3, FUNCTIONS = 23, SWEPT = 1 };
+
+#define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
 /* ---- inputs and results ---- */
 
@@ -873,7 +877,7 @@ static const remus6_real numbers_torque[] =
 {
     -0x1.1665f6604fc6ep-10, -0x1.2620a30d45a4bp-4, 0x1.24d34aba9a5dap-5, -0x1.7051763f7f778p-5,
         0x1.a009b9e8a601ap-5, -0x1.9912b305fbc79p-6,
-    0x1.220abb6c0d7cep-6, -0x1.aa34c672e84dap-7, -0x1.a393f47c83ffp-5, -0x1.9dd86eed31d41p-6,
+    0x1.220abb6c0d7cdp-6, -0x1.aa34c672e84dap-7, -0x1.a393f47c83ffp-5, -0x1.9dd86eed31d41p-6,
         -0x1.74aa354b458b3p-5, 0x1.1e72ffc81792p-5,
 };
 
@@ -892,15 +896,15 @@ static const remus6_real numbers_step[] =
     -0x1.779a1b3383d18p-1, 0x1.80b85a36d2656p+0, -0x1.10f69a073ee03p-4, 0x1.23d5bb0f7d42p-1,
         -0x1.2f86f9a44722bp-5, -0x1.fa5efd5adde9fp-2, -0x1.4f6e344b0297p-1, 0x1.98d5045966f6bp+0,
         0x1.e5012cbe6e1ebp+0, 0x1.d1040358c7d17p-1, 0x1.f0dd3efe2f2efp+0, 0x1.462aa743777c7p-1,
-        0x1.a992d4e6a0382p-1, -0x1.0bcb746f4b9eep-3, 0x1.48e3c7fa6e9abp+1, -0x1.256c559p+1,
-        -0x1.9bd0b5fa53526p-1, -0x1.ebcd00861a02ep+0, -0x1.3a2e6bc3c542bp+0, -0x1.c61c58p+7,
+        0x1.a992d4e6a0382p-1, -0x1.0bcb746f4b9eep-3, 0x1.48e3c7fa6e9aap+1, -0x1.256c559p+1,
+        -0x1.9bd0b5fa53528p-1, -0x1.ebcd00861a031p+0, -0x1.3a2e6bc3c542bp+0, -0x1.c61c58p+7,
         -0x1.41e747f3aeba3p+4, -0x1.c4d59p+7, 0x1.d712cf729eaa2p+7, 0x1.4042622fa3082p+3,
         0x1.2a470aa359213p+6,
     0x1.556691dfd96a9p-1, 0x1.5600635225579p-1, -0x1.a010d9bb5469dp-6, -0x1.7802996439528p-1,
         -0x1.ff2f7b77d8fe6p-4, 0x1.6a754abf1d0a5p-4, -0x1.529006ec2da7ap-1, 0x1.f2e32df28e148p-2,
         -0x1.9dbee9c83b8fbp+1, -0x1.ae00001f519f5p-1, -0x1.df58235c53e97p+0, 0x1.8b2e13c165492p+1,
-        0x1.cc3dea38007ecp+2, -0x1.74e2f80fa7526p-4, -0x1.44c02e94555b4p-5, -0x1.4edab2f412869p+0,
-        -0x1.227a750f19fcap+0, -0x1.aa5e22d0d0e35p+0, 0x1.24fa37ff8d005p+1, -0x1.05586bd43ca68p+13,
+        0x1.cc3dea38007ecp+2, -0x1.74e2f7f71fae8p-4, -0x1.44c02e94555b4p-5, -0x1.4edab2f4270fcp+0,
+        -0x1.227a750ea5b38p+0, -0x1.aa5e22d0c9ed4p+0, 0x1.24fa37ff8d005p+1, -0x1.05586bd43ca68p+13,
         -0x1.8f2aap+11, -0x1.7664007dd6fdep+10, -0x1.df9f3ce6753ebp+13, -0x1.f8c9adf43f318p+13,
         0x1.3b88ccp+13,
 };
@@ -916,8 +920,8 @@ static const remus6_real numbers_step_driven[] =
     0x1.556691dfebf2ep-1, 0x1.560063523243fp-1, -0x1.a010d9ba724b5p-6, -0x1.7802996395cedp-1,
         -0x1.ff2f7beba6053p-4, 0x1.6a754a46653d9p-4, -0x1.529006ec2cd4bp-1, 0x1.f2e3fea1e2f4ep-2,
         -0x1.9dbede736ab08p+1, -0x1.adffe518af67p-1, -0x1.df5350254f7f9p+0, 0x1.8b2e679bdeb51p+1,
-        0x1.cc3d8e37323a6p+2, -0x1.74f54acfa7526p-4, -0x1.44c0b1d4555b4p-5, -0x1.4ed983e012869p+0,
-        -0x1.2279449b19fcap+0, -0x1.aa5eb32fd0e35p+0, 0x1.24fa3baa8d005p+1, -0x1.055d5b8171p+13,
+        0x1.cc3d8e37323a6p+2, -0x1.74f54ad56b528p-4, -0x1.44c0b1c1255b4p-5, -0x1.4ed983de32c69p+0,
+        -0x1.2279449b80fcap+0, -0x1.aa5eb32f93e35p+0, 0x1.24fa3baaed205p+1, -0x1.055d5b8171p+13,
         -0x1.8f2ae19668p+11, -0x1.764012c408p+10, -0x1.df9af0c99cp+13, -0x1.f8cacfcb0cp+13,
         0x1.3b88e95b01p+13,
 };
@@ -1156,19 +1160,19 @@ static const function functions[FUNCTIONS] =
       0x4914391du },
     { "torque", sizeof results.torque,
       call_torque, take_torque_results, numbers_torque,
-      { { 0, 0xa33fdd42u, 6 }, { 0, 0xd6e0b422u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
-      0xee7bc34bu },
+      { { 0, 0xa33fdd42u, 6 }, { 0, 0x8c7e10c5u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x4da12f02u },
     { "coupled", sizeof results.coupled,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0xd7c991bbu, 12 }, { 0, 0xb69eda78u, 12 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa3863f39u },
     { "step", sizeof results.step,
       call_step, take_step_results, numbers_step,
-      { { 0, 0xc70eb421u, 25 }, { 0, 0x355885f2u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
-      0xac18b18fu },
+      { { 0, 0xb0c15179u, 25 }, { 0, 0xeac1b2acu, 25 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x085f936eu },
     { "step_driven", sizeof results.step_driven,
       call_step_driven, take_step_driven_results, numbers_step_driven,
-      { { 0, 0x4f70ddb5u, 25 }, { 0, 0x20a1963cu, 25 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x4f70ddb5u, 25 }, { 0, 0x2151e463u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0x602b2015u },
     { "wrap", sizeof results.wrap,
       call_wrap, take_wrap_results, numbers_wrap,
@@ -1426,8 +1430,8 @@ static int judge(const function *f, uint32_t swept, void (*print)(const char *te
         add_text(" wrong ");
         add_decimal(wrong);
     }
-    add_text(" worst ");
-    add_decimal(worst);
+    add_text(worst > FAR ? " worst more than " : " worst ");
+    add_decimal(worst > FAR ? FAR : worst);
     add_text(" ulp");
     end_line(print);
     return wrong != 0u ? 1 : 0;

@@ -9,8 +9,8 @@
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
- * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
- * mahovik. */
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: README.md
+ * of the delivered folder. */
 #ifndef SAT4_H
 #define SAT4_H
 
@@ -46,7 +46,7 @@ typedef enum sat4_status {
     SAT4_UNREACHABLE = 8,                 /* least squares: residual above 1e-9 of the demand */
     SAT4_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SAT4_NOT_FINITE = -1,                 /* an input is NaN or infinite */
-    SAT4_RANGE = -2,                      /* out of range, quaternion off unit length, leg of no length */
+    SAT4_RANGE = -2,                      /* out of range, quaternion off unit length */
     SAT4_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
     SAT4_SINGULAR_ATTITUDE = -4,          /* attitude angles within 1e-6 of their singularity */
     SAT4_BAD_ARGUMENT = -5                /* a null pointer, a count, an index, a step or an option */
@@ -271,7 +271,7 @@ sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_mom
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 834 operations on reals, no division. */
+ * At most 747 operations on reals, no division. */
 sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
 
@@ -285,7 +285,7 @@ sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2123 operations on reals, 4 of them divisions. */
+ * At most 2036 operations on reals, 4 of them divisions. */
 sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
 
@@ -300,7 +300,7 @@ sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9072 operations on reals, 22 of them divisions. */
+ * At most 8760 operations on reals, 22 of them divisions. */
 sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
@@ -314,7 +314,7 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5620 operations on reals, 18 of them divisions. */
+ * At most 5656 operations on reals, 18 of them divisions. */
 sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
@@ -349,8 +349,8 @@ sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_rea
 
 /* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
  * moved, exactly.
- *   encoder   in and out: begin with the counter's first reading
- *   counter   the counter as it is read; one of 32 bits cast to int
+ *   encoder   in and out: begin with the first reading, place: counts within the turn
+ *   counter   as it is read; of 32 bits: as signed
  *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  * Read it before the counter has moved by half its range (where bits is 0: half a turn).
@@ -380,7 +380,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 13410 operations on reals, 76 of them divisions. */
+ * At most 13188 operations on reals, 76 of them divisions. */
 sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_slopes *out);
 

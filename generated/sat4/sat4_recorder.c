@@ -15,16 +15,28 @@ typedef char sat4_recorder_real[(sizeof(sat4_real) == 8) ? 1 : -1];
 
 typedef uint64_t sat4_record_word;  /* the bits of a real */
 
+/* Counts of bytes, and the first byte of a step's record. */
+enum {
+    SAT4_RECORD_STEP = 0x53,
+    SAT4_RECORD_REAL_BYTES = 8,
+    SAT4_RECORD_TABLE_BYTES = 1496,
+    SAT4_RECORD_LOCKS_A_BYTE = 8
+};
+
+/* FNV-1a, 32 bits. */
+#define SAT4_RECORD_BASIS 2166136261u
+#define SAT4_RECORD_PRIME 16777619u
+
 /* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
 typedef struct sat4_page {
-    const sat4_recorder *log;
+    sat4_recorder *log;
     uint32_t check;
     size_t used;
     unsigned char bytes[SAT4_RECORD_BYTES];
 } sat4_page;
 
-static const unsigned char sat4_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
-static const unsigned char sat4_record_name[4] = {
+static const unsigned char sat4_record_magic[] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char sat4_record_name[] = {
     0x73, 0x61, 0x74, 0x34
 };
 
@@ -37,99 +49,107 @@ static sat4_record_word sat4_record_bits(sat4_real value)
 }
 
 SAT4_CODE
-static void sat4_begin(sat4_page *page, const sat4_recorder *log)
+static void sat4_record_begin(sat4_page *page, sat4_recorder *log)
 {
     page->log = log;
-    page->check = 2166136261u;
+    page->check = SAT4_RECORD_BASIS;
     page->used = 0;
 }
 
 SAT4_CODE
-static void sat4_flush(sat4_page *page)
+static void sat4_record_flush(sat4_page *page)
 {
-    if (page->log != NULL && page->used > 0) {
-        page->log->write(page->log->context, page->bytes, page->used);
+    if (page->log != NULL && page->used > 0 && page->log->write(page->log->context, page->bytes, page->used) != 0) {
+        ++page->log->lost;
     }
     page->used = 0;
 }
 
 /* The lowest bytes of a word, least significant first. */
 SAT4_CODE
-static void sat4_put(sat4_page *page, sat4_record_word value, int bytes)
+static void sat4_record_put(sat4_page *page, sat4_record_word value, int bytes)
 {
     for (int i = 0; i < bytes; ++i) {
         const unsigned char byte = (unsigned char)(value & 0xffu);
         if (page->used == sizeof page->bytes) {
-            sat4_flush(page);
+            sat4_record_flush(page);
         }
         page->bytes[page->used++] = byte;
-        page->check = (page->check ^ byte) * 16777619u;
+        page->check = (page->check ^ byte) * SAT4_RECORD_PRIME;
         value >>= 8;
     }
 }
 
 SAT4_CODE
-static void sat4_put_reals(sat4_page *page, const sat4_real *values, int count)
+static void sat4_record_put_reals(sat4_page *page, const sat4_real *values, int count)
 {
     for (int i = 0; i < count; ++i) {
-        sat4_put(page, sat4_record_bits(values[i]), 8);
+        sat4_record_put(page, sat4_record_bits(values[i]), SAT4_RECORD_REAL_BYTES);
+    }
+}
+
+SAT4_CODE
+static void sat4_record_put_bytes(sat4_page *page, const unsigned char *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        sat4_record_put(page, bytes[i], 1);
     }
 }
 
 /* The check, and out with what waits. */
 SAT4_CODE
-static void sat4_close(sat4_page *page)
+static void sat4_record_end(sat4_page *page)
 {
-    sat4_put(page, page->check, 4);
-    sat4_flush(page);
+    sat4_record_put(page, page->check, 4);
+    sat4_record_flush(page);
 }
 
 SAT4_CODE
-static void sat4_put_row(sat4_page *page, const sat4_row *from)
+static void sat4_record_put_row(sat4_page *page, const sat4_row *from)
 {
-    sat4_put_reals(page, from->mu_c, 3);
-    sat4_put_reals(page, from->mu_s, 3);
-    sat4_put_reals(page, from->J_c, 6);
-    sat4_put_reals(page, from->J_s, 6);
-    sat4_put_reals(page, from->J_2c, 6);
-    sat4_put_reals(page, from->J_2s, 6);
-    sat4_put_reals(page, from->t_0, 3);
-    sat4_put_reals(page, from->t_c, 3);
-    sat4_put_reals(page, from->t_s, 3);
-    sat4_put_reals(page, &from->spin, 1);
-    sat4_put_reals(page, &from->spin_inv, 1);
+    sat4_record_put_reals(page, from->mu_c, 3);
+    sat4_record_put_reals(page, from->mu_s, 3);
+    sat4_record_put_reals(page, from->J_c, 6);
+    sat4_record_put_reals(page, from->J_s, 6);
+    sat4_record_put_reals(page, from->J_2c, 6);
+    sat4_record_put_reals(page, from->J_2s, 6);
+    sat4_record_put_reals(page, from->t_0, 3);
+    sat4_record_put_reals(page, from->t_c, 3);
+    sat4_record_put_reals(page, from->t_s, 3);
+    sat4_record_put_reals(page, &from->spin, 1);
+    sat4_record_put_reals(page, &from->spin_inv, 1);
 }
 
 SAT4_CODE
-static void sat4_put_sensor(sat4_page *page, const sat4_sensor *from)
+static void sat4_record_put_sensor(sat4_page *page, const sat4_sensor *from)
 {
-    sat4_put_reals(page, from->origin, 3);
-    sat4_put_reals(page, from->axes, 9);
+    sat4_record_put_reals(page, from->origin, 3);
+    sat4_record_put_reals(page, from->axes, 9);
 }
 
 SAT4_CODE
-static void sat4_put_table(sat4_page *page, const sat4_table *from)
+static void sat4_record_put_table(sat4_page *page, const sat4_table *from)
 {
-    sat4_put_reals(page, &from->mass, 1);
-    sat4_put_reals(page, &from->mass_inverse, 1);
-    sat4_put_reals(page, from->first_moment, 3);
-    sat4_put_reals(page, from->inertia, 6);
-    for (int i = 0; i < 4; ++i) {
-        sat4_put_row(page, &from->flywheel[i]);
+    sat4_record_put_reals(page, &from->mass, 1);
+    sat4_record_put_reals(page, &from->mass_inverse, 1);
+    sat4_record_put_reals(page, from->first_moment, 3);
+    sat4_record_put_reals(page, from->inertia, 6);
+    for (int i = 0; i < SAT4_N; ++i) {
+        sat4_record_put_row(page, &from->flywheel[i]);
     }
-    for (int i = 0; i < 1; ++i) {
-        sat4_put_sensor(page, &from->sensor[i]);
+    for (int i = 0; i < SAT4_SENSORS; ++i) {
+        sat4_record_put_sensor(page, &from->sensor[i]);
     }
 }
 
 SAT4_CODE
 static uint32_t sat4_record_hash(const sat4_real *values, int count)
 {
-    uint32_t hash = 2166136261u;
+    uint32_t hash = SAT4_RECORD_BASIS;
     for (int i = 0; i < count; ++i) {
         sat4_record_word word = sat4_record_bits(values[i]);
-        for (int k = 0; k < 8; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+        for (int k = 0; k < SAT4_RECORD_REAL_BYTES; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * SAT4_RECORD_PRIME;
             word >>= 8;
         }
     }
@@ -138,13 +158,13 @@ static uint32_t sat4_record_hash(const sat4_real *values, int count)
 
 /* A hash of each member of a state. */
 SAT4_CODE
-static void sat4_look(const sat4_state *x, uint32_t seen[5])
+static void sat4_hash_members(const sat4_state *x, uint32_t seen[SAT4_RECORD_MEMBERS])
 {
     seen[0] = sat4_record_hash(x->position, 3);
     seen[1] = sat4_record_hash(x->attitude, 4);
     seen[2] = sat4_record_hash(x->V, 6);
-    seen[3] = sat4_record_hash(x->phi, 4);
-    seen[4] = sat4_record_hash(x->phi_dot, 4);
+    seen[3] = sat4_record_hash(x->phi, SAT4_N);
+    seen[4] = sat4_record_hash(x->phi_dot, SAT4_N);
 }
 
 SAT4_CODE
@@ -155,99 +175,102 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *stand, con
     if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
         return SAT4_BAD_ARGUMENT;
     }
-    sat4_begin(&page, NULL);
-    sat4_put_table(&page, stand);
+    sat4_record_begin(&page, NULL);
+    sat4_record_put_table(&page, stand);
     table = page.check;
-    sat4_begin(&page, log);
-    for (int i = 0; i < 8; ++i) {
-        sat4_put(&page, sat4_record_magic[i], 1);
-    }
-    sat4_put(&page, SAT4_RECORDER_FORMAT, 1);
-    sat4_put(&page, 8, 1);
-    sat4_put(&page, 4, 1);
-    for (int i = 0; i < 4; ++i) {
-        sat4_put(&page, sat4_record_name[i], 1);
-    }
-    sat4_put(&page, SAT4_STRUCTURE, 4);
-    sat4_put(&page, SAT4_PHYSICS, 4);
-    sat4_put(&page, SAT4_RECORDER_SOURCE, 4);
-    sat4_put(&page, 4, 2);
-    sat4_put(&page, 0, 2);
-    sat4_put(&page, table, 4);
-    sat4_put(&page, log->count, 4);
-    sat4_put_reals(&page, x->position, 3);
-    sat4_put_reals(&page, x->attitude, 4);
-    sat4_put_reals(&page, x->V, 6);
-    sat4_put_reals(&page, x->phi, 4);
-    sat4_put_reals(&page, x->phi_dot, 4);
+    sat4_record_begin(&page, log);
+    sat4_record_put_bytes(&page, sat4_record_magic, sizeof sat4_record_magic);
+    sat4_record_put(&page, SAT4_RECORDER_FORMAT, 1);
+    sat4_record_put(&page, SAT4_RECORD_REAL_BYTES, 1);
+    sat4_record_put(&page, sizeof sat4_record_name, 1);
+    sat4_record_put_bytes(&page, sat4_record_name, sizeof sat4_record_name);
+    sat4_record_put(&page, SAT4_STRUCTURE, 4);
+    sat4_record_put(&page, SAT4_PHYSICS, 4);
+    sat4_record_put(&page, SAT4_RECORDER_SOURCE, 4);
+    sat4_record_put(&page, SAT4_N, 2);
+    sat4_record_put(&page, 0, 2);
+    sat4_record_put(&page, table, 4);
+    sat4_record_put(&page, log->count, 4);
+    sat4_record_put_reals(&page, x->position, 3);
+    sat4_record_put_reals(&page, x->attitude, 4);
+    sat4_record_put_reals(&page, x->V, 6);
+    sat4_record_put_reals(&page, x->phi, SAT4_N);
+    sat4_record_put_reals(&page, x->phi_dot, SAT4_N);
     if (table == SAT4_RECORDER_TABLE) {
-        sat4_put(&page, 0, 4);
+        sat4_record_put(&page, 0, 4);
     } else {
-        sat4_put(&page, 1496, 4);
-        sat4_put_table(&page, stand);
+        sat4_record_put(&page, SAT4_RECORD_TABLE_BYTES, 4);
+        sat4_record_put_table(&page, stand);
     }
-    sat4_close(&page);
-    sat4_look(x, log->seen);
+    sat4_record_end(&page);
+    sat4_hash_members(x, log->seen);
     log->fresh = 1;
     return SAT4_OK;
 }
 
-/* The head of a step's record: flags, and what changed since the last one. */
+/* Flags of what changed since the last step: members of the state, dt and order. The log takes them as its last. */
 SAT4_CODE
-static void sat4_open(sat4_page *page, sat4_recorder *log, const sat4_table *stand,
-                     const sat4_state *x, sat4_real dt, int order, unsigned flags)
+static unsigned sat4_notice_changes(sat4_recorder *log, const sat4_state *x,
+                                  sat4_real dt, int order)
 {
     const sat4_record_word step = sat4_record_bits(dt);
-    uint32_t seen[5];
-    sat4_look(x, seen);
-    for (int i = 0; i < 5; ++i) {
+    uint32_t seen[SAT4_RECORD_MEMBERS];
+    unsigned flags = 0;
+    sat4_hash_members(x, seen);
+    for (int i = 0; i < SAT4_RECORD_MEMBERS; ++i) {
         flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
     }
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= SAT4_RECORD_SETTINGS;
     }
-    (void)stand;
     log->fresh = 0;
     log->dt = step;
     log->order = order;
-    sat4_begin(page, log);
-    sat4_put(page, 0x53, 1);
-    sat4_put(page, flags, 2);
-    sat4_put(page, log->count, 4);
+    return flags;
+}
+
+/* The head of a step's record: flags, and what changed. */
+SAT4_CODE
+static void sat4_record_head(sat4_page *page, sat4_recorder *log, const sat4_state *x, unsigned flags)
+{
+    sat4_record_begin(page, log);
+    sat4_record_put(page, SAT4_RECORD_STEP, 1);
+    sat4_record_put(page, flags, 2);
+    sat4_record_put(page, log->count, 4);
     if (flags & SAT4_RECORD_SETTINGS) {
-        sat4_put(page, step, 8);
-        sat4_put(page, (sat4_record_word)order, 4);
+        sat4_record_put(page, log->dt, SAT4_RECORD_REAL_BYTES);
+        sat4_record_put(page, (sat4_record_word)log->order, 4);
     }
     if (flags & SAT4_RECORD_POSITION) {
-        sat4_put_reals(page, x->position, 3);
+        sat4_record_put_reals(page, x->position, 3);
     }
     if (flags & SAT4_RECORD_ATTITUDE) {
-        sat4_put_reals(page, x->attitude, 4);
+        sat4_record_put_reals(page, x->attitude, 4);
     }
     if (flags & SAT4_RECORD_V) {
-        sat4_put_reals(page, x->V, 6);
+        sat4_record_put_reals(page, x->V, 6);
     }
     if (flags & SAT4_RECORD_PHI) {
-        sat4_put_reals(page, x->phi, 4);
+        sat4_record_put_reals(page, x->phi, SAT4_N);
     }
     if (flags & SAT4_RECORD_PHI_DOT) {
-        sat4_put_reals(page, x->phi_dot, 4);
+        sat4_record_put_reals(page, x->phi_dot, SAT4_N);
     }
 }
 
 /* The tail: status and the hash of the state after the step. */
 SAT4_CODE
-static void sat4_finish_record(sat4_page *page, sat4_recorder *log,
+static void sat4_record_result(sat4_page *page, sat4_recorder *log,
                               const sat4_state *x, sat4_status status)
 {
-    uint32_t hash = 2166136261u;
-    sat4_look(x, log->seen);
-    for (int i = 0; i < 5; ++i) {
-        hash = (hash ^ log->seen[i]) * 16777619u;
+    uint32_t hash = SAT4_RECORD_BASIS;
+    sat4_hash_members(x, log->seen);
+    for (int i = 0; i < SAT4_RECORD_MEMBERS; ++i) {
+        hash = (hash ^ log->seen[i]) * SAT4_RECORD_PRIME;
     }
-    sat4_put(page, (sat4_record_word)status, 1);
-    sat4_put(page, hash, 4);
-    sat4_close(page);
+    sat4_record_put(page, (sat4_record_word)status, 1);
+    sat4_record_put(page, hash, 4);
+    sat4_record_end(page);
     ++log->count;
 }
 
@@ -264,19 +287,20 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *stand, sat4
     for (int s = 0; s < SAT4_N; ++s) {
         flags |= (locked[s] != 0) ? SAT4_RECORD_LOCKS : 0u;
     }
-    sat4_open(&page, log, stand, x, dt, order, flags);
-    sat4_put_reals(&page, tau, SAT4_N);
+    flags |= sat4_notice_changes(log, x, dt, order);
+    sat4_record_head(&page, log, x, flags);
+    sat4_record_put_reals(&page, tau, SAT4_N);
     if (flags & SAT4_RECORD_LOCKS) {
-        for (int first = 0; first < SAT4_N; first += 8) {
+        for (int first = 0; first < SAT4_N; first += SAT4_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
-            for (int s = first; s < SAT4_N && s < first + 8; ++s) {
+            for (int s = first; s < SAT4_N && s < first + SAT4_RECORD_LOCKS_A_BYTE; ++s) {
                 mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
             }
-            sat4_put(&page, mask, 1);
+            sat4_record_put(&page, mask, 1);
         }
     }
     status = sat4_step(stand, x, tau, locked, dt, order, x);
-    sat4_finish_record(&page, log, x, status);
+    sat4_record_result(&page, log, x, status);
     return status;
 }
 
@@ -289,9 +313,10 @@ sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *stan
     unsigned flags = SAT4_RECORD_DRIVEN;
     if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_open(&page, log, stand, x, dt, order, flags);
-    sat4_put_reals(&page, phi_ddot, SAT4_N);
+    flags |= sat4_notice_changes(log, x, dt, order);
+    sat4_record_head(&page, log, x, flags);
+    sat4_record_put_reals(&page, phi_ddot, SAT4_N);
     status = sat4_step_driven(stand, x, phi_ddot, dt, order, x);
-    sat4_finish_record(&page, log, x, status);
+    sat4_record_result(&page, log, x, status);
     return status;
 }

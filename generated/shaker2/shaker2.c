@@ -703,11 +703,12 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 SHAKER2_CODE
-static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real c, const shaker2_real V[6],
-                           const shaker2_real swing[3], shaker2_coupling *restrict out)
+static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real c,
+                           const shaker2_real swing[3], const shaker2_real spun[6],
+                           shaker2_coupling *restrict out)
 {
-    const shaker2_real c2 = 1.0 - 2.0 * (s * s);
-    const shaker2_real s2 = 2.0 * c * s;
+    const shaker2_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
+    const shaker2_real two_s2 = 4.0 * c * s;
     out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
     out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
     out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
@@ -715,18 +716,14 @@ static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real 
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     shaker2_real J_p[6];  /* dJ / dphi */
-    J_p[0] = 2.0 * row->J_2s[0] * c2 + row->J_s[0] * c - 2.0 * row->J_2c[0] * s2 - row->J_c[0] * s;
-    J_p[1] = 2.0 * row->J_2s[1] * c2 + row->J_s[1] * c - 2.0 * row->J_2c[1] * s2 - row->J_c[1] * s;
-    J_p[2] = 2.0 * row->J_2s[2] * c2 + row->J_s[2] * c - 2.0 * row->J_2c[2] * s2 - row->J_c[2] * s;
-    J_p[3] = 2.0 * row->J_2s[3] * c2 + row->J_s[3] * c - 2.0 * row->J_2c[3] * s2 - row->J_c[3] * s;
-    J_p[4] = 2.0 * row->J_2s[4] * c2 + row->J_s[4] * c - 2.0 * row->J_2c[4] * s2 - row->J_c[4] * s;
-    J_p[5] = 2.0 * row->J_2s[5] * c2 + row->J_s[5] * c - 2.0 * row->J_2c[5] * s2 - row->J_c[5] * s;
-    shaker2_real turned[3];  /* J' omega */
-    turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
-    turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
-    turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
-    out->bias = out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2] - 0.5 * V[3] * turned[0]
-        - 0.5 * V[4] * turned[1] - 0.5 * V[5] * turned[2];
+    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
+        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -751,11 +748,16 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
     swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_coupling drive;
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_real s_phi, c_phi;
         shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive);
+        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
         tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
             + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
             + drive.bias;
@@ -852,11 +854,16 @@ static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_sta
     swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_real s_phi, c_phi;
         shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive[s]);
+        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
@@ -917,7 +924,7 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
     return SHAKER2_OK;
 }
 
-/* to = x + h rate; phases are brought within half a turn. */
+/* to = x + h rate, phases from within half a turn. */
 SHAKER2_CODE
 static void shaker2_advance(const shaker2_state *x, const shaker2_state *rate, shaker2_real h,
                             shaker2_state *restrict to)
@@ -932,17 +939,18 @@ static void shaker2_advance(const shaker2_state *x, const shaker2_state *rate, s
         to->V[i] = x->V[i] + h * rate->V[i];
     }
     for (int i = 0; i < SHAKER2_N; ++i) {
-        to->phi[i] = shaker2_wrapped(x->phi[i] + h * rate->phi[i]);
+        to->phi[i] = shaker2_wrapped(x->phi[i]) + h * rate->phi[i];
     }
     for (int i = 0; i < SHAKER2_N; ++i) {
         to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
     }
 }
 
-/* brings the quaternion to unit length; RANGE where the state has left its ranges. */
+/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
 SHAKER2_CODE
 static shaker2_status shaker2_finish(shaker2_state *restrict x)
 {
+    shaker2_status status;
     const shaker2_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
     if (!(square > 0.5 && square < 2.0)) { return SHAKER2_RANGE; }
@@ -951,7 +959,12 @@ static shaker2_status shaker2_finish(shaker2_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    return shaker2_check_state(x);
+    status = shaker2_check_state(x);
+    if (status != SHAKER2_OK) { return status; }
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        x->phi[s] = shaker2_wrapped(x->phi[s]);
+    }
+    return SHAKER2_OK;
 }
 
 /* rates of the state under drive torques. */
@@ -1579,6 +1592,11 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
@@ -1595,7 +1613,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_real s_phi, c_phi;
         shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, x->V, swing, &drive[s]);
+        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
         if (locked[s] == 0) {
             shaker2_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1606,20 +1624,20 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_real s_phi, c_phi;
         shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        const shaker2_real c2 = 1.0 - 2.0 * (s_phi * s_phi);
-        const shaker2_real s2 = 2.0 * c_phi * s_phi;
-        J_p[0] = 2.0 * stand->flywheel[s].J_2s[0] * c2 + stand->flywheel[s].J_s[0] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[0] * s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = 2.0 * stand->flywheel[s].J_2s[1] * c2 + stand->flywheel[s].J_s[1] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[1] * s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = 2.0 * stand->flywheel[s].J_2s[2] * c2 + stand->flywheel[s].J_s[2] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[2] * s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = 2.0 * stand->flywheel[s].J_2s[3] * c2 + stand->flywheel[s].J_s[3] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[3] * s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = 2.0 * stand->flywheel[s].J_2s[4] * c2 + stand->flywheel[s].J_s[4] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[4] * s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = 2.0 * stand->flywheel[s].J_2s[5] * c2 + stand->flywheel[s].J_s[5] * c_phi
-            - 2.0 * stand->flywheel[s].J_2c[5] * s2 - stand->flywheel[s].J_c[5] * s_phi;
+        const shaker2_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
+        const shaker2_real two_s2 = 4.0 * c_phi * s_phi;
+        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
+            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
+            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
+            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
+            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
+            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
+            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
@@ -2708,7 +2726,7 @@ static shaker2_status shaker2_check_parameters(const shaker2_parameters *paramet
     for (int s = 0; s < SHAKER2_N; ++s) {
         status = shaker2_check_body(&parameters->flywheel[s].body);
         if (status != SHAKER2_OK) { return status; }
-        if (!(parameters->flywheel[s].body.inertia[0] > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+        if (!(parameters->flywheel[s].body.inertia[0] >= 1.0e-30)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
         status = shaker2_place_flywheel(&parameters->flywheel[s], O, R);
         if (status != SHAKER2_OK) { return status; }
         mass += parameters->flywheel[s].body.mass;
@@ -2716,7 +2734,7 @@ static shaker2_status shaker2_check_parameters(const shaker2_parameters *paramet
             + parameters->flywheel[s].body.inertia[2]
             + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
-    if (!(mass > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+    if (!(mass >= 1.0e-30)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
     if (!(size <= 1.0e60)) { return SHAKER2_RANGE; }
     return SHAKER2_OK;
 }

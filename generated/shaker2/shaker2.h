@@ -9,8 +9,8 @@
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
- * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: docs/model.md of
- * mahovik. */
+ * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: README.md
+ * of the delivered folder. */
 #ifndef SHAKER2_H
 #define SHAKER2_H
 
@@ -46,7 +46,7 @@ typedef enum shaker2_status {
     SHAKER2_UNREACHABLE = 8,              /* least squares: residual above 1e-9 of the demand */
     SHAKER2_RANK_DEFICIENT = 16,          /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SHAKER2_NOT_FINITE = -1,              /* an input is NaN or infinite */
-    SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length, leg of no length */
+    SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length */
     SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* no mass, no spin inertia, or a pivot failed */
     SHAKER2_SINGULAR_ATTITUDE = -4,       /* attitude angles within 1e-6 of their singularity */
     SHAKER2_BAD_ARGUMENT = -5             /* a null pointer, a count, an index, a step or an option */
@@ -262,7 +262,7 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 535 operations on reals, 1 of them a division. */
+ * At most 496 operations on reals, 1 of them a division. */
 shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x,
                               const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
                               shaker2_real tau[SHAKER2_N]);
@@ -277,7 +277,7 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1643 operations on reals, 8 of them divisions. */
+ * At most 1604 operations on reals, 8 of them divisions. */
 shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
@@ -293,7 +293,7 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7084 operations on reals, 38 of them divisions. */
+ * At most 6946 operations on reals, 38 of them divisions. */
 shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
@@ -308,7 +308,7 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5092 operations on reals, 34 of them divisions. */
+ * At most 5110 operations on reals, 34 of them divisions. */
 shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
@@ -344,8 +344,8 @@ shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt,
 
 /* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
  * moved, exactly.
- *   encoder   in and out: begin with the counter's first reading
- *   counter   the counter as it is read; one of 32 bits cast to int
+ *   encoder   in and out: begin with the first reading, place: counts within the turn
+ *   counter   as it is read; of 32 bits: as signed
  *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  * Read it before the counter has moved by half its range (where bits is 0: half a turn).
@@ -375,7 +375,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7869 operations on reals, 57 of them divisions. */
+ * At most 7767 operations on reals, 57 of them divisions. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_slopes *out);

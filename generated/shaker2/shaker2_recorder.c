@@ -15,16 +15,28 @@ typedef char shaker2_recorder_real[(sizeof(shaker2_real) == 8) ? 1 : -1];
 
 typedef uint64_t shaker2_record_word;  /* the bits of a real */
 
+/* Counts of bytes, and the first byte of a step's record. */
+enum {
+    SHAKER2_RECORD_STEP = 0x53,
+    SHAKER2_RECORD_REAL_BYTES = 8,
+    SHAKER2_RECORD_TABLE_BYTES = 1400,
+    SHAKER2_RECORD_LOCKS_A_BYTE = 8
+};
+
+/* FNV-1a, 32 bits. */
+#define SHAKER2_RECORD_BASIS 2166136261u
+#define SHAKER2_RECORD_PRIME 16777619u
+
 /* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
 typedef struct shaker2_page {
-    const shaker2_recorder *log;
+    shaker2_recorder *log;
     uint32_t check;
     size_t used;
     unsigned char bytes[SHAKER2_RECORD_BYTES];
 } shaker2_page;
 
-static const unsigned char shaker2_record_magic[8] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
-static const unsigned char shaker2_record_name[7] = {
+static const unsigned char shaker2_record_magic[] = { 0x89, 0x4d, 0x48, 0x56, 0x4b, 0x0d, 0x0a, 0x1a };
+static const unsigned char shaker2_record_name[] = {
     0x73, 0x68, 0x61, 0x6b, 0x65, 0x72, 0x32
 };
 
@@ -37,104 +49,112 @@ static shaker2_record_word shaker2_record_bits(shaker2_real value)
 }
 
 SHAKER2_CODE
-static void shaker2_begin(shaker2_page *page, const shaker2_recorder *log)
+static void shaker2_record_begin(shaker2_page *page, shaker2_recorder *log)
 {
     page->log = log;
-    page->check = 2166136261u;
+    page->check = SHAKER2_RECORD_BASIS;
     page->used = 0;
 }
 
 SHAKER2_CODE
-static void shaker2_flush(shaker2_page *page)
+static void shaker2_record_flush(shaker2_page *page)
 {
-    if (page->log != NULL && page->used > 0) {
-        page->log->write(page->log->context, page->bytes, page->used);
+    if (page->log != NULL && page->used > 0 && page->log->write(page->log->context, page->bytes, page->used) != 0) {
+        ++page->log->lost;
     }
     page->used = 0;
 }
 
 /* The lowest bytes of a word, least significant first. */
 SHAKER2_CODE
-static void shaker2_put(shaker2_page *page, shaker2_record_word value, int bytes)
+static void shaker2_record_put(shaker2_page *page, shaker2_record_word value, int bytes)
 {
     for (int i = 0; i < bytes; ++i) {
         const unsigned char byte = (unsigned char)(value & 0xffu);
         if (page->used == sizeof page->bytes) {
-            shaker2_flush(page);
+            shaker2_record_flush(page);
         }
         page->bytes[page->used++] = byte;
-        page->check = (page->check ^ byte) * 16777619u;
+        page->check = (page->check ^ byte) * SHAKER2_RECORD_PRIME;
         value >>= 8;
     }
 }
 
 SHAKER2_CODE
-static void shaker2_put_reals(shaker2_page *page, const shaker2_real *values, int count)
+static void shaker2_record_put_reals(shaker2_page *page, const shaker2_real *values, int count)
 {
     for (int i = 0; i < count; ++i) {
-        shaker2_put(page, shaker2_record_bits(values[i]), 8);
+        shaker2_record_put(page, shaker2_record_bits(values[i]), SHAKER2_RECORD_REAL_BYTES);
+    }
+}
+
+SHAKER2_CODE
+static void shaker2_record_put_bytes(shaker2_page *page, const unsigned char *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        shaker2_record_put(page, bytes[i], 1);
     }
 }
 
 /* The check, and out with what waits. */
 SHAKER2_CODE
-static void shaker2_close(shaker2_page *page)
+static void shaker2_record_end(shaker2_page *page)
 {
-    shaker2_put(page, page->check, 4);
-    shaker2_flush(page);
+    shaker2_record_put(page, page->check, 4);
+    shaker2_record_flush(page);
 }
 
 SHAKER2_CODE
-static void shaker2_put_row(shaker2_page *page, const shaker2_row *from)
+static void shaker2_record_put_row(shaker2_page *page, const shaker2_row *from)
 {
-    shaker2_put_reals(page, from->mu_c, 3);
-    shaker2_put_reals(page, from->mu_s, 3);
-    shaker2_put_reals(page, from->J_c, 6);
-    shaker2_put_reals(page, from->J_s, 6);
-    shaker2_put_reals(page, from->J_2c, 6);
-    shaker2_put_reals(page, from->J_2s, 6);
-    shaker2_put_reals(page, from->t_0, 3);
-    shaker2_put_reals(page, from->t_c, 3);
-    shaker2_put_reals(page, from->t_s, 3);
-    shaker2_put_reals(page, &from->spin, 1);
-    shaker2_put_reals(page, &from->spin_inv, 1);
+    shaker2_record_put_reals(page, from->mu_c, 3);
+    shaker2_record_put_reals(page, from->mu_s, 3);
+    shaker2_record_put_reals(page, from->J_c, 6);
+    shaker2_record_put_reals(page, from->J_s, 6);
+    shaker2_record_put_reals(page, from->J_2c, 6);
+    shaker2_record_put_reals(page, from->J_2s, 6);
+    shaker2_record_put_reals(page, from->t_0, 3);
+    shaker2_record_put_reals(page, from->t_c, 3);
+    shaker2_record_put_reals(page, from->t_s, 3);
+    shaker2_record_put_reals(page, &from->spin, 1);
+    shaker2_record_put_reals(page, &from->spin_inv, 1);
 }
 
 SHAKER2_CODE
-static void shaker2_put_suspension(shaker2_page *page, const shaker2_suspension *from)
+static void shaker2_record_put_suspension(shaker2_page *page, const shaker2_suspension *from)
 {
     for (int i = 0; i < 6; ++i) {
-        shaker2_put_reals(page, from->stiffness[i], 6);
+        shaker2_record_put_reals(page, from->stiffness[i], 6);
     }
     for (int i = 0; i < 6; ++i) {
-        shaker2_put_reals(page, from->damping[i], 6);
+        shaker2_record_put_reals(page, from->damping[i], 6);
     }
-    shaker2_put_reals(page, from->position, 3);
-    shaker2_put_reals(page, from->attitude, 4);
+    shaker2_record_put_reals(page, from->position, 3);
+    shaker2_record_put_reals(page, from->attitude, 4);
 }
 
 SHAKER2_CODE
-static void shaker2_put_table(shaker2_page *page, const shaker2_table *from)
+static void shaker2_record_put_table(shaker2_page *page, const shaker2_table *from)
 {
-    shaker2_put_reals(page, &from->mass, 1);
-    shaker2_put_reals(page, &from->mass_inverse, 1);
-    shaker2_put_reals(page, from->first_moment, 3);
-    shaker2_put_reals(page, from->inertia, 6);
-    for (int i = 0; i < 2; ++i) {
-        shaker2_put_row(page, &from->flywheel[i]);
+    shaker2_record_put_reals(page, &from->mass, 1);
+    shaker2_record_put_reals(page, &from->mass_inverse, 1);
+    shaker2_record_put_reals(page, from->first_moment, 3);
+    shaker2_record_put_reals(page, from->inertia, 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        shaker2_record_put_row(page, &from->flywheel[i]);
     }
-    shaker2_put_reals(page, from->gravity, 3);
-    shaker2_put_suspension(page, &from->suspension);
+    shaker2_record_put_reals(page, from->gravity, 3);
+    shaker2_record_put_suspension(page, &from->suspension);
 }
 
 SHAKER2_CODE
 static uint32_t shaker2_record_hash(const shaker2_real *values, int count)
 {
-    uint32_t hash = 2166136261u;
+    uint32_t hash = SHAKER2_RECORD_BASIS;
     for (int i = 0; i < count; ++i) {
         shaker2_record_word word = shaker2_record_bits(values[i]);
-        for (int k = 0; k < 8; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+        for (int k = 0; k < SHAKER2_RECORD_REAL_BYTES; ++k) {
+            hash = (hash ^ (uint32_t)(word & 0xffu)) * SHAKER2_RECORD_PRIME;
             word >>= 8;
         }
     }
@@ -143,13 +163,13 @@ static uint32_t shaker2_record_hash(const shaker2_real *values, int count)
 
 /* A hash of each member of a state. */
 SHAKER2_CODE
-static void shaker2_look(const shaker2_state *x, uint32_t seen[5])
+static void shaker2_hash_members(const shaker2_state *x, uint32_t seen[SHAKER2_RECORD_MEMBERS])
 {
     seen[0] = shaker2_record_hash(x->position, 3);
     seen[1] = shaker2_record_hash(x->attitude, 4);
     seen[2] = shaker2_record_hash(x->V, 6);
-    seen[3] = shaker2_record_hash(x->phi, 2);
-    seen[4] = shaker2_record_hash(x->phi_dot, 2);
+    seen[3] = shaker2_record_hash(x->phi, SHAKER2_N);
+    seen[4] = shaker2_record_hash(x->phi_dot, SHAKER2_N);
 }
 
 SHAKER2_CODE
@@ -161,99 +181,102 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
     if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
         return SHAKER2_BAD_ARGUMENT;
     }
-    shaker2_begin(&page, NULL);
-    shaker2_put_table(&page, stand);
+    shaker2_record_begin(&page, NULL);
+    shaker2_record_put_table(&page, stand);
     table = page.check;
-    shaker2_begin(&page, log);
-    for (int i = 0; i < 8; ++i) {
-        shaker2_put(&page, shaker2_record_magic[i], 1);
-    }
-    shaker2_put(&page, SHAKER2_RECORDER_FORMAT, 1);
-    shaker2_put(&page, 8, 1);
-    shaker2_put(&page, 7, 1);
-    for (int i = 0; i < 7; ++i) {
-        shaker2_put(&page, shaker2_record_name[i], 1);
-    }
-    shaker2_put(&page, SHAKER2_STRUCTURE, 4);
-    shaker2_put(&page, SHAKER2_PHYSICS, 4);
-    shaker2_put(&page, SHAKER2_RECORDER_SOURCE, 4);
-    shaker2_put(&page, 2, 2);
-    shaker2_put(&page, 0, 2);
-    shaker2_put(&page, table, 4);
-    shaker2_put(&page, log->count, 4);
-    shaker2_put_reals(&page, x->position, 3);
-    shaker2_put_reals(&page, x->attitude, 4);
-    shaker2_put_reals(&page, x->V, 6);
-    shaker2_put_reals(&page, x->phi, 2);
-    shaker2_put_reals(&page, x->phi_dot, 2);
+    shaker2_record_begin(&page, log);
+    shaker2_record_put_bytes(&page, shaker2_record_magic, sizeof shaker2_record_magic);
+    shaker2_record_put(&page, SHAKER2_RECORDER_FORMAT, 1);
+    shaker2_record_put(&page, SHAKER2_RECORD_REAL_BYTES, 1);
+    shaker2_record_put(&page, sizeof shaker2_record_name, 1);
+    shaker2_record_put_bytes(&page, shaker2_record_name, sizeof shaker2_record_name);
+    shaker2_record_put(&page, SHAKER2_STRUCTURE, 4);
+    shaker2_record_put(&page, SHAKER2_PHYSICS, 4);
+    shaker2_record_put(&page, SHAKER2_RECORDER_SOURCE, 4);
+    shaker2_record_put(&page, SHAKER2_N, 2);
+    shaker2_record_put(&page, 0, 2);
+    shaker2_record_put(&page, table, 4);
+    shaker2_record_put(&page, log->count, 4);
+    shaker2_record_put_reals(&page, x->position, 3);
+    shaker2_record_put_reals(&page, x->attitude, 4);
+    shaker2_record_put_reals(&page, x->V, 6);
+    shaker2_record_put_reals(&page, x->phi, SHAKER2_N);
+    shaker2_record_put_reals(&page, x->phi_dot, SHAKER2_N);
     if (table == SHAKER2_RECORDER_TABLE) {
-        shaker2_put(&page, 0, 4);
+        shaker2_record_put(&page, 0, 4);
     } else {
-        shaker2_put(&page, 1400, 4);
-        shaker2_put_table(&page, stand);
+        shaker2_record_put(&page, SHAKER2_RECORD_TABLE_BYTES, 4);
+        shaker2_record_put_table(&page, stand);
     }
-    shaker2_close(&page);
-    shaker2_look(x, log->seen);
+    shaker2_record_end(&page);
+    shaker2_hash_members(x, log->seen);
     log->fresh = 1;
     return SHAKER2_OK;
 }
 
-/* The head of a step's record: flags, and what changed since the last one. */
+/* Flags of what changed since the last step: members of the state, dt and order. The log takes them as its last. */
 SHAKER2_CODE
-static void shaker2_open(shaker2_page *page, shaker2_recorder *log, const shaker2_table *stand,
-                     const shaker2_state *x, shaker2_real dt, int order, unsigned flags)
+static unsigned shaker2_notice_changes(shaker2_recorder *log, const shaker2_state *x,
+                                  shaker2_real dt, int order)
 {
     const shaker2_record_word step = shaker2_record_bits(dt);
-    uint32_t seen[5];
-    shaker2_look(x, seen);
-    for (int i = 0; i < 5; ++i) {
+    uint32_t seen[SHAKER2_RECORD_MEMBERS];
+    unsigned flags = 0;
+    shaker2_hash_members(x, seen);
+    for (int i = 0; i < SHAKER2_RECORD_MEMBERS; ++i) {
         flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
     }
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= SHAKER2_RECORD_SETTINGS;
     }
-    (void)stand;
     log->fresh = 0;
     log->dt = step;
     log->order = order;
-    shaker2_begin(page, log);
-    shaker2_put(page, 0x53, 1);
-    shaker2_put(page, flags, 2);
-    shaker2_put(page, log->count, 4);
+    return flags;
+}
+
+/* The head of a step's record: flags, and what changed. */
+SHAKER2_CODE
+static void shaker2_record_head(shaker2_page *page, shaker2_recorder *log, const shaker2_state *x, unsigned flags)
+{
+    shaker2_record_begin(page, log);
+    shaker2_record_put(page, SHAKER2_RECORD_STEP, 1);
+    shaker2_record_put(page, flags, 2);
+    shaker2_record_put(page, log->count, 4);
     if (flags & SHAKER2_RECORD_SETTINGS) {
-        shaker2_put(page, step, 8);
-        shaker2_put(page, (shaker2_record_word)order, 4);
+        shaker2_record_put(page, log->dt, SHAKER2_RECORD_REAL_BYTES);
+        shaker2_record_put(page, (shaker2_record_word)log->order, 4);
     }
     if (flags & SHAKER2_RECORD_POSITION) {
-        shaker2_put_reals(page, x->position, 3);
+        shaker2_record_put_reals(page, x->position, 3);
     }
     if (flags & SHAKER2_RECORD_ATTITUDE) {
-        shaker2_put_reals(page, x->attitude, 4);
+        shaker2_record_put_reals(page, x->attitude, 4);
     }
     if (flags & SHAKER2_RECORD_V) {
-        shaker2_put_reals(page, x->V, 6);
+        shaker2_record_put_reals(page, x->V, 6);
     }
     if (flags & SHAKER2_RECORD_PHI) {
-        shaker2_put_reals(page, x->phi, 2);
+        shaker2_record_put_reals(page, x->phi, SHAKER2_N);
     }
     if (flags & SHAKER2_RECORD_PHI_DOT) {
-        shaker2_put_reals(page, x->phi_dot, 2);
+        shaker2_record_put_reals(page, x->phi_dot, SHAKER2_N);
     }
 }
 
 /* The tail: status and the hash of the state after the step. */
 SHAKER2_CODE
-static void shaker2_finish_record(shaker2_page *page, shaker2_recorder *log,
+static void shaker2_record_result(shaker2_page *page, shaker2_recorder *log,
                               const shaker2_state *x, shaker2_status status)
 {
-    uint32_t hash = 2166136261u;
-    shaker2_look(x, log->seen);
-    for (int i = 0; i < 5; ++i) {
-        hash = (hash ^ log->seen[i]) * 16777619u;
+    uint32_t hash = SHAKER2_RECORD_BASIS;
+    shaker2_hash_members(x, log->seen);
+    for (int i = 0; i < SHAKER2_RECORD_MEMBERS; ++i) {
+        hash = (hash ^ log->seen[i]) * SHAKER2_RECORD_PRIME;
     }
-    shaker2_put(page, (shaker2_record_word)status, 1);
-    shaker2_put(page, hash, 4);
-    shaker2_close(page);
+    shaker2_record_put(page, (shaker2_record_word)status, 1);
+    shaker2_record_put(page, hash, 4);
+    shaker2_record_end(page);
     ++log->count;
 }
 
@@ -270,19 +293,20 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
     for (int s = 0; s < SHAKER2_N; ++s) {
         flags |= (locked[s] != 0) ? SHAKER2_RECORD_LOCKS : 0u;
     }
-    shaker2_open(&page, log, stand, x, dt, order, flags);
-    shaker2_put_reals(&page, tau, SHAKER2_N);
+    flags |= shaker2_notice_changes(log, x, dt, order);
+    shaker2_record_head(&page, log, x, flags);
+    shaker2_record_put_reals(&page, tau, SHAKER2_N);
     if (flags & SHAKER2_RECORD_LOCKS) {
-        for (int first = 0; first < SHAKER2_N; first += 8) {
+        for (int first = 0; first < SHAKER2_N; first += SHAKER2_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
-            for (int s = first; s < SHAKER2_N && s < first + 8; ++s) {
+            for (int s = first; s < SHAKER2_N && s < first + SHAKER2_RECORD_LOCKS_A_BYTE; ++s) {
                 mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
             }
-            shaker2_put(&page, mask, 1);
+            shaker2_record_put(&page, mask, 1);
         }
     }
     status = shaker2_step(stand, x, tau, locked, dt, order, x);
-    shaker2_finish_record(&page, log, x, status);
+    shaker2_record_result(&page, log, x, status);
     return status;
 }
 
@@ -296,9 +320,10 @@ shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2
     unsigned flags = SHAKER2_RECORD_DRIVEN;
     if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_open(&page, log, stand, x, dt, order, flags);
-    shaker2_put_reals(&page, phi_ddot, SHAKER2_N);
+    flags |= shaker2_notice_changes(log, x, dt, order);
+    shaker2_record_head(&page, log, x, flags);
+    shaker2_record_put_reals(&page, phi_ddot, SHAKER2_N);
     status = shaker2_step_driven(stand, x, phi_ddot, dt, order, x);
-    shaker2_finish_record(&page, log, x, status);
+    shaker2_record_result(&page, log, x, status);
     return status;
 }

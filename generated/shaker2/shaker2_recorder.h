@@ -12,6 +12,9 @@
  * itself. Another table needs a new start. start may be called again at any time: a log can be replayed from each
  * start on, so a ring buffer wants one every now and then.
  *
+ * A write that fails (storage full, a link down) is counted in `lost`, and the steps go on: the log has a gap there, which
+ * replay names. Where `lost` has grown, call start again, and the log can be replayed from there.
+ *
  * A log is a sequence of records, little-endian; a real is its bits, 8 bytes; every record ends in
  * u32 check, the FNV-1a hash of its bytes before.
  *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
@@ -32,9 +35,10 @@ extern "C" {
 #endif
 
 #define SHAKER2_RECORDER_FORMAT 1u           /* of the log */
-#define SHAKER2_RECORDER_SOURCE 0xf90e2361u  /* of the texts of shaker2.h and shaker2.c: FNV-1a */
+#define SHAKER2_RECORDER_SOURCE 0x52ab9bdcu  /* of the texts of shaker2.h and shaker2.c: FNV-1a */
 #define SHAKER2_RECORDER_TABLE  0x787eab23u  /* hash of the default table */
 #define SHAKER2_RECORD_BYTES    181  /* longest record of a step; most have 32 */
+#define SHAKER2_RECORD_MEMBERS  5  /* of a state */
 
 /* Bits of the flags of a step: members of the state that were written since the last step, and what else is there. */
 enum {
@@ -52,10 +56,11 @@ enum {
 
 /* A log in progress. The first two members are the caller's; the rest begins as zero. */
 typedef struct shaker2_recorder {
-    void (*write)(void *context, const unsigned char *bytes, size_t count);  /* stores or sends; one call a step */
+    int (*write)(void *context, const unsigned char *bytes, size_t count);  /* stores or sends, one call a step; 0: good */
     void *context;          /* passed to write */
+    uint32_t lost;          /* writes that were not good; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
-    uint32_t seen[5];       /* hash of each member of the state as it was left */
+    uint32_t seen[SHAKER2_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
@@ -65,7 +70,7 @@ typedef struct shaker2_recorder {
  *   log    its write and context are set; in and out
  *   stand  the prepared table
  *   x      state before the next step
- * Returns OK, BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
+ * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
 shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *stand,
                                       const shaker2_state *x);
 
