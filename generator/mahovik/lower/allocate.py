@@ -77,6 +77,7 @@ def allocate(lib: Library) -> Function:
     row = body.local("row", (6,), comment="factor of each row; 0: it does not count")
     gram = body.local("gram", (6, 6))
     z = body.local("z", (6,))
+    body.note("until the end phi_ddot holds y = D phi''")
     with body.loop("s", layout.count) as s:
         body.set(y[s], real(0))
         body.set(held[s], integer(0))
@@ -105,7 +106,7 @@ def allocate(lib: Library) -> Function:
             body.set(step[s], give[s] * total)
         with body.when(turn < 1):
             _clip(lib, body, w, p, y, held, step)
-        with body.when(turn > 0):
+        with body.otherwise():
             _advance(lib, body, w, p, rank.place, y, held, step)
     with body.loop("s", layout.count) as s:
         found = body.let("found", y[s] * w.scale[s])
@@ -135,8 +136,8 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
     """A step of the active set method."""
     body.note("as long a step as all limits allow; the flywheel that stops it is held")
     length = body.local("length")
-    stopped = body.local("stopped", (), Kind.INT)
     body.set(length, real(1))
+    stopped = body.local("stopped", (), Kind.INT)
     body.set(stopped, integer(-1))
     with body.loop("s", lib.layout.count) as s:
         moved = body.let("moved", (y[s] + step[s]) * w.scale[s])

@@ -66,7 +66,7 @@ def target(lib: Library) -> Function:
     body.ret(Status("OK"))
     return Function(
         "target",
-        "A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q'.",
+        "State and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q'.",
         (position, angles, q_dot, q_ddot, x, V_dot),
         body.statements,
         equation="(10)",
