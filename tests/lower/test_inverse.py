@@ -12,7 +12,7 @@ from mahovik.program.function import STATUS_VALUES
 from mahovik.stand.random import BARE, random_stand
 from mahovik.verify.c_backend import CBackend
 
-COUNTS = (1, 5, 6, 7, 12)
+COUNTS = (1, 5, 6, 7, 12, 64)
 LIMITED = (1, 5, 6, 8, 12, 24)
 
 

@@ -23,7 +23,10 @@ RANDOM = {
     "everything 4": (4, EVERYTHING, 2),
     "everything 7": (7, EVERYTHING, 3),
     "bare 0": (0, BARE, 4),
+    "bare 5": (5, BARE, 6),
     "bare 6": (6, BARE, 5),
+    "bare 12": (12, BARE, 7),
+    "bare 64": (64, BARE, 8),
 }
 
 
