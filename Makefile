@@ -8,11 +8,12 @@ EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 
-.PHONY: bench bench-quick bench-full bench-gate help demo test setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
+.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
-	@echo "make test       the same, then all tests"
+	@echo "make test       the same, then the tests"
+	@echo "make test-slow  the longest of the tests: minutes"
 	@echo "make setup      virtual environment with everything in .venv (run .venv/bin/mahovik)"
 	@echo "make generated  write generated/ anew from the example stands"
 	@echo "make targets    install compilers and emulators of the targets (Debian)"
@@ -38,6 +39,9 @@ demo: setup
 
 test: demo
 	$(BIN)/python -m pytest -q -n 2
+
+test-slow: setup
+	$(BIN)/python -m pytest -q -n 2 -m slow
 
 setup: $(READY)
 

@@ -188,6 +188,7 @@ def test_added_mass_by_hand(precision: Precision) -> None:
                 assert added_status(precision, skew) == REFUSED
 
 
+@pytest.mark.slow
 @PRECISIONS
 @settings(max_examples=25, deadline=None)
 @given(stand=stands(max_flywheels=3))

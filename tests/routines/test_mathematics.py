@@ -66,6 +66,7 @@ def test_the_judge_sees_an_error(precision: Precision) -> None:
     assert 1.0 < worst < 2.0
 
 
+@pytest.mark.slow
 def test_all_that_is_proven_holds() -> None:
     found = list(proof.rows())
     assert len(found) == 14
@@ -111,6 +112,7 @@ def lines_between(markers: tuple[str, str]) -> list[list[str]]:
     return [cells(line) for line in text.splitlines() if line.startswith("|")]
 
 
+@pytest.mark.slow
 def test_the_page_has_the_tables_that_the_tool_writes() -> None:
     head, _, *rows = lines_between(campaign.MEASURED)
     assert tuple(head) == campaign.MEASURED_HEAD

@@ -32,6 +32,7 @@ def test_the_loop_reads_counters_that_wrap() -> None:
     assert "65530u" in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("board", "real"), [("m7", "double"), ("m4", "float")])
 def test_the_loop_on_a_board(board: str, real: str, tmp_path: Path) -> None:
     here, there = counted("host", real, tmp_path / "host"), counted(board, real, tmp_path / board)

@@ -72,6 +72,7 @@ def test_functions_that_contain_others_cost_more(bench8: dict[tuple[str, str], T
         assert cost_of(found, "forward_jacobian").instructions > 2 * cost_of(found, "forward").instructions
 
 
+@pytest.mark.slow
 def test_emulator_and_valgrind_agree_about_the_host() -> None:
     """Two counters that know nothing of one another, on two instruction sets: within a factor of 1.5."""
     require("valgrind", "valgrind")
@@ -81,6 +82,7 @@ def test_emulator_and_valgrind_agree_about_the_host() -> None:
         assert 2 / 3 < f.instructions / other < 1.5 or abs(f.instructions - other) < 200, f.function
 
 
+@pytest.mark.slow
 def test_figures_and_text_repeat(tmp_path: Path) -> None:
     """Measured twice, the same page and bytes; a rise above 2 % fails and can be accepted."""
     target("m7")

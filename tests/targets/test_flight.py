@@ -15,6 +15,7 @@ from mahovik.toolchain.flight import flight
 from targets.boards import target
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("board", "name", "real", "torque"), [("m4", "bench8", "float", 0.02), ("m7", "sat4", "double", 0.2)]
 )

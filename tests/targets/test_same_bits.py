@@ -20,6 +20,7 @@ from mahovik.verify.targets_report import as_json, as_junit
 from targets.boards import target
 
 
+@pytest.mark.slow
 def test_quick_targets_have_the_bits_of_the_interpreter() -> None:
     """Every public function, in the element type of the FPU, on golden vectors and a sweep."""
     for name, _ in QUICK:
@@ -31,6 +32,7 @@ def test_quick_targets_have_the_bits_of_the_interpreter() -> None:
     assert found.passed
 
 
+@pytest.mark.slow
 def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     """The one flag that the bits rest on, turned round, where the processor can fuse."""
     monkeypatch.setattr(board, "BITS", ("-ffp-contract=fast",))

@@ -26,6 +26,7 @@ FUNCTIONS = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_every_sign_counts(name: str) -> None:
     stand = everything()

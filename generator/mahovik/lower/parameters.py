@@ -69,9 +69,10 @@ def check_inertia(lib: Library) -> Function:
         about_origin = real(0.5) * (J[(i + 1) % 3] + J[(i + 2) % 3] - J[i]) if i == j else -J[k]
         moment = about_origin - offset[i] * c[j]
         P[j, i] = body.let(f"P{i + 1}{j + 1}", moment + real(tolerance) * size if i == j else moment)
-    body.note("a point mass in its origin has none")
+    body.note("a point mass in its origin has none; nor has what is so small that its tolerance is no number")
+    none = real(lib.layout.precision.smallest / tolerance)
     largest = magnitude(offset[0] * c[0]) + magnitude(offset[1] * c[1]) + magnitude(offset[2] * c[2])
-    with body.when(size + largest > 0):
+    with body.when(size + largest > none):
         lib.guard(body, Not(P[0, 0] > 0), "NOT_POSITIVE_DEFINITE")
         l21 = body.let("l21", P[1, 0] / P[0, 0])
         l31 = body.let("l31", P[2, 0] / P[0, 0])
