@@ -2168,6 +2168,7 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
     auv6_real row[6];  /* factor of each row; 0: it does not count */
     auv6_real gram[6][6];
     auv6_real z[6];
+    /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < AUV6_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
@@ -2231,13 +2232,10 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
                     limited[s] = 1;
                 }
             }
-        }
-        if (pass > 0) {
+        } else {
             /* as long a step as all limits allow; the flywheel that stops it is held */
-            auv6_real length;
-            int stopped;
-            length = 1.0;
-            stopped = -1;
+            auv6_real length = 1.0;
+            int stopped = -1;
             for (int s = 0; s < AUV6_N; ++s) {
                 const auv6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
                 if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
@@ -2890,10 +2888,10 @@ static auv6_status auv6_check_inertia(auv6_real mass, const auv6_real c[3], cons
     const auv6_real P12 = -J[3] - b1 * c[1];
     const auv6_real P13 = -J[4] - b1 * c[2];
     const auv6_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none */
+    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
-        > 0.0) {
+        > 2.225073858507201e-299) {
         if (!(P11 > 0.0)) { return AUV6_NOT_POSITIVE_DEFINITE; }
         const auv6_real l21 = P12 / P11;
         const auv6_real l31 = P13 / P11;

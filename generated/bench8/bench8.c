@@ -2009,6 +2009,7 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
     bench8_real row[6];  /* factor of each row; 0: it does not count */
     bench8_real gram[6][6];
     bench8_real z[6];
+    /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < BENCH8_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
@@ -2072,13 +2073,10 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
                     limited[s] = 1;
                 }
             }
-        }
-        if (pass > 0) {
+        } else {
             /* as long a step as all limits allow; the flywheel that stops it is held */
-            bench8_real length;
-            int stopped;
-            length = 1.0;
-            stopped = -1;
+            bench8_real length = 1.0;
+            int stopped = -1;
             for (int s = 0; s < BENCH8_N; ++s) {
                 const bench8_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
                 if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
@@ -2656,10 +2654,10 @@ static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[
     const bench8_real P12 = -J[3] - b1 * c[1];
     const bench8_real P13 = -J[4] - b1 * c[2];
     const bench8_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none */
+    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
-        > 0.0) {
+        > 2.225073858507201e-299) {
         if (!(P11 > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
         const bench8_real l21 = P12 / P11;
         const bench8_real l31 = P13 / P11;

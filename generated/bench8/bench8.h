@@ -389,7 +389,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 53082 operations on reals, 1493 of them divisions. */
+ * At most 52410 operations on reals, 1397 of them divisions. */
 bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -417,7 +417,7 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
  * At most 176 operations on reals, no division. */
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
 
-/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles

@@ -1841,6 +1841,7 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
     demo3_real row[6];  /* factor of each row; 0: it does not count */
     demo3_real gram[6][6];
     demo3_real z[6];
+    /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < DEMO3_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
@@ -1904,13 +1905,10 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
                     limited[s] = 1;
                 }
             }
-        }
-        if (pass > 0) {
+        } else {
             /* as long a step as all limits allow; the flywheel that stops it is held */
-            demo3_real length;
-            int stopped;
-            length = 1.0;
-            stopped = -1;
+            demo3_real length = 1.0;
+            int stopped = -1;
             for (int s = 0; s < DEMO3_N; ++s) {
                 const demo3_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
                 if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
@@ -2482,10 +2480,10 @@ static demo3_status demo3_check_inertia(demo3_real mass, const demo3_real c[3], 
     const demo3_real P12 = -J[3] - b1 * c[1];
     const demo3_real P13 = -J[4] - b1 * c[2];
     const demo3_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none */
+    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
-        > 0.0) {
+        > 2.225073858507201e-299) {
         if (!(P11 > 0.0)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
         const demo3_real l21 = P12 / P11;
         const demo3_real l31 = P13 / P11;

@@ -370,7 +370,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 29819 operations on reals, 939 of them divisions. */
+ * At most 29672 operations on reals, 918 of them divisions. */
 demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -397,7 +397,7 @@ demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, 
  * At most 176 operations on reals, no division. */
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
 
-/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles

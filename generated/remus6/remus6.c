@@ -2165,6 +2165,7 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
     remus6_real row[6];  /* factor of each row; 0: it does not count */
     remus6_real gram[6][6];
     remus6_real z[6];
+    /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < REMUS6_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
@@ -2228,13 +2229,10 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
                     limited[s] = 1;
                 }
             }
-        }
-        if (pass > 0) {
+        } else {
             /* as long a step as all limits allow; the flywheel that stops it is held */
-            remus6_real length;
-            int stopped;
-            length = 1.0;
-            stopped = -1;
+            remus6_real length = 1.0;
+            int stopped = -1;
             for (int s = 0; s < REMUS6_N; ++s) {
                 const remus6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
                 if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
@@ -2892,10 +2890,10 @@ static remus6_status remus6_check_inertia(remus6_real mass, const remus6_real c[
     const remus6_real P12 = -J[3] - b1 * c[1];
     const remus6_real P13 = -J[4] - b1 * c[2];
     const remus6_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none */
+    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
-        > 0.0) {
+        > 2.225073858507201e-299) {
         if (!(P11 > 0.0)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
         const remus6_real l21 = P12 / P11;
         const remus6_real l31 = P13 / P11;

@@ -451,7 +451,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42889 operations on reals, 1240 of them divisions. */
+ * At most 42469 operations on reals, 1180 of them divisions. */
 remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -489,7 +489,7 @@ remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, c
  * At most 176 operations on reals, no division. */
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4]);
 
-/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles

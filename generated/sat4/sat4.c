@@ -1837,6 +1837,7 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
     sat4_real row[6];  /* factor of each row; 0: it does not count */
     sat4_real gram[6][6];
     sat4_real z[6];
+    /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
@@ -1900,13 +1901,10 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
                     limited[s] = 1;
                 }
             }
-        }
-        if (pass > 0) {
+        } else {
             /* as long a step as all limits allow; the flywheel that stops it is held */
-            sat4_real length;
-            int stopped;
-            length = 1.0;
-            stopped = -1;
+            sat4_real length = 1.0;
+            int stopped = -1;
             for (int s = 0; s < SAT4_N; ++s) {
                 const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
                 if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
@@ -2544,10 +2542,10 @@ static sat4_status sat4_check_inertia(sat4_real mass, const sat4_real c[3], cons
     const sat4_real P12 = -J[3] - b1 * c[1];
     const sat4_real P13 = -J[4] - b1 * c[2];
     const sat4_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none */
+    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
-        > 0.0) {
+        > 2.225073858507201e-299) {
         if (!(P11 > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
         const sat4_real l21 = P12 / P11;
         const sat4_real l31 = P13 / P11;

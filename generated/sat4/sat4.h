@@ -395,7 +395,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 33809 operations on reals, 1029 of them divisions. */
+ * At most 33585 operations on reals, 997 of them divisions. */
 sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -432,7 +432,7 @@ sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat
  * At most 176 operations on reals, no division. */
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
 
-/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles

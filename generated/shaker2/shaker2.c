@@ -2019,6 +2019,7 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
     shaker2_real row[6];  /* factor of each row; 0: it does not count */
     shaker2_real gram[6][6];
     shaker2_real z[6];
+    /* until the end phi_ddot holds y = D phi'' */
     for (int s = 0; s < SHAKER2_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
@@ -2082,13 +2083,10 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
                     limited[s] = 1;
                 }
             }
-        }
-        if (pass > 0) {
+        } else {
             /* as long a step as all limits allow; the flywheel that stops it is held */
-            shaker2_real length;
-            int stopped;
-            length = 1.0;
-            stopped = -1;
+            shaker2_real length = 1.0;
+            int stopped = -1;
             for (int s = 0; s < SHAKER2_N; ++s) {
                 const shaker2_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
                 if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
@@ -2664,10 +2662,10 @@ static shaker2_status shaker2_check_inertia(shaker2_real mass, const shaker2_rea
     const shaker2_real P12 = -J[3] - b1 * c[1];
     const shaker2_real P13 = -J[4] - b1 * c[2];
     const shaker2_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none */
+    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
-        > 0.0) {
+        > 2.225073858507201e-299) {
         if (!(P11 > 0.0)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
         const shaker2_real l21 = P12 / P11;
         const shaker2_real l31 = P13 / P11;

@@ -391,7 +391,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 26496 operations on reals, 863 of them divisions. */
+ * At most 26412 operations on reals, 851 of them divisions. */
 shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -420,7 +420,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
  * At most 176 operations on reals, no division. */
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
 
-/* target: A wanted motion in generalized coordinates as state and V*: V = A q', V* = A q'' + D q', (10).
+/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
