@@ -14,7 +14,8 @@ import symforce
 
 symforce.set_epsilon_to_number()
 
-import symforce.symbolic as sf  # noqa: E402  (its epsilon is to be set before)
+# These imports come second (E402): SymForce wants its epsilon before anything of it is used.
+import symforce.symbolic as sf  # noqa: E402
 from symforce import codegen, values  # noqa: E402
 
 from mahovik.reference.inertia import spatial_inertia  # noqa: E402

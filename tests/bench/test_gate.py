@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import json
-import shutil
 
 import pytest
 from mahovik_bench.counting import read
 from mahovik_bench.gate import ACCEPTED, SIZES, compared, costs, text
 
-needs_valgrind = pytest.mark.skipif(shutil.which("valgrind") is None, reason="no valgrind: make targets")
+from toolchain.tools import require
 
 
-@needs_valgrind
+@pytest.fixture
+def valgrind() -> None:
+    """What counts instructions."""
+    require("valgrind", "valgrind")
+
+
+@pytest.mark.usefixtures("valgrind")
 def test_a_planted_rise_is_stopped() -> None:
     found = costs((2,))
     kept = text(found)

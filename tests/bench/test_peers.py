@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 import math
-import shutil
 from importlib import import_module
 
 import numpy as np
 import pytest
 from mahovik_bench.agree import ACCEPTED, differences, failures
 from mahovik_bench.cases import case
-from mahovik_bench.counting import available, instructions
+from mahovik_bench.counting import instructions
 from mahovik_bench.loaded import Contestant
 from mahovik_bench.peer import Peer
 from mahovik_bench.roster import Roster
 from mahovik_bench.timing import Times, ratio
 from mahovik_bench.works import WORKS
 
-pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+from toolchain.tools import require
+
+
+@pytest.fixture(autouse=True)
+def gcc() -> None:
+    """Peers are compiled."""
+    require("gcc", "gcc")
+
+
 SLOW_TO_COMPILE = ("jacobian", "-O3")
 
 
@@ -58,8 +65,8 @@ def test_paired_ratio_is_the_median_of_ratios() -> None:
     assert Times((2.0, 3.0, 4.0)).spread == 0.5
 
 
-@pytest.mark.skipif(not available(), reason="no valgrind: make targets")
 def test_counts_are_exact() -> None:
+    require("valgrind", "valgrind")
     (own,) = contestants("own")
     first, second = (instructions(own.peer, own.built, own.case) for _ in range(2))
     assert first == second

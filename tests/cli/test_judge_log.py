@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -102,7 +102,7 @@ def test_without_the_stand_file(log: Path) -> None:
     ],
     ids=["CRLF", "CR", "junk around", "time stamps", "junk within", "spaces", "no last line end", "reset"],
 )
-def test_what_a_terminal_does_is_no_fault(spoil, printed: str, log: Path) -> None:  # type: ignore[no-untyped-def]
+def test_what_a_terminal_does_is_no_fault(spoil: Callable[[str], str], printed: str, log: Path) -> None:
     result = run("judge-log", rewritten(log, spoil(printed).encode("latin-1")), DEMO3)
     assert result.exit_code == 0, result.output
 

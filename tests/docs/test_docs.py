@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import os
 import re
-import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -23,6 +22,7 @@ from mahovik.program.function import STATUS_VALUES
 from mahovik.program.types import DOUBLE
 from mahovik.stand import load, loads, schema
 from mahovik.toolchain.compiler import BITS, WARNINGS, find_compiler
+from toolchain.tools import require
 
 PACKAGE = ROOT / "generator" / "mahovik"
 ARCHITECTURE, MODEL, STAND_FILE, C_INTERFACE = (
@@ -115,14 +115,10 @@ def mains(page: Path) -> list[Block]:
     return [b for b in blocks(page) if b.language == "c" and "int main(" in b.text]
 
 
-def _uses_missing_gcc(block: Block) -> bool:
-    return "gcc " in block.text and shutil.which("gcc") is None
-
-
 @pytest.mark.parametrize("block", RUNNABLE, ids=lambda b: b.name)
 def test_commands_run(block: Block, tmp_path: Path) -> None:
-    if _uses_missing_gcc(block):
-        pytest.skip("no gcc: apt-get install gcc")
+    if "gcc " in block.text:
+        require("gcc", "gcc")
     printed = run_block(block, tmp_path)
     following = blocks(block.page)[block.number + 1 : block.number + 2]
     if following and following[0].language == "text" and block.text.rstrip().split("\n")[-1] == "./main":

@@ -8,13 +8,13 @@ from tempfile import mkdtemp
 
 import cffi
 import numpy as np
-import pytest
 
 from mahovik.emit.declaration import prototype
 from mahovik.emit.expression import Expressions
 from mahovik.emit.names import Names
 from mahovik.emit.statement import Statements
 from mahovik.routines import atan2, sincos, square_root
+from toolchain.tools import require
 
 FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wfloat-equal", "-Wshadow", "-Werror")
 # Nothing may be left for libm or libc to supply.
@@ -61,9 +61,7 @@ def source(precision):
 @cache
 def library(precision, *flags):
     """(cffi, compiled library); skips where there is no compiler."""
-    compiler = shutil.which("gcc") or shutil.which("clang")
-    if compiler is None:
-        pytest.skip("no C compiler (gcc, clang)")
+    compiler = shutil.which("gcc") or shutil.which("clang") or require("gcc", "gcc")
     folder = Path(mkdtemp())
     try:
         code, shared = folder / "routines.c", folder / "routines.so"

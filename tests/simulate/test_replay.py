@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import re
 import struct
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -282,9 +283,11 @@ def test_swapped_bytes_are_recognised(bench8: Recorder, tmp_path: Path, width: i
         (lambda data: data[1:8], "no flight log"),
     ],
 )
-def test_what_is_no_log_is_refused(bench8: Recorder, tmp_path: Path, spoil: object, words: str) -> None:
+def test_what_is_no_log_is_refused(
+    bench8: Recorder, tmp_path: Path, spoil: Callable[[bytes], bytes], words: str
+) -> None:
     with pytest.raises(UsageError, match=words):
-        load(written(tmp_path, spoil(bench8.log)))  # type: ignore[operator]
+        load(written(tmp_path, spoil(bench8.log)))
 
 
 def test_no_such_file(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -107,13 +108,13 @@ def test_figures_and_text_repeat(tmp_path: Path) -> None:
     assert (tmp_path / "cost.json").read_bytes() == first["cost.json"]
 
 
-def costs(**changes: object) -> Costs:
+def costs(**changes: Any) -> Costs:
     one = FunctionCost("forward", 1000, 500, 490, 3000, ())
     found = TargetCost(
         *("m7", "Cortex-M7", "double", "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
         *((one,), 5000, {"demo3_forward": 300}, {"demo3_default": 400}, 8, {"default": 328}),
     )
-    return Costs("demo3", "0", "1", 3, (replace(found, **changes),))  # type: ignore[arg-type]
+    return Costs("demo3", "0", "1", 3, (replace(found, **changes),))
 
 
 def rises(**changes: object) -> tuple[str, ...]:

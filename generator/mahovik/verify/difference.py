@@ -9,7 +9,7 @@ from pathlib import Path
 from mahovik.errors import ToolchainError
 from mahovik.lower.golden import CASES, FAR
 from mahovik.program.function import Function, Program
-from mahovik.program.types import Kind, Struct
+from mahovik.program.types import Kind, NamedCount, Struct
 from mahovik.toolchain.board import build, difference_main, run, selftest_flags
 from mahovik.toolchain.targets import Target
 
@@ -45,9 +45,9 @@ def output_names(function: Function) -> Iterator[str]:
         yield "value"
 
 
-def _names(name: str, type_: Kind | Struct, shape: tuple[object, ...]) -> Iterator[str]:
+def _names(name: str, type_: Kind | Struct, shape: tuple[int | NamedCount, ...]) -> Iterator[str]:
     if shape:
-        for i in range(int(shape[0])):  # type: ignore[call-overload]
+        for i in range(int(shape[0])):
             yield from _names(f"{name}[{i}]", type_, shape[1:])
     elif isinstance(type_, Struct):
         for f in type_.fields:

@@ -12,7 +12,7 @@ from pathlib import Path
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.manifest import digest
 from mahovik.errors import UsageError
-from mahovik.program.types import Kind, Struct
+from mahovik.program.types import Kind, NamedCount, Struct
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.names import nearest
@@ -175,11 +175,11 @@ def _flywheel(made: Generated, width: int) -> dict[str, int]:
     return dict(sorted(found.items()))
 
 
-def _numbers(type_: Kind | Struct, shape: tuple[object, ...]) -> int:
+def _numbers(type_: Kind | Struct, shape: tuple[int | NamedCount, ...]) -> int:
     """Reals in a value of that type."""
     count = 1
     for n in shape:
-        count *= int(n)  # type: ignore[call-overload]
+        count *= int(n)
     if isinstance(type_, Struct):
         return count * sum(_numbers(f.type, f.shape) for f in type_.fields)
     return count if type_ is Kind.REAL else 0
