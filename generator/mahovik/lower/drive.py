@@ -250,13 +250,12 @@ def solve_schur(lib: Library) -> Function:
 def _coupled_arguments(lib: Library, at: bool) -> tuple[Argument, ...]:
     """stand, x, sines and cosines, tau, locked, run-time wrenches, V_dot, phi_ddot."""
     count = lib.layout.count
-    held = "not 0: a lock holds phi'' = 0, whatever its tau"
     return (
         lib.table_argument(),
         lib.state_argument(),
         *(lib.turn_arguments() if at else ()),
         Argument("tau", Kind.REAL, (count,), unit="N m", purpose="drive torques, mount on flywheel"),
-        Argument("locked", Kind.INT, (count,), purpose=held),
+        lib.locked_argument(),
         *lib.wrench_arguments(),
         Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V"),
         Argument("phi_ddot", Kind.REAL, (count,), "out", "rad/s2", "flywheel accelerations"),

@@ -173,7 +173,7 @@ def coupled_jacobian(lib: Library) -> Function:
     layout = lib.layout
     stand, x = lib.table_argument(), lib.state_argument()
     tau = Argument("tau", Kind.REAL, (layout.count,), unit="N m", purpose="drive torques, mount on flywheel")
-    locked = Argument("locked", Kind.INT, (layout.count,), purpose="not 0: a lock holds phi'' = 0, whatever its tau")
+    locked = lib.locked_argument()
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.coupled_slopes, (), "out", purpose="derivatives of V* and phi''")
     o, body = out.place, Body()

@@ -65,6 +65,11 @@ class Library:
             Argument("cosine", Kind.REAL, (self.layout.count,), purpose=purpose),
         )
 
+    def locked_argument(self) -> Argument:
+        """Which flywheels a lock holds."""
+        purpose = "not 0: a lock holds phi'' = 0, whatever its tau"
+        return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose)
+
     def wrench_arguments(self) -> tuple[Argument, ...]:
         """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
         if not self.layout.inputs:

@@ -35,7 +35,7 @@ def _drive_arguments(lib: Library, torques: bool) -> tuple[Argument, ...]:
         return (*lib.phi_ddot_arguments(), *lib.wrench_arguments())
     return (
         Argument("tau", Kind.REAL, (count,), unit="N m", purpose="drive torques, mount on flywheel"),
-        Argument("locked", Kind.INT, (count,), purpose="not 0: a lock holds phi'' = 0, whatever its tau"),
+        lib.locked_argument(),
         *lib.wrench_arguments(),
     )
 
