@@ -21,9 +21,10 @@ from mahovik.program.expression import (
 )
 from mahovik.program.types import Kind, Precision, Struct
 
-_LEVEL = {"*": 80, "/": 80, "+": 70, "-": 70, "<<": 60, ">>": 60, "&": 40, "^": 39, "|": 38, "&&": 30, "||": 29}
+_LEVEL = {"*": 80, "/": 80, "%": 80, "+": 70, "-": 70, "<<": 60, ">>": 60}
+_LEVEL |= {"&": 40, "^": 39, "|": 38, "&&": 30, "||": 29}
 _UNARY, _PRIMARY, _COMPARE, _SELECT = 90, 100, 50, 20
-_ARITHMETIC = {"+", "-", "*", "/"}
+_ARITHMETIC = {"+", "-", "*", "/", "%"}
 
 
 class Expressions:

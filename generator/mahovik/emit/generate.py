@@ -33,8 +33,11 @@ from mahovik.stand.structure import structure
 PRECISIONS = {"double": DOUBLE, "float": FLOAT}
 """Element types that `generate` offers."""
 
-_INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work"))
+_INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work", "lane_sums", "lane_coupling", "lane_schur"))
 """Structs of the source alone."""
+
+LANES = (1, 2, 4, 8)
+"""Flywheels side by side that `generate` offers."""
 
 
 @dataclass(frozen=True)
@@ -47,16 +50,18 @@ class Generated:
     files: dict[str, str]
 
 
-def generate(stand: Stand, precision_name: str = "double") -> dict[str, str]:
+def generate(stand: Stand, precision_name: str = "double", lanes: int = 1) -> dict[str, str]:
     """C of a stand: file name to text, header first. Raises UsageError, StandError."""
-    return generate_all(stand, precision_name).files
+    return generate_all(stand, precision_name, lanes).files
 
 
-def generate_all(stand: Stand, precision_name: str = "double") -> Generated:
+def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1) -> Generated:
     """As `generate`, with the program and the numbers it was printed from."""
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
-    layout = Layout(structure(stand), PRECISIONS[precision_name])
+    if lanes not in LANES:
+        raise UsageError(f"--lanes {lanes}: only {', '.join(map(str, LANES))} can be generated")
+    layout = Layout(structure(stand), PRECISIONS[precision_name], lanes if stand.flywheels else 1)
     program = lower_layout(layout)
     values = Values(stand, layout, program)
     printer = _Printer(stand, layout, program, values)
@@ -81,7 +86,7 @@ class _Printer:
         """The header: the manual of the generated code."""
         public = [f for f in self._program.functions if f.public]
         functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
-        structs = [struct_lines(s, self._names) for s in self._program.structs if s.name not in _INTERNAL]
+        structs = [struct_lines(s, self._names) for s in self._program.structs if not self._internal(s)]
         return template("stand.h.j2").render(
             **self._common(),
             limits=self._limits(),
@@ -94,7 +99,7 @@ class _Printer:
 
     def source(self) -> str:
         """The source: routines, internal functions, public functions, tables."""
-        internal = [struct_lines(s, self._names) for s in self._program.structs if s.name in _INTERNAL]
+        internal = [struct_lines(s, self._names) for s in self._program.structs if self._internal(s)]
         return template("stand.c.j2").render(
             **self._common(),
             bits=any(isinstance(e, BitCast) for f in self._program.functions for e in expressions(f.body)),
@@ -102,6 +107,10 @@ class _Printer:
             functions=[self._function(f) for f in self._program.functions],
             tables=self._tables(),
         )
+
+    def _internal(self, struct: Struct) -> bool:
+        """Is it of the source alone? By blocks, so is the row of one flywheel."""
+        return struct.name in _INTERNAL or (self._layout.lanes > 1 and struct is self._layout.row)
 
     def _common(self) -> dict[str, Any]:
         stand = self._stand
@@ -139,6 +148,9 @@ class _Printer:
             entries = self._names.enumerators(names, taken)
             taken |= {entry.removeprefix(self._names.constant("")) for entry in entries}
             found.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
+        for count in layout.lane_counts:
+            text = f"enum {{ {self._names.constant(count.name)} = {int(count)} }};  /* {count.comment} */"
+            found.append([text])
         if layout.inputs:
             names = list(layout.inputs)
             entries = self._names.enumerators(names, taken, "WRENCH_")

@@ -36,7 +36,7 @@ def within(lib: Library) -> Function:
 
 def check_turns(lib: Library) -> Function:
     """Sines and cosines from encoders: finite, and of unit length within 1e-3."""
-    sine, cosine = lib.turn_arguments()
+    sine, cosine = lib.given_turns()
     body = Body()
     lib.begin(body)
     for given in (sine, cosine):

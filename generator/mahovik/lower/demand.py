@@ -10,8 +10,9 @@ from typing import Any
 
 from mahovik.derive import accumulate as derived_rows
 from mahovik.derive import carrier as derived_carrier
-from mahovik.lower.flywheels import columns_of, places_of, turn_of
-from mahovik.lower.forward import STATE_STATUSES, check_inputs, external_wrench, relative_rate, scene
+from mahovik.lower.flywheels import columns_of, let_turn, places_of
+from mahovik.lower.forward import STATE_STATUSES, check_inputs, external_wrench, relative_rate, scene, sum_up
+from mahovik.lower.lanes import entry, row_of
 from mahovik.lower.library import Library
 from mahovik.lower.matrices import fill
 from mahovik.lower.solve import carrier_binding
@@ -67,12 +68,11 @@ def demand(lib: Library) -> Function:
     lib.begin(body)
     seen = scene(lib, body, stand.place, x.place, turns=places_of(turns))
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
-    body.call(lib["start_sums"], stand.place, seen.sums)
+    sum_up(lib, body, stand.place, x.place, seen, None)
     column = body.local("column", (6,), comment="I_s")
     with body.loop("s", layout.count) as s:
-        turn = turn_of(lib, body, x.place, s, seen.turns)
-        row = stand.place.flywheel[s]
-        body.call(lib["add_flywheel"], row, turn["s"], turn["c"], x.place.phi_dot[s], real(0), seen.sums)
+        turn = let_turn(body, seen.turns, s)
+        row = row_of(lib, body, stand.place, s)
         assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
         with body.loop("i", 6) as i:
             body.set(w.I[i][s], column[i])
@@ -92,7 +92,7 @@ def demand(lib: Library) -> Function:
         body.set(w.r[i], total)
     lib.check(body, "factor", w)
     with body.loop("s", layout.count) as s:
-        body.set(w.scale[s], 1 / call(lib["sqrt"], stand.place.flywheel[s].spin))
+        body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, stand.place, s, "spin")))
         with body.loop("i", 6) as i:
             body.set(w.W[i][s], w.I[i][s] * w.scale[s])
     body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution")

@@ -2,118 +2,41 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
-
-from mahovik.derive import accumulate as derived_rows
-from mahovik.derive import carrier as derived_carrier
-from mahovik.derive import drive as derived
-from mahovik.derive.symbols import SYMMETRIC, vector
-from mahovik.lower.flywheels import AT_NOTES, columns_of, places_of, turn_of, turns_of
+from mahovik.lower import lanes
+from mahovik.lower.coupling import Carried, along, carried, couple_blocks, couple_flywheel
+from mahovik.lower.flywheels import AT_NOTES, places_of, turns_of
 from mahovik.lower.forward import (
     STATE_STATUSES,
     Scene,
+    all_turns,
     check_inputs,
     external_wrench,
     from_stream,
     relative_rate,
     scene,
+    sum_up,
 )
+from mahovik.lower.lanes import entry
 from mahovik.lower.library import Library
-from mahovik.lower.solve import parts_of_twist
-from mahovik.lower.symbolic import assign, translate
+from mahovik.lower.schur import start_schur
 from mahovik.lower.wrenches import own_wrenches
 from mahovik.program.build import Body
-from mahovik.program.expression import Expr, Not, Place, Status, both, equal, integer, real
+from mahovik.program.expression import Place, Status, equal, integer, real, select
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind
-
-_DOUBLE = {"two_c2": "twice the cosine and sine of the double phase", "two_s2": ""}
-
-
-def couple(lib: Library) -> Function:
-    """I_s and the bias torque of one flywheel."""
-    layout = lib.layout
-    row = Argument("row", layout.row)
-    s = Argument("s", Kind.REAL, purpose="sin phi")
-    c = Argument("c", Kind.REAL, purpose="cos phi")
-    swing = Argument("swing", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, less gravity")
-    spun = Argument("spun", Kind.REAL, (6,), unit="rad2/s2", purpose="products of omega")
-    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
-    out = Argument("out", layout.coupling, (), "out")
-    body = Body()
-    binding: dict[str, Expr] = {"s": s.place, "c": c.place}
-    for name in ("two_c2", "two_s2"):
-        binding[name] = body.let(name, translate(derived_rows.weights()[name], binding), _DOUBLE[name])
-    everything: dict[str, Any] = binding | columns_of(row.place)
-    assign(body, list(out.place.I), derived_rows.columns().I, everything)
-    mu_p, J_p = derived.phase_derivatives()
-    assert list(mu_p) == list(derived_rows.columns().I[:3])
-    slope = body.local("J_p", (6,), comment="dJ / dphi")
-    assign(body, list(slope), J_p, everything)
-    everything |= {"J_p": slope, "spun": spun.place, "swing": swing.place}
-    everything |= {"mu_p": list(out.place.I)[:3], "g": g.place}
-    if layout.flywheel_buoyancy:
-        sunk = body.local("displaced_p", (3,), comment="derivative of the displaced first moment")
-        for i in range(3):
-            body.set(sunk[i], row.place.displaced_s[i] * c.place - row.place.displaced_c[i] * s.place)
-        everything["displaced_p"] = sunk
-    body.set(out.place.bias, translate(derived.bias_torque(layout.flywheel_buoyancy), everything))
-    return Function(
-        "couple",
-        "Column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0.",
-        (row, s, c, swing, spun, g, out),
-        body.statements,
-        equation="(9)",
-    )
-
-
-@dataclass(frozen=True)
-class Carried:
-    """What the carrier's motion does to all flywheels alike: swing = omega x v - g (3), spun: products of omega (6)."""
-
-    swing: Place
-    spun: Place
-
-
-def carried(lib: Library, body: Body, seen: Scene) -> Carried:
-    """Both, into locals."""
-    swing = body.local(
-        "swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v"
-    )
-    bound = parts_of_twist(seen.V) | ({"g": seen.g} if seen.g is not None else {})
-    assign(body, list(swing), derived.swing(lib.layout.weight), bound)
-    spun = body.local("spun", (6,), comment="J . spun = -omega . J omega / 2 for any J")
-    assign(body, list(spun), derived.spin_products(), bound)
-    return Carried(swing, spun)
-
-
-def couple_flywheel(
-    lib: Library, body: Body, stand: Place, x: Place, s: Place, seen: Scene, by: Carried, out: Place
-) -> dict[str, Expr]:
-    """I_s and the bias torque of flywheel s into `out`; returns its sine and cosine."""
-    turn = turn_of(lib, body, x, s, seen.turns)
-    named = {"row": stand.flywheel[s], **turn, "swing": by.swing, "spun": by.spun, "g": seen.g, "out": out}
-    body.call(lib["couple"], *lib.passed("couple", **named))
-    return turn
-
-
-def along(column: Place, V_dot: Place) -> Expr:
-    """I_s . V*."""
-    return translate(vector("column", 6).dot(vector("V_dot", 6)), {"column": column, "V_dot": V_dot})
 
 
 def torque(lib: Library, at: bool = False) -> Function:
     """tau for given V*, phi''; `at`: torque_at, of given sines and cosines of the phases."""
     layout = lib.layout
-    arguments = _torque_arguments(lib, at)
+    arguments = _torque_arguments(lib, lib.given_turns() if at else ())
     stand, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
     tau, wrench = arguments[-1], tuple(a for a in arguments if a.name == "wrench")
     body = Body()
     check_inputs(lib, body, stand, x, (phi_ddot,), wrench, tuple(turns))
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     if layout.sine_input:
-        inputs = [*(places_of(turns) or turns_of(lib, body, x.place)), *places_of((V_dot, phi_ddot, *wrench))]
+        inputs = [*all_turns(lib, body, x.place, tuple(turns)), *places_of((V_dot, phi_ddot, *wrench))]
         body.call(lib["balance"], stand.place, x.place, *inputs, tau.place)
     else:
         _balance(lib, body, arguments)
@@ -132,19 +55,19 @@ def torque(lib: Library, at: bool = False) -> Function:
 
 def balance(lib: Library) -> Function:
     """What torque and torque_at share, from checked inputs."""
-    arguments = _torque_arguments(lib, at=True)
+    arguments = _torque_arguments(lib, lib.turn_arguments())
     body = Body()
     _balance(lib, body, arguments)
     return Function("balance", "Drive torques for a given motion, from checked inputs.", arguments, body.statements)
 
 
-def _torque_arguments(lib: Library, at: bool) -> tuple[Argument, ...]:
+def _torque_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
     """stand, x, sines and cosines, V_dot, phi_ddot, run-time wrenches, tau."""
     purpose = "drive torques, mount on flywheel, about the spin axis"
     return (
         lib.table_argument(),
         lib.state_argument(),
-        *(lib.turn_arguments() if at else ()),
+        *turns,
         Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V"),
         *lib.phi_ddot_arguments(),
         *lib.wrench_arguments(),
@@ -166,94 +89,41 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
             body.set(element, real(0))
         own_wrenches(lib, body, stand, x, seen.turns, seen.V, wrench, scratch, seen.own)
     alike = carried(lib, body, seen)
+    if layout.lanes > 1:
+        _balance_blocks(lib, body, stand, seen, alike, moving, place["phi_ddot"], place["tau"])
+        return
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand, x, s, seen, alike, coupling)
+        couple_flywheel(lib, body, stand, s, seen, alike, coupling)
         spin = stand.flywheel[s].spin * place["phi_ddot"][s]
-        total = along(coupling.I, moving) + spin + coupling.bias
+        total = along(list(coupling.I), moving) + spin + coupling.bias
         body.set(place["tau"][s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
 
 
-def eliminate(lib: Library) -> Function:
-    """One free flywheel eliminated from the coupled equations."""
+def _balance_blocks(
+    lib: Library, body: Body, stand: Place, seen: Scene, alike: Carried, V_dot: Place, phi_ddot: Place, tau: Place
+) -> None:
+    """tau of all flywheels, block by block."""
     layout = lib.layout
-    column = Argument("I", Kind.REAL, (6,))
-    inverse = Argument("spin_inv", Kind.REAL, unit="1/(kg m2)")
-    rate = Argument("rate", Kind.REAL, unit="rad/s2", purpose="its acceleration at V* = 0")
-    schur = Argument("K", layout.schur, (), "inout")
-    F = Argument("F", Kind.REAL, (6,), "inout")
-    body = Body()
-    i, K = column.place, schur.place
-    scaled = body.local("scaled", (6,), comment="I / Theta_ff")
-    for k in range(6):
-        body.set(scaled[k], i[k] * inverse.place)
-    for k, (a, b) in enumerate(SYMMETRIC):
-        body.add(K.A[k], -(i[a] * scaled[b]))
-    for a in range(3):
-        for b in range(3):
-            body.add(K.B[3 * a + b], -(i[3 + a] * scaled[b]))
-    for k, (a, b) in enumerate(SYMMETRIC):
-        body.add(K.D[k], -(i[3 + a] * scaled[3 + b]))
-    for k in range(6):
-        body.add(F.place[k], -(i[k] * rate.place))
-    return Function(
-        "eliminate",
-        "Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate.",
-        (column, inverse, rate, schur, F),
-        body.statements,
-    )
+    coupling = body.local("drive", (), layout.lane_coupling)
+    accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
+    total = body.local("total", (layout.room,))
+    with lanes.blocks(lib, body) as (b, first):
+        couple_blocks(lib, body, stand, b, first, seen, alike, coupling)
+        with body.loop("k", layout.lane_count) as k:
+            spin = stand.block[b].spin[k] * accelerations[first + k]
+            body.set(total[first + k], along(lanes.lane(coupling.I, k), V_dot) + spin + coupling.bias[k])
+    with body.loop("s", layout.count) as s:
+        body.set(tau[s], total[s] if seen.own is None else total[s] - seen.own[s * integer(6) + 3])
 
 
-def solve_schur(lib: Library) -> Function:
-    """6x6 solve by blocks of 3x3."""
-    schur = Argument("K", lib.layout.schur)
-    F = Argument("F", Kind.REAL, (6,))
-    y = Argument("y", Kind.REAL, (6,), "out", purpose="must not overlap F")
-    body = Body()
-    lib.begin(body)
-    K = schur.place
-    adjugate, determinant = derived_carrier.inverse_of_symmetric()
-    names = ("11", "22", "33", "12", "13", "23")
-    cofactor: list[Expr] = [body.let(f"c{n}", translate(e, {"A": K.A})) for n, e in zip(names, adjugate, strict=True)]
-    d = body.let("det", translate(determinant, {"A": K.A, "cofactor": cofactor}))
-    whole = both(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
-    lib.guard(body, Not(both(both(K.A[0] > 0, cofactor[2] > 0), whole)), "NOT_POSITIVE_DEFINITE")
-    r = body.let("r", 1 / d)
-    inverse = body.local("A_inv", (6,))
-    for k in range(6):
-        body.set(inverse[k], cofactor[k] * r)
-    U = body.local("U", (9,), comment="A^-1 B^T")
-    S = body.local("S", (6,), comment="D - B A^-1 B^T")
-    n = body.local("moment", (3,), comment="n - B A^-1 f")
-    omega_dot = body.local("omega_dot", (3,))
-    six = list(F.place)
-    binding = {"A_inv": inverse, "B": K.B, "U": U, "J": K.D, "f": six[:3], "n": six[3:], "omega_dot": omega_dot}
-    assign(body, list(U), derived_carrier.schur_coupling(True), binding)
-    assign(body, list(S), derived_carrier.reduced_inertia(True), binding)
-    assign(body, list(n), derived_carrier.reduced_moment(True), binding)
-    lib.check(body, "solve3", S, n, omega_dot)
-    out = list(y.place)
-    assign(body, out[:3], derived_carrier.linear_part(True), binding)
-    for target, value in zip(out[3:], omega_dot, strict=True):
-        body.set(target, value)
-    body.ret(Status("OK"))
-    return Function(
-        "solve_schur",
-        "Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3.",
-        (schur, F, y),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
-    )
-
-
-def _coupled_arguments(lib: Library, at: bool) -> tuple[Argument, ...]:
+def _coupled_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
     """stand, x, sines and cosines, tau, locked, run-time wrenches, V_dot, phi_ddot."""
     count = lib.layout.count
     return (
         lib.table_argument(),
         lib.state_argument(),
-        *(lib.turn_arguments() if at else ()),
+        *turns,
         Argument("tau", Kind.REAL, (count,), unit="N m", purpose="drive torques, mount on flywheel"),
         lib.locked_argument(),
         *lib.wrench_arguments(),
@@ -265,20 +135,14 @@ def _coupled_arguments(lib: Library, at: bool) -> tuple[Argument, ...]:
 def move(lib: Library) -> Function:
     """V*, phi'' for given tau, from checked inputs."""
     layout = lib.layout
-    arguments = _coupled_arguments(lib, at=True)
     turns = lib.turn_arguments()
+    arguments = _coupled_arguments(lib, turns)
     stand, x = arguments[:2]
     tau, locked, *wrench, V_dot, phi_ddot = arguments[2 + len(turns) :]
     body = Body()
     lib.begin(body)
-    seen = scene(lib, body, stand.place, x.place, turns=places_of(arguments[2 : 2 + len(turns)]))
-    drives = body.local("drive", (layout.count,), layout.coupling)
-    alike = carried(lib, body, seen)
-    body.call(lib["start_sums"], stand.place, seen.sums)
-    with body.loop("s", layout.count) as s:
-        turn = couple_flywheel(lib, body, stand.place, x.place, s, seen, alike, drives[s])
-        speed = x.place.phi_dot[s]
-        body.call(lib["add_flywheel"], stand.place.flywheel[s], turn["s"], turn["c"], speed, real(0), seen.sums)
+    seen = scene(lib, body, stand.place, x.place, turns=places_of(turns_in(arguments)))
+    sum_up(lib, body, stand.place, x.place, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, stand.place, x.place, seen, tuple(wrench), F)
@@ -286,21 +150,8 @@ def move(lib: Library) -> Function:
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_schur(lib, body, stand.place, seen.sums, K)
-    rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
-    with body.loop("s", layout.count) as s:
-        body.set(rate[s], real(0))
-        with body.when(equal(locked.place[s], integer(0))):
-            demand = tau.place[s] - drives[s].bias
-            if seen.own is not None:
-                demand = demand + seen.own[s * integer(6) + 3]
-            body.set(rate[s], demand * stand.place.flywheel[s].spin_inv)
-            body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inv, rate[s], K, F)
-    lib.check(body, "solve_schur", K, F, V_dot.place)
-    with body.loop("s", layout.count) as s:
-        body.set(phi_ddot.place[s], real(0))
-        with body.when(equal(locked.place[s], integer(0))):
-            back = along(drives[s].I, V_dot.place) * stand.place.flywheel[s].spin_inv
-            body.set(phi_ddot.place[s], rate[s] - back)
+    solve = _solve if layout.lanes == 1 else _solve_blocks
+    solve(lib, body, stand.place, seen, (tau.place, locked.place), (K, F), (V_dot.place, phi_ddot.place))
     from_stream(body, x.place, seen, V_dot.place)
     body.ret(Status("OK"))
     return Function(
@@ -313,19 +164,84 @@ def move(lib: Library) -> Function:
     )
 
 
+def turns_in(arguments: tuple[Argument, ...]) -> tuple[Argument, ...]:
+    """Sines and cosines among the arguments."""
+    return tuple(a for a in arguments if a.name in ("sine", "cosine"))
+
+
+Pair = tuple[Place, Place]
+
+
+def _solve(lib: Library, body: Body, stand: Place, seen: Scene, given: Pair, system: Pair, results: Pair) -> None:
+    """V*, phi'' of K, F without drives, for given tau and locks."""
+    layout = lib.layout
+    (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
+    drives = body.local("drive", (layout.count,), layout.coupling)
+    alike = carried(lib, body, seen)
+    rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
+    with body.loop("s", layout.count) as s:
+        couple_flywheel(lib, body, stand, s, seen, alike, drives[s])
+        body.set(rate[s], real(0))
+        with body.when(equal(locked[s], integer(0))):
+            demand = tau[s] - drives[s].bias
+            if seen.own is not None:
+                demand = demand + seen.own[s * integer(6) + 3]
+            body.set(rate[s], demand * stand.flywheel[s].spin_inv)
+            body.call(lib["eliminate"], drives[s].I, stand.flywheel[s].spin_inv, rate[s], K, F)
+    lib.check(body, "solve_schur", K, F, V_dot)
+    with body.loop("s", layout.count) as s:
+        body.set(phi_ddot[s], real(0))
+        with body.when(equal(locked[s], integer(0))):
+            back = along(list(drives[s].I), V_dot) * stand.flywheel[s].spin_inv
+            body.set(phi_ddot[s], rate[s] - back)
+
+
+def _solve_blocks(
+    lib: Library, body: Body, stand: Place, seen: Scene, given: Pair, system: Pair, results: Pair
+) -> None:
+    """The same by blocks: a lock makes 1 / Theta_ff of its flywheel 0, which leaves nothing of it in any sum."""
+    layout = lib.layout
+    (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
+    drives = body.local("drive", (layout.blocks,), layout.lane_coupling)
+    alike = carried(lib, body, seen)
+    load = body.local("load", (layout.room,), comment="torques on the flywheels: of drives and of the fluid")
+    inverse = body.local("inverse", (layout.room,), comment="1 / Theta_ff; 0 where a lock holds")
+    with body.loop("s", layout.count) as s:
+        body.set(load[s], tau[s] if seen.own is None else tau[s] + seen.own[s * integer(6) + 3])
+        body.set(inverse[s], select(equal(locked[s], integer(0)), entry(lib, stand, s, "spin_inv"), real(0)))
+    if int(layout.room) > int(layout.count):
+        with body.loop("s", layout.room, start=layout.count) as s:
+            body.set(load[s], real(0))
+            body.set(inverse[s], real(0))
+    rate = body.local("rate", (layout.room,), comment="accelerations at V* = 0")
+    parts = body.local("taken", (), layout.lane_schur, "by the flywheels, lane by lane")
+    lanes.clear(body, parts, layout.lane_schur, layout.lane_count)
+    with lanes.blocks(lib, body) as (b, first):
+        couple_blocks(lib, body, stand, b, first, seen, alike, drives[b])
+        with body.loop("k", layout.lane_count) as k:
+            body.set(rate[first + k], (load[first + k] - drives[b].bias[k]) * inverse[first + k])
+        body.call(lib["eliminate_block"], drives[b], first, inverse, rate, parts)
+    body.call(lib["take_lanes"], parts, K, F)
+    lib.check(body, "solve_schur", K, F, V_dot)
+    with lanes.blocks(lib, body) as (b, first), body.loop("k", layout.lane_count) as k:
+        back = along(lanes.lane(drives[b].I, k), V_dot) * inverse[first + k]
+        body.set(rate[first + k], rate[first + k] - back)
+    with body.loop("s", layout.count) as s:
+        body.set(phi_ddot[s], rate[s])
+
+
 def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
     """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
     by_name = {a.name: a for a in arguments}
     wrench = tuple(a for a in arguments if a.name == "wrench")
-    turns = tuple(a for a in arguments if a.name in ("sine", "cosine"))
-    check_inputs(lib, body, by_name["stand"], by_name["x"], (), wrench, turns)
+    check_inputs(lib, body, by_name["stand"], by_name["x"], (), wrench, turns_in(arguments))
     lib.check(body, "within", by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression)
 
 
 def coupled(lib: Library, at: bool = False) -> Function:
     """V*, phi'' for given tau; `at`: coupled_at, of given sines and cosines of the phases."""
     layout = lib.layout
-    arguments = _coupled_arguments(lib, at)
+    arguments = _coupled_arguments(lib, lib.given_turns() if at else ())
     V_dot, phi_ddot = arguments[-2:]
     body = Body()
     check_drive(lib, body, arguments)
@@ -349,16 +265,3 @@ def coupled(lib: Library, at: bool = False) -> Function:
         notes=AT_NOTES if at else (),
         public=True,
     )
-
-
-def start_schur(lib: Library, body: Body, stand: Place, sums: Place, K: Place) -> None:
-    """K of (2) by blocks."""
-    if lib.layout.added_mass:
-        body.copy_array(K.A, stand.A)
-        binding = {"mu": sums.mu, "G": stand.G}
-    else:
-        for k in range(6):
-            body.set(K.A[k], stand.mass if k < 3 else real(0))
-        binding = {"mu": sums.mu}
-    assign(body, list(K.B), derived_carrier.coupling_block(lib.layout.added_mass), binding)
-    body.copy_array(K.D, sums.J)

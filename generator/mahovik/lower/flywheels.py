@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from mahovik.derive import accumulate as derived
+from mahovik.lower import lanes
 from mahovik.lower.library import Library
-from mahovik.lower.symbolic import add_each, assign, translate
+from mahovik.lower.symbolic import assign, translate
 from mahovik.program.build import Body
 from mahovik.program.expression import Expr, Place, real
 from mahovik.program.function import Argument, Function
@@ -42,7 +44,7 @@ def sine_and_cosine(lib: Library, body: Body, phase: Expr, suffix: str = "") -> 
 
 
 Turns = tuple[Place, ...]
-"""Sines and cosines of all phases, two arrays; empty where a function takes them of the phases of the state."""
+"""Sines and cosines of all phases, two arrays; empty where there are no flywheels."""
 
 
 def places_of(arguments: Sequence[Argument]) -> Turns:
@@ -51,24 +53,24 @@ def places_of(arguments: Sequence[Argument]) -> Turns:
 
 
 def turns_of(lib: Library, body: Body, x: Place) -> Turns:
-    """Sines and cosines of the phases of a state as locals, where internal functions take them."""
-    if not lib.layout.sine_input:
+    """Sines and cosines of the phases of a state as locals: all of them first, as none waits for another."""
+    if not lib.layout.flywheels:
         return ()
-    sine = body.local("sine", (lib.layout.count,))
-    cosine = body.local("cosine", (lib.layout.count,))
-    with body.loop("s", lib.layout.count) as s:
-        turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
-        body.set(sine[s], turn["s"])
-        body.set(cosine[s], turn["c"])
+    sine = body.local("sine", (lib.layout.room,))
+    cosine = body.local("cosine", (lib.layout.room,))
+    body.call(lib["sincos_each"], x.phi, sine, cosine)
     return sine, cosine
 
 
-def turn_of(lib: Library, body: Body, x: Place, s: Place, turns: Turns, suffix: str = "_phi") -> dict[str, Expr]:
-    """s, c of flywheel s: as given, or locals (with a suffix) computed of its phase."""
-    if turns:
-        sine, cosine = turns
-        return {"s": sine[s], "c": cosine[s]}
-    return sine_and_cosine(lib, body, x.phi[s], suffix)
+def turn_of(turns: Turns, s: Expr) -> dict[str, Expr]:
+    """s, c of flywheel s."""
+    sine, cosine = turns
+    return {"s": sine[s], "c": cosine[s]}
+
+
+def let_turn(body: Body, turns: Turns, s: Expr, suffix: str = "_phi") -> dict[str, Expr]:
+    """s, c of flywheel s as named temporaries (with a suffix)."""
+    return {name: body.let(f"{name}{suffix}", place) for name, place in turn_of(turns, s).items()}
 
 
 def named_turns(turns: Turns) -> dict[str, Place]:
@@ -80,10 +82,13 @@ AT_NOTES = ("Of given sines and cosines, used as they are: the phases of x are c
 """What the functions say that take sines and cosines."""
 
 
+COLUMNS = ("mu_c", "mu_s", "J_c", "J_s", "J_2c", "J_2s", "t_0", "t_c", "t_s")
+"""The columns of a row, which the derivation uses by these names."""
+
+
 def columns_of(row: Place) -> dict[str, Place]:
-    """The columns of a row by the names that the derivation uses."""
-    names = ("mu_c", "mu_s", "J_c", "J_s", "J_2c", "J_2s", "t_0", "t_c", "t_s")
-    return {name: row.member(name) for name in names}
+    """The columns of a row by name."""
+    return {name: row.member(name) for name in COLUMNS}
 
 
 def start_sums(lib: Library) -> Function:
@@ -105,6 +110,25 @@ def start_sums(lib: Library) -> Function:
     )
 
 
+_NOTES = {
+    "mu": "first moment and its rate",
+    "J": "inertia",
+    "J_dot": "its rate: K_dot of (6)",
+    "h_rel": "moment part of I phi' (its force part is mu_dot)",
+    "a_rel": "I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5)",
+}
+
+
+def _add_row(body: Body, given: dict[str, Expr], columns: Mapping[str, Any], sums: Mapping[str, list[Place]]) -> None:
+    """sums += what a row of these columns gives for s, c, phi_dot, phi_ddot."""
+    binding: dict[str, Any] = {**let_weights(body, given, tuple(_COMMENTS)), **columns}
+    parts = derived.sums()
+    for name in ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel"):
+        if name in _NOTES:
+            body.note(_NOTES[name])
+        assign(body, sums[name], getattr(parts, name), binding, add=True)
+
+
 def add_flywheel(lib: Library) -> Function:
     """One row at its phase."""
     row = Argument("row", lib.layout.row)
@@ -116,22 +140,8 @@ def add_flywheel(lib: Library) -> Function:
     body = Body()
     given: dict[str, Expr] = {"s": sine.place, "c": cosine.place}
     given |= {"phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
-    weights = let_weights(body, given, tuple(_COMMENTS))
-    binding = weights | columns_of(row.place)
-    parts = derived.sums()
-    notes = {
-        "mu": "first moment and its rate",
-        "J": "inertia and its rate: K_dot of (6)",
-        "h_rel": "moment part of I phi' (its force part is mu_dot)",
-        "a_rel": "I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5)",
-    }
-    for name in ("mu", "mu_dot", "J", "h_rel", "a_rel", "g_rel"):
-        if name in notes:
-            body.note(notes[name])
-        if name == "J":  # a loop: a third of the code, and compilers see what to do side by side
-            add_each(body, {sums.place.J: parts.J, sums.place.J_dot: parts.J_dot}, binding)
-            continue
-        assign(body, list(sums.place.member(name)), getattr(parts, name), binding, add=True)
+    targets = {f.name: list(sums.place.member(f.name)) for f in lib.layout.sums.fields}
+    _add_row(body, given, columns_of(row.place), targets)
     return Function(
         "add_flywheel",
         "Adds what one flywheel's row gives at its phase to the sums.",
@@ -139,3 +149,56 @@ def add_flywheel(lib: Library) -> Function:
         body.statements,
         equation="(2), (5), (6)",
     )
+
+
+def add_block(lib: Library) -> Function:
+    """The rows of a block, one a lane."""
+    block = Argument("block", lib.layout.block)
+    first = lanes.first_argument()
+    inputs = [
+        lanes.room_argument(lib, "sine", "of the phases"),
+        lanes.room_argument(lib, "cosine"),
+        lanes.room_argument(lib, "phi_dot", unit="rad/s"),
+        lanes.room_argument(lib, "phi_ddot", unit="rad/s2"),
+    ]
+    sums = Argument("lane", lib.layout.lane_sums, (), "inout")
+    body = Body()
+    with body.loop("k", lib.layout.lane_count) as k:
+        names = ("s", "c", "w", "a")
+        s, c, w, a = (body.let(n, x.place[first.place + k]) for n, x in zip(names, inputs, strict=True))
+        targets = {f.name: lanes.lane(sums.place.member(f.name), k) for f in lib.layout.sums.fields}
+        given: dict[str, Expr] = {"s": s, "c": c, "phi_dot": w, "phi_ddot": a}
+        _add_row(body, given, lanes.lane_columns(block.place, k, COLUMNS), targets)
+    return Function(
+        "add_block",
+        "Adds what the rows of a block give at their phases, each to the sums of its lane; w = phi', a = phi''.",
+        (block, first, *inputs, sums),
+        body.statements,
+        equation="(2), (5), (6)",
+    )
+
+
+def sum_up(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums: Place, phi_ddot: Place | None) -> None:
+    """Sums over all bodies; without phi_ddot those of constant speeds."""
+    layout = lib.layout
+    body.call(lib["start_sums"], stand, sums)
+    if not layout.flywheels:
+        return
+    if layout.lanes == 1:
+        with body.loop("s", layout.count) as s:
+            acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
+            turn = turn_of(turns, s)
+            body.call(lib["add_flywheel"], stand.flywheel[s], turn["s"], turn["c"], x.phi_dot[s], acceleration, sums)
+        return
+    speeds = lanes.roomy(lib, body, x.phi_dot, "speeds")
+    if phi_ddot is None:
+        accelerations = body.local("accelerations", (layout.room,), comment="none")
+        with body.loop("s", layout.room) as s:
+            body.set(accelerations[s], real(0))
+    else:
+        accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
+    parts = body.local("lane", (), layout.lane_sums, "of the flywheels, lane by lane")
+    lanes.clear(body, parts, layout.lane_sums, layout.lane_count)
+    with lanes.blocks(lib, body) as (b, first):
+        body.call(lib["add_block"], stand.block[b], first, *turns, speeds, accelerations, parts)
+    body.call(lib["add_lanes"], parts, sums)

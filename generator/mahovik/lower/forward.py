@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.derive import wrench as derived
-from mahovik.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turn_of, turns_of
+from mahovik.lower import flywheels, lanes
+from mahovik.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body
-from mahovik.program.expression import Expr, Place, Status, real
+from mahovik.program.expression import Place, Status, real
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind
 
@@ -21,7 +22,7 @@ class Scene:
     """What the equations are evaluated with; None where the stand has no need of it.
 
     C attitude; V relative to the stream; stream and g (gravity) in E1; sums over all bodies; own: wrenches of the
-    flywheels of their own, six numbers each; turns: sines and cosines of the phases, where they are inputs.
+    flywheels of their own, six numbers each; turns: sines and cosines of the phases.
     """
 
     C: Place | None
@@ -84,15 +85,8 @@ def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = Fal
 
 
 def sum_up(lib: Library, body: Body, stand: Place, x: Place, seen: Scene, phi_ddot: Place | None) -> None:
-    """Sums over all bodies; without phi_ddot those of constant speeds."""
-    layout = lib.layout
-    body.call(lib["start_sums"], stand, seen.sums)
-    if layout.flywheels:
-        with body.loop("s", layout.count) as s:
-            acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
-            turn = turn_of(lib, body, x, s, seen.turns)
-            row = stand.flywheel[s]
-            body.call(lib["add_flywheel"], row, turn["s"], turn["c"], x.phi_dot[s], acceleration, seen.sums)
+    """Sums over all bodies into seen.sums; without phi_ddot those of constant speeds."""
+    flywheels.sum_up(lib, body, stand, x, seen.turns, seen.sums, phi_ddot)
 
 
 def external_wrench(
@@ -128,6 +122,14 @@ def relative_rate(body: Body, x: Place, V_dot: Place, stream: Place | None) -> P
     for i in range(6):
         body.set(moving[i], V_dot[i] + drift[i] if i < 3 else V_dot[i])
     return moving
+
+
+def all_turns(lib: Library, body: Body, x: Place, given: tuple[Argument, ...]) -> Turns:
+    """Sines and cosines as functions of our own take them: those given, or of the phases of x."""
+    if not given:
+        return turns_of(lib, body, x)
+    sine, cosine = places_of(given)
+    return lanes.roomy(lib, body, sine, "sines"), lanes.roomy(lib, body, cosine, "cosines")
 
 
 def accelerate(lib: Library) -> Function:
@@ -171,14 +173,14 @@ def from_stream(body: Body, x: Place, seen: Scene, V_dot: Place) -> None:
 def forward(lib: Library, at: bool = False) -> Function:
     """V* for given phi'' by (8); `at`: forward_at, of given sines and cosines of the phases."""
     stand, x = lib.table_argument(), lib.state_argument()
-    turns = lib.turn_arguments() if at else ()
+    turns = lib.given_turns() if at else ()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = "derivative of the components of V; may overlap any input"
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose)
     body = Body()
     check_inputs(lib, body, stand, x, phi_ddot, wrench, turns)
     result = body.local("result", (6,))
-    inputs = [*(places_of(turns) or turns_of(lib, body, x.place)), *places_of((*phi_ddot, *wrench))]
+    inputs = [*all_turns(lib, body, x.place, turns), *places_of((*phi_ddot, *wrench))]
     lib.check(body, "accelerate", stand.place, x.place, *inputs, result)
     body.copy_array(V_dot.place, result)
     body.ret(Status("OK"))

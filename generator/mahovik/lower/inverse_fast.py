@@ -7,8 +7,8 @@ fewer (W^T W) y = W^T r, where weights have no say.
 from __future__ import annotations
 
 from mahovik.lower.demand import check_demand
-from mahovik.lower.flywheels import AT_NOTES, places_of, turns_of
-from mahovik.lower.forward import STATE_STATUSES
+from mahovik.lower.flywheels import AT_NOTES
+from mahovik.lower.forward import STATE_STATUSES, all_turns
 from mahovik.lower.library import Library
 from mahovik.program.build import Body, call
 from mahovik.program.expression import Not, Place, Status, integer, real
@@ -25,7 +25,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     stand, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
     options = Argument("options", layout.inverse_options, purpose="weights and damping; near and limits are not read")
-    given, wrench = lib.turn_arguments() if at else (), lib.wrench_arguments()
+    given, wrench = lib.given_turns() if at else (), lib.wrench_arguments()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     p = options.place
     wide = int(layout.count) >= 6
@@ -34,7 +34,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     check_demand(lib, body, stand, x, V_dot, p, ("damping",), wrench, given)
     work = body.local("work", (), layout.inverse_work)
     inputs = [w.place for w in wrench]
-    turns = places_of(given) or turns_of(lib, body, x.place)
+    turns = all_turns(lib, body, x.place, given)
     lib.check(body, "demand", stand.place, x.place, *turns, V_dot.place, *inputs, work)
     body.note(
         "normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z" if wide else "normal equations: W^T W y = W^T r"

@@ -9,11 +9,14 @@ from mahovik.derive import carrier as derived_carrier
 from mahovik.derive import drive as derived_drive
 from mahovik.derive import sensitivity as derived
 from mahovik.derive.symbols import vector
-from mahovik.lower.drive import along, carried, check_drive, couple_flywheel, start_schur
-from mahovik.lower.flywheels import columns_of, let_weights, sine_and_cosine, turns_of
+from mahovik.lower.coupling import along, carried, couple_flywheel
+from mahovik.lower.drive import check_drive
+from mahovik.lower.flywheels import Turns, columns_of, let_turn, let_weights, turns_of
 from mahovik.lower.forward import STATE_STATUSES, Scene, check_inputs, drift_of, external_wrench, scene, sum_up
+from mahovik.lower.lanes import entry, row_of
 from mahovik.lower.library import Library
 from mahovik.lower.matrices import fill
+from mahovik.lower.schur import start_schur
 from mahovik.lower.sensitivity import set_weights
 from mahovik.lower.solve import carrier_binding, parts_of_twist
 from mahovik.lower.symbolic import assign, translate
@@ -71,9 +74,9 @@ def _own(
     return about
 
 
-def _row_weights(lib: Library, body: Body, x: Place, s: Place, acceleration: Expr) -> dict[str, Expr]:
+def _row_weights(body: Body, x: Place, turns: Turns, s: Place, acceleration: Expr) -> dict[str, Expr]:
     """All weights of row s by name."""
-    given = sine_and_cosine(lib, body, x.phi[s], "_phi")
+    given = let_turn(body, turns, s)
     given |= {"phi_dot": x.phi_dot[s], "phi_ddot": acceleration}
     return let_weights(body, given, ("c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds"))
 
@@ -128,8 +131,8 @@ def forward_jacobian(lib: Library) -> Function:
     if layout.flywheels:
         changes = body.local("change", (len(derived.WEIGHTS),), comment="of the weights of a row")
         with body.loop("s", layout.count) as s:
-            row = stand.place.flywheel[s]
-            weights = _row_weights(lib, body, x.place, s, phi_ddot[0].place[s])
+            row = row_of(lib, body, stand.place, s)
+            weights = _row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
             for target, by, turn, speed in (
                 (o.V_dot_phi, derived.by_phase(), 1, 0),
                 (o.V_dot_phi_dot, derived.by_speed(), 0, 1),
@@ -198,15 +201,15 @@ def coupled_jacobian(lib: Library) -> Function:
     start_schur(lib, body, stand.place, seen.sums, K)
     work = _Work(lib, body, stand.place, locked.place, drives, K)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand.place, x.place, s, seen, alike, drives[s])
+        couple_flywheel(lib, body, stand.place, s, seen, alike, drives[s])
         with body.when(equal(locked.place[s], integer(0))):
-            body.call(lib["eliminate"], drives[s].I, stand.place.flywheel[s].spin_inv, real(0), K, work.rhs)
+            body.call(lib["eliminate"], drives[s].I, entry(lib, stand.place, s, "spin_inv"), real(0), K, work.rhs)
     _by_twist(lib, work, o, x.place, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
     changes = body.local("change", (len(derived.WEIGHTS),), comment="of the weights of a row")
     with body.loop("s", layout.count) as s:
-        row = stand.place.flywheel[s]
-        weights = _row_weights(lib, body, x.place, s, spins[s])
+        row = row_of(lib, body, stand.place, s)
+        weights = _row_weights(body, x.place, seen.turns, s, spins[s])
         for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
             with body.block():
                 _row_slope(lib, body, row, by, weights, changes, seen, motion, work.rhs)
@@ -256,7 +259,7 @@ class _Work:
         """V* and phi'' of these right-hand sides into a column of the derivatives by `name`."""
         body, count = self._body, self._lib.layout.count
         with body.loop("t", count) as t, body.when(equal(self._locked[t], integer(0))):
-            share = body.let("share", self.twist[t] * self._stand.flywheel[t].spin_inv)
+            share = body.let("share", self.twist[t] * entry(self._lib, self._stand, t, "spin_inv"))
             with body.loop("i", 6) as i:
                 body.add(self.rhs[i], -(self._drives[t].I[i] * share))
         body.call(self._lib["solve_schur"], self._K, self.rhs, self._y)
@@ -266,8 +269,8 @@ class _Work:
             target = o.member(f"phi_ddot_{name}")[t][column]
             body.set(target, real(0))
             with body.when(equal(self._locked[t], integer(0))):
-                left = self.twist[t] - along(self._drives[t].I, self._y)
-                body.set(target, left * self._stand.flywheel[t].spin_inv)
+                left = self.twist[t] - along(list(self._drives[t].I), self._y)
+                body.set(target, left * entry(self._lib, self._stand, t, "spin_inv"))
 
 
 def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope: Place, axial: Place) -> None:
@@ -277,11 +280,11 @@ def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope:
     slopes = body.local("J_p", (6,), comment="dJ / dphi")
     turned = body.local("turned", (3,), comment="J' omega")
     with body.loop("s", layout.count) as s:
-        binding: dict[str, Any] = sine_and_cosine(lib, body, x.phi[s], "_phi")
+        binding: dict[str, Any] = let_turn(body, seen.turns, s)
         for name in ("two_c2", "two_s2"):
             binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
         _, J_p = derived_drive.phase_derivatives()
-        assign(body, list(slopes), J_p, binding | columns_of(work._stand.flywheel[s]))
+        assign(body, list(slopes), J_p, binding | columns_of(row_of(lib, body, work._stand, s)))
         bound = parts_of_twist(seen.V) | {"J_p": slopes, "turned": turned, "mu_p": list(work._drives[s].I)[:3]}
         assign(body, list(turned), derived_drive.turned_spin(), bound)
         by = derived.bias_torque_by_twist()
@@ -312,7 +315,7 @@ def _torque_slope(
     assign(body, list(column), derived_rows.columns().I_prime, binding)
     bound = parts_of_twist(seen.V) | {"J_pp": tensor, "mu_pp": second, "swing": swing}
     bias = vector("mu_pp").dot(vector("swing")) - derived.quadratic_form("J_pp") / 2
-    total = along(column, motion) + translate(bias, bound)
+    total = along(list(column), motion) + translate(bias, bound)
     if lib.layout.flywheel_buoyancy:
         assert seen.g is not None
         for i in range(3):

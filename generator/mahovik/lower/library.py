@@ -56,9 +56,16 @@ class Library:
         return (Argument("phi_ddot", Kind.REAL, (self.layout.count,), unit="rad/s2", purpose="flywheel accelerations"),)
 
     def turn_arguments(self) -> tuple[Argument, ...]:
-        """Sines and cosines of the phases, where the stand takes them of encoders: `phase_input = "sincos"`."""
-        if not self.layout.sine_input:
+        """Sines and cosines of the phases, as functions of our own take them; nothing without flywheels."""
+        if not self.layout.flywheels:
             return ()
+        return (
+            Argument("sine", Kind.REAL, (self.layout.room,), purpose="sines of the phases"),
+            Argument("cosine", Kind.REAL, (self.layout.room,), purpose="cosines"),
+        )
+
+    def given_turns(self) -> tuple[Argument, ...]:
+        """Sines and cosines of the phases from encoders: `phase_input = "sincos"`."""
         purpose = "cosines of the phases; each (sine, cosine) within 1e-3 of unit length"
         return (
             Argument("sine", Kind.REAL, (self.layout.count,), purpose="sines of the phases"),

@@ -8,8 +8,9 @@ from mahovik.derive import accumulate as derived_rows
 from mahovik.derive import carrier as derived
 from mahovik.derive.screw import cross
 from mahovik.derive.symbols import vector
-from mahovik.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.lower.flywheels import Turns, columns_of, let_turn
 from mahovik.lower.forward import STATE_STATUSES, check_inputs, external_wrench, scene, sum_up
+from mahovik.lower.lanes import row_of
 from mahovik.lower.library import Library
 from mahovik.lower.solve import carrier_binding, parts_of_twist
 from mahovik.lower.symbolic import assign, translate
@@ -58,7 +59,7 @@ def matrices(lib: Library) -> Function:
     fill(body, out.place.K_dot, derived.mass_matrix_rate(), binding)
     body.call(lib["velocity_matrix"], seen.V, out.place)
     if layout.flywheels:
-        _columns(lib, body, stand.place, x.place, seen.V, out.place)
+        _columns(lib, body, stand.place, x.place, seen.turns, seen.V, out.place)
     body.ret(Status("OK"))
     return Function(
         "matrices",
@@ -72,13 +73,13 @@ def matrices(lib: Library) -> Function:
     )
 
 
-def _columns(lib: Library, body: Body, stand: Place, x: Place, V: Place, out: Place) -> None:
+def _columns(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, V: Place, out: Place) -> None:
     """I_s = (mu', t) and J_s = Phi I_s + (mu'', t') phi'."""
     column = body.local("column", (6,), comment="I_s")
     rate = body.local("rate", (6,), comment="dI_s / dphi")
     with body.loop("s", lib.layout.count) as s:
-        turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
-        binding = turn | columns_of(stand.flywheel[s])
+        turn = let_turn(body, turns, s)
+        binding = turn | columns_of(row_of(lib, body, stand, s))
         derived_columns = derived_rows.columns()
         assign(body, list(column), derived_columns.I, binding)
         assign(body, list(rate), derived_columns.I_prime, binding)
@@ -105,7 +106,7 @@ def momentum(lib: Library) -> Function:
     spin = body.local("spin", comment="sum phi' (I^T V + Theta_ff phi')")
     body.set(spin, real(0))
     if layout.flywheels:
-        _spin(lib, body, stand.place, x.place, V, spin)
+        _spin(lib, body, stand.place, x.place, seen.turns, V, spin)
     z = list(Z)
     energy = body.local("energy")
     parts = parts_of_twist(V) | {"p": z[:3], "h": z[3:], "spin": spin}
@@ -134,11 +135,11 @@ def momentum(lib: Library) -> Function:
     )
 
 
-def _spin(lib: Library, body: Body, stand: Place, x: Place, V: Place, spin: Place) -> None:
+def _spin(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, V: Place, spin: Place) -> None:
     """Kinetic energy that goes with phi': V . I_s phi' + Theta_ff phi'^2, twice the energy's second half."""
     with body.loop("s", lib.layout.count) as s:
-        row = stand.flywheel[s]
-        turn = sine_and_cosine(lib, body, x.phi[s], "_phi")
+        row = row_of(lib, body, stand, s)
+        turn = let_turn(body, turns, s)
         column = derived_rows.columns().I
         binding = turn | columns_of(row)
         along = translate(column[0], binding) * V[0]

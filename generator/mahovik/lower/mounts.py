@@ -121,7 +121,7 @@ def mounts(lib: Library) -> Function:
     with body.loop("s", layout.count) as s:
         for k in range(6):
             body.set(W[k], real(0) if seen.own is None else -seen.own[s * integer(6) + k])
-        turn = turn_of(lib, body, x.place, s, seen.turns)
+        turn = turn_of(seen.turns, s)
         named: dict[str, Any] = {
             "mount": table.place.flywheel[s],
             **turn,

@@ -233,7 +233,8 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
     body = work.body
     body.note("flywheels: constant part to the totals, harmonics to the row")
     with body.loop("s", lib.layout.count) as s:
-        w, row = p.flywheel[s], out.flywheel[s]
+        w = p.flywheel[s]
+        row = out.flywheel[s] if lib.layout.lanes == 1 else body.local("row", (), lib.layout.row)
         _place(lib, body, p, w, work)
         work.first_moment(w.body)
         parts = derived.spun_inertia(derived.generic())
@@ -258,6 +259,8 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
         body.set(row.spin, w.body.inertia[0])
         body.set(row.spin_inv, 1 / w.body.inertia[0])
         work.displaced(w.body, row)
+        if lib.layout.lanes > 1:
+            body.call(lib["put_row"], out, s, row)
 
 
 def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work, function: str = "place_flywheel") -> None:

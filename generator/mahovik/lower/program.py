@@ -6,6 +6,7 @@ from mahovik import routines
 from mahovik.lower import (
     allocate,
     checks,
+    coupling,
     demand,
     drive,
     flywheels,
@@ -14,6 +15,7 @@ from mahovik.lower import (
     inverse,
     inverse_fast,
     jacobian,
+    lanes,
     laws,
     matrices,
     measure,
@@ -23,6 +25,7 @@ from mahovik.lower import (
     placement,
     prepare,
     rotation,
+    schur,
     sensitivity,
     solve,
     step,
@@ -59,9 +62,10 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(checks.check_turns(lib))
     lib.add(rotation.rotation())
     lib.add(rotation.rotate_back())
-    if layout.flywheels:
-        lib.add(flywheels.add_flywheel(lib))
     lib.add(flywheels.start_sums(lib))
+    if layout.flywheels:
+        lib.add(routines.sincos_each(precision, layout.count, layout.room))
+        _add_rows(lib)
     _add_wrenches(lib)
     lib.add(solve.momentum_screw(lib))
     lib.add(solve.subtract_rates(lib))
@@ -77,13 +81,17 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(matrices.matrices(lib))
     lib.add(matrices.momentum(lib))
     if layout.flywheels:
-        lib.add(drive.couple(lib))
+        lib.add(coupling.couple(lib))
+        lib.add(schur.eliminate(lib))
+        if layout.lanes > 1:
+            lib.add(coupling.couple_block(lib))
+            lib.add(schur.eliminate_block(lib))
+            lib.add(schur.take_lanes(lib))
         if layout.sine_input:
             lib.add(drive.balance(lib))
             lib.add(drive.torque(lib, at=True))
         lib.add(drive.torque(lib))
-        lib.add(drive.eliminate(lib))
-        lib.add(drive.solve_schur(lib))
+        lib.add(schur.solve_schur(lib))
         lib.add(drive.move(lib))
         lib.add(drive.coupled(lib))
         if layout.sine_input:
@@ -133,11 +141,24 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(mounts.mount_wrench(lib))
         lib.add(mounts.mounts(lib))
         lib.add(mounts.prepare_mounts(lib))
-    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count) if c.value)
+    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
     functions = reachable(lib.functions)
     program = Program(layout.structure.name, precision, counts, _structs(layout), functions)
     validate(program)
     return program
+
+
+def _add_rows(lib: Library) -> None:
+    """What goes over the rows of flywheels: one by one, or by blocks."""
+    if lib.layout.lanes == 1:
+        lib.add(flywheels.add_flywheel(lib))
+        return
+    lib.add(lanes.take_row(lib))
+    lib.add(lanes.put_row(lib))
+    if int(lib.layout.room) > int(lib.layout.count):
+        lib.add(lanes.spread(lib))
+    lib.add(flywheels.add_block(lib))
+    lib.add(lanes.add_lanes(lib))
 
 
 def _add_wrenches(lib: Library) -> None:
@@ -196,6 +217,7 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         *((layout.mount_table,) if layout.flywheels else ()),
         *((layout.reading,) if layout.sensors else ()),
         *((layout.encoder,) if layout.flywheels else ()),
+        *((layout.row, layout.lane_sums, layout.lane_coupling, layout.lane_schur) if layout.lanes > 1 else ()),
         layout.sums,
         *((layout.coupling, layout.schur, layout.inverse_work) if layout.flywheels else ()),
         *((layout.inverse_options, layout.inverse_result, layout.coupled_slopes) if layout.flywheels else ()),

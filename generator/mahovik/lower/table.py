@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 
 from mahovik.lower.kinds import Kinds
@@ -140,6 +141,13 @@ class Tables(Kinds):
         return Struct("row", "Table of one flywheel: harmonics of what it adds to (8), in E1 about O1.", tuple(fields))
 
     @cached_property
+    def block(self) -> Struct:
+        """Rows of flywheels side by side; places beyond the last flywheel hold zeros."""
+        fields = tuple(replace(f, shape=(*f.shape, self.lane_count)) for f in self.row.fields)
+        purpose = "Table of flywheels side by side: harmonics of what each adds to (8), in E1 about O1."
+        return Struct("block", purpose, fields)
+
+    @cached_property
     def term(self) -> Struct:
         fields = (
             Field("wrench", INT, (), "", "component of the wrench, 0..5 = X Y Z K M N"),
@@ -225,7 +233,10 @@ class Tables(Kinds):
                 Field("displaced_moment", REAL, (3,), "kg m", "first moment of displaced fluid, constant part"),
             ]
         if self.flywheels:
-            fields.append(Field("flywheel", self.row, (self.count,)))
+            if self.lanes == 1:
+                fields.append(Field("flywheel", self.row, (self.count,)))
+            else:
+                fields.append(Field("block", self.block, (self.blocks,)))
         if self.own:
             fields.append(Field("frame", self.frame, (len(self.own),)))
         if self.sensors:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.derive import wrench as derived
-from mahovik.lower.flywheels import Turns, named_turns, places_of, turn_of
+from mahovik.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
+from mahovik.lower.lanes import row_of
 from mahovik.lower.laws import add_force
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
@@ -110,8 +111,8 @@ def _weight(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums
         moment = body.local("displaced", (3,), comment="first moment of displaced fluid at the phases")
         body.copy_array(moment, stand.displaced_moment)
         with body.loop("s", layout.count) as s:
-            row = stand.flywheel[s]
-            turn = turn_of(lib, body, x, s, turns)
+            row = row_of(lib, body, stand, s)
+            turn = turn_of(turns, s)
             for i in range(3):
                 body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
         binding["displaced_moment"] = moment
@@ -141,7 +142,7 @@ def own_wrench(lib: Library) -> Function:
         body.set(element, real(0))
     if layout.own_turning:
         with body.when(frame.place.flywheel >= 0):
-            turn = turn_of(lib, body, x.place, frame.place.flywheel, places_of(given), "")
+            turn = let_turn(body, places_of(given), frame.place.flywheel, "")
             assign(body, list(axes), derived.turned_axes(), turn | {"R": frame.place.axes})
     if layout.own_damped:
         _own_damping(lib, body, stand.place, frame.place, x.place, V.place, axes, P)

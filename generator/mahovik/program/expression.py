@@ -49,6 +49,9 @@ class Expr:
     def __rtruediv__(self, other: Operand) -> Expr:
         return binary("/", other, self)
 
+    def __mod__(self, other: Operand) -> Expr:
+        return binary("%", self, other)
+
     def __neg__(self) -> Expr:
         return Negate(self)
 
@@ -199,7 +202,7 @@ class Negate(Expr):
 
 
 class Binary(Expr):
-    """a op b for + - * / (reals, ints) and + - * & | ^ << >> (words, modulo their width)."""
+    """a op b for + - * / (reals, ints), % (ints not below 0) and + - * & | ^ << >> (words, modulo their width)."""
 
     __slots__ = ("left", "operator", "right")
 

@@ -6,8 +6,8 @@ is the order of the tree: so the results are the same bits on every machine.
 
 from mahovik.routines.arc_tangent import atan2
 from mahovik.routines.jacobi import orthogonalise
-from mahovik.routines.sincos import sincos
+from mahovik.routines.sincos import sincos, sincos_each
 from mahovik.routines.square_root import square_root
 from mahovik.routines.wrap import turns_of_angle, unwind, wrap
 
-__all__ = ["atan2", "orthogonalise", "sincos", "square_root", "turns_of_angle", "unwind", "wrap"]
+__all__ = ["atan2", "orthogonalise", "sincos", "sincos_each", "square_root", "turns_of_angle", "unwind", "wrap"]

@@ -26,9 +26,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mahovik.program.build import Body
-from mahovik.program.expression import bits_of, real_of_bits, word
+from mahovik.program.expression import Place, bits_of, real, real_of_bits, word
 from mahovik.program.function import Argument, Function
-from mahovik.program.types import Kind, Precision
+from mahovik.program.types import Kind, NamedCount, Precision
 from mahovik.routines.real_constants import PI, nearest, polynomial, sign_bit, split
 
 
@@ -90,20 +90,65 @@ def sincos(precision: Precision) -> Function:
     x = Argument("x", Kind.REAL, unit="rad", purpose="angle")
     sine = Argument("sine", Kind.REAL, direction="out", purpose="sin(x)")
     cosine = Argument("cosine", Kind.REAL, direction="out", purpose="cos(x)")
+    body = Body()
+    _compute(body, x.place, sine.place, cosine.place, precision)
+    return Function(
+        name="sincos",
+        purpose="sine and cosine of an angle",
+        arguments=(x, sine, cosine),
+        body=body.statements,
+        notes=_notes(precision),
+    )
+
+
+def sincos_each(precision: Precision, count: NamedCount, room: int | NamedCount) -> Function:
+    """`sincos_each(x, sine, cosine)`: of `count` angles, in a loop that compilers can vectorise; zeros up to `room`.
+
+    The same operations as `sincos`, so the same bits. One angle does not wait for another: twice as fast as
+    angle by angle among other work.
+    """
+    x = Argument("x", Kind.REAL, (count,), unit="rad", purpose="angles")
+    sine = Argument("sine", Kind.REAL, (room,), direction="out")
+    cosine = Argument("cosine", Kind.REAL, (room,), direction="out")
+    body = Body()
+    with body.loop("s", count) as s:
+        _compute(body, x.place[s], sine.place[s], cosine.place[s], precision)
+    if int(room) > int(count):
+        with body.loop("s", room, start=count) as s:
+            body.set(sine.place[s], real(0))
+            body.set(cosine.place[s], real(0))
+    return Function(
+        name="sincos_each",
+        purpose="sines and cosines of all phases",
+        arguments=(x, sine, cosine),
+        body=body.statements,
+        notes=_notes(precision),
+    )
+
+
+def _notes(precision: Precision) -> tuple[str, ...]:
+    absolute = "1e-16" if precision.name == "double" else "6e-8"
+    return (
+        f"|x| <= {precision.max_phase:.0e}, which the caller checks. Error at most 1 unit in the last place",
+        f"for |x| <= 8 pi, and {absolute} absolute beyond. Other x give meaningless results, nothing worse.",
+    )
+
+
+def _compute(b: Body, x: Place, sine: Place, cosine: Place, precision: Precision) -> None:
+    """sine, cosine = sin x, cos x; the method is the module's first lines."""
     fits = POLYNOMIALS[precision.name]
     part_1, part_2, part_3 = half_pi_parts(precision)
     to_integer = 1.5 * 2.0 ** (precision.significand - 1)
     sign = sign_bit(precision)
     top = precision.width - 2  # moves bit 1 of the quadrant to the sign
 
-    b = Body()
     b.note("k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum.")
-    shifted = b.let("shifted", x.place * nearest(Fraction(2) / PI, precision) + to_integer)
+    shifted = b.let("shifted", x * nearest(Fraction(2) / PI, precision) + to_integer)
     quadrant = b.let("quadrant", bits_of(shifted), "mod 4: its last two bits")
     k = b.let("k", shifted - to_integer)
 
     b.note("r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact.")
-    rest = b.let("rest", x.place - k * part_1)
+    rest = b.let("rest", x - k * part_1)
     second = b.let("second", k * part_2)
     r_hi = b.let("r_hi", rest - second)
     r_tail = b.let("r_tail", ((r_hi - rest) + second) + k * part_3, "rounding error of r_hi, and the third part")
@@ -125,17 +170,5 @@ def sincos(precision: Precision) -> Function:
     exchange = b.let("exchange", (sin_bits ^ cos_bits) & (0 - (quadrant & 1)))
     sine_sign = b.let("sine_sign", (quadrant << top) & word(sign))
     cosine_sign = b.let("cosine_sign", ((quadrant + 1) << top) & word(sign))
-    b.set(sine.place, real_of_bits(sin_bits ^ exchange ^ sine_sign))
-    b.set(cosine.place, real_of_bits(cos_bits ^ exchange ^ cosine_sign))
-
-    absolute = "1e-16" if precision.name == "double" else "6e-8"
-    return Function(
-        name="sincos",
-        purpose="sine and cosine of an angle",
-        arguments=(x, sine, cosine),
-        body=b.statements,
-        notes=(
-            f"|x| <= {precision.max_phase:.0e}, which the caller checks. Error at most 1 unit in the last place",
-            f"for |x| <= 8 pi, and {absolute} absolute beyond. Other x give meaningless results, nothing worse.",
-        ),
-    )
+    b.set(sine, real_of_bits(sin_bits ^ exchange ^ sine_sign))
+    b.set(cosine, real_of_bits(cos_bits ^ exchange ^ cosine_sign))
