@@ -4,17 +4,44 @@ from __future__ import annotations
 
 from mahovik.lower.library import Library
 from mahovik.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
-from mahovik.program.build import Body
-from mahovik.program.expression import Not, Status, both, real
+from mahovik.program.build import Body, call
+from mahovik.program.expression import Expr, Not, Operand, Place, Status, bits_of, both, real, unequal, word
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind
 
 
+def _arguments() -> tuple[Argument, Argument, Argument]:
+    values, limit = Argument("values", Kind.REAL, (0,)), Argument("limit", Kind.REAL)
+    return values, Argument("count", Kind.INT), limit
+
+
+def excess(lib: Library) -> Function:
+    """Top bit set where an element is above a limit in magnitude, infinite or NaN.
+
+    Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of two
+    is negative where the first is smaller. No branch and no comparison: loops over it vectorise.
+    """
+    values, count, limit = _arguments()
+    top = 1 << (lib.layout.precision.width - 1)
+    body = Body()
+    largest = body.let("largest", bits_of(limit.place))
+    over = body.local("over", (), Kind.WORD)
+    body.set(over, word(0))
+    with body.loop("i", count.place) as i:
+        body.set(over, over | (largest - (bits_of(values.place[i]) & word(top - 1))))
+    body.ret(over)
+    return Function(
+        "excess",
+        "Top bit set where a value is above the limit in magnitude, infinite or NaN: limit - |value| on the bits.",
+        (values, count, limit),
+        body.statements,
+        returns=Kind.WORD,
+    )
+
+
 def within(lib: Library) -> Function:
     """Every element finite and of magnitude at most a limit. A NaN fails every comparison, so it cannot pass."""
-    values = Argument("values", Kind.REAL, (0,))
-    count = Argument("count", Kind.INT)
-    limit = Argument("limit", Kind.REAL)
+    values, count, limit = _arguments()
     largest = lib.limits["LARGEST"].expression
     body = Body()
     with body.loop("i", count.place) as i:
@@ -32,6 +59,24 @@ def within(lib: Library) -> Function:
         returns=Kind.STATUS,
         statuses=("OK", "NOT_FINITE", "RANGE"),
     )
+
+
+def check_within(lib: Library, body: Body, *parts: tuple[Place, Operand, Expr]) -> None:
+    """Returns the status of the first bad one of (values, count, limit).
+
+    By blocks, where vectors are about, all are tried at once first.
+    """
+    if lib.layout.lanes == 1:
+        for part in parts:
+            lib.check(body, "within", *part)
+        return
+    over = call(lib["excess"], *parts[0])
+    for part in parts[1:]:
+        over = over | call(lib["excess"], *part)
+    top = lib.layout.precision.width - 1
+    with body.when(unequal(over >> top, word(0)), "which one, and why"):
+        for part in parts:
+            lib.check(body, "within", *part)
 
 
 def check_turns(lib: Library) -> Function:
@@ -63,13 +108,16 @@ def check_state(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     limit = {name: found.expression for name, found in lib.limits.items()}
-    lib.check(body, "within", state.position, 3, limit["MAX_POSITION"])
-    lib.check(body, "within", state.attitude, 4, real(2))
-    lib.check(body, "within", state.V, 6, limit["MAX_SPEED"])
-    lib.check(body, "within", state.V, 3, limit["MAX_VELOCITY"])
+    parts: list[tuple[Place, Operand, Expr]] = [
+        (state.position, 3, limit["MAX_POSITION"]),
+        (state.attitude, 4, real(2)),
+        (state.V, 6, limit["MAX_SPEED"]),
+        (state.V, 3, limit["MAX_VELOCITY"]),
+    ]
     if lib.layout.flywheels:
-        lib.check(body, "within", state.phi, lib.layout.count, limit["MAX_PHASE"])
-        lib.check(body, "within", state.phi_dot, lib.layout.count, limit["MAX_SPEED"])
+        parts.append((state.phi, lib.layout.count, limit["MAX_PHASE"]))
+        parts.append((state.phi_dot, lib.layout.count, limit["MAX_SPEED"]))
+    check_within(lib, body, *parts)
     q = state.attitude
     norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     unit = both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))

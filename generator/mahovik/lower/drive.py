@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from mahovik.lower import lanes
+from mahovik.lower.checks import check_within
 from mahovik.lower.coupling import Carried, along, carried, couple_blocks, couple_flywheel
 from mahovik.lower.flywheels import AT_NOTES, places_of, turns_of
 from mahovik.lower.forward import (
@@ -235,7 +236,7 @@ def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> No
     by_name = {a.name: a for a in arguments}
     wrench = tuple(a for a in arguments if a.name == "wrench")
     check_inputs(lib, body, by_name["stand"], by_name["x"], (), wrench, turns_in(arguments))
-    lib.check(body, "within", by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression)
+    check_within(lib, body, (by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression))
 
 
 def coupled(lib: Library, at: bool = False) -> Function:

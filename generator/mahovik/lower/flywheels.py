@@ -8,11 +8,11 @@ from typing import Any
 from mahovik.derive import accumulate as derived
 from mahovik.lower import lanes
 from mahovik.lower.library import Library
-from mahovik.lower.symbolic import assign, translate
+from mahovik.lower.symbolic import add_each, assign, translate
 from mahovik.program.build import Body
 from mahovik.program.expression import Expr, Place, real
 from mahovik.program.function import Argument, Function
-from mahovik.program.types import Kind
+from mahovik.program.types import FLOAT, Kind
 
 _COMMENTS = {
     "c2": "of the double phase",
@@ -119,13 +119,23 @@ _NOTES = {
 }
 
 
-def _add_row(body: Body, given: dict[str, Expr], columns: Mapping[str, Any], sums: Mapping[str, list[Place]]) -> None:
-    """sums += what a row of these columns gives for s, c, phi_dot, phi_ddot."""
+def _add_row(
+    body: Body,
+    given: dict[str, Expr],
+    columns: Mapping[str, Any],
+    sums: Mapping[str, list[Place]],
+    short: Place | None = None,
+) -> None:
+    """sums += what a row of these columns gives for s, c, phi_dot, phi_ddot; `short`: the sums, for J in a loop."""
     binding: dict[str, Any] = {**let_weights(body, given, tuple(_COMMENTS)), **columns}
     parts = derived.sums()
     for name in ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel"):
-        if name in _NOTES:
+        if name in _NOTES and not (short is not None and name == "J_dot"):
             body.note(_NOTES[name])
+        if short is not None and name in ("J", "J_dot"):
+            if name == "J":
+                add_each(body, {short.J: parts.J, short.J_dot: parts.J_dot}, binding)
+            continue
         assign(body, sums[name], getattr(parts, name), binding, add=True)
 
 
@@ -141,7 +151,9 @@ def add_flywheel(lib: Library) -> Function:
     given: dict[str, Expr] = {"s": sine.place, "c": cosine.place}
     given |= {"phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
     targets = {f.name: list(sums.place.member(f.name)) for f in lib.layout.sums.fields}
-    _add_row(body, given, columns_of(row.place), targets)
+    # In float J goes in a loop: a third of the code, which small processors lack; desktop ones are slower with it.
+    short = sums.place if lib.layout.precision is FLOAT else None
+    _add_row(body, given, columns_of(row.place), targets, short)
     return Function(
         "add_flywheel",
         "Adds what one flywheel's row gives at its phase to the sums.",

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from mahovik.derive import wrench as derived
 from mahovik.lower import flywheels, lanes
+from mahovik.lower.checks import check_within
 from mahovik.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
@@ -51,7 +52,7 @@ def check_inputs(
     if lib.layout.stream:
         lib.check(body, "within", stand.place.stream, 3, lib.limits["MAX_VELOCITY"].expression)
     for argument in phi_ddot:
-        lib.check(body, "within", argument.place, lib.layout.count, lib.limits["MAX_ACCELERATION"].expression)
+        check_within(lib, body, (argument.place, lib.layout.count, lib.limits["MAX_ACCELERATION"].expression))
     for argument in wrench:
         lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_WRENCH"].expression)
 

@@ -56,6 +56,8 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(routines.atan2(precision))
     lib.add(routines.unwind(precision))
     lib.add(routines.wrap(precision, lib["unwound"]))
+    if layout.lanes > 1:
+        lib.add(checks.excess(lib))
     lib.add(checks.within(lib))
     lib.add(checks.check_state(lib))
     if layout.sine_input:
