@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.derive import accumulate as derived_rows
-from mahovik.derive import carrier as derived_carrier
-from mahovik.derive import drive as derived
-from mahovik.derive.symbols import SYMMETRIC, vector
+from mahovik.derive.order import SYMMETRIC
+from mahovik.formula.derived import accumulate as derived_rows
+from mahovik.formula.derived import carrier as derived_carrier
+from mahovik.formula.derived import drive as derived
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.flywheels import AT_NOTES, columns_of, places_of, turn_of, turns_of
 from mahovik.lower.forward import (
     STATE_STATUSES,
@@ -100,7 +101,7 @@ def couple_flywheel(
 
 def along(column: Place, V_dot: Place) -> Expr:
     """I_s . V*."""
-    return translate(vector("column", 6).dot(vector("V_dot", 6)), {"column": column, "V_dot": V_dot})
+    return translate(derived_wrench.row_times("column", "V_dot"), {"column": column, "V_dot": V_dot})
 
 
 def torque(lib: Library, at: bool = False) -> Function:

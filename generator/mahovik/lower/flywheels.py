@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mahovik.derive import accumulate as derived
+from mahovik.formula.derived import accumulate as derived
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import add_each, assign, translate
 from mahovik.program.build import Body

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import wrench as derived
+from mahovik.formula.derived import wrench as derived
 from mahovik.lower.flywheels import Turns, named_turns, places_of, turn_of
 from mahovik.lower.laws import add_force
 from mahovik.lower.library import Library
