@@ -11,10 +11,9 @@ import hashlib
 import json
 import os
 import sys
-import tempfile
 from collections.abc import Callable
 from functools import cache, cached_property
-from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -100,11 +99,10 @@ def source_hash() -> str:
         for path in sorted((_PACKAGE / stage).glob("*.py")):
             found.update(f"{stage}/{path.name}\0".encode())
             found.update(path.read_bytes() + b"\0")
-    try:
-        sympy = version("sympy")
-    except PackageNotFoundError:
-        sympy = "unknown"
-    found.update(f"sympy {sympy}, python {sys.version_info[:3]}".encode())
+    sympy = find_spec("sympy")  # its version without importing it
+    if sympy is not None and sympy.origin is not None:
+        found.update((Path(sympy.origin).parent / "release.py").read_bytes())
+    found.update(f"python {sys.version_info[:3]}".encode())
     return found.hexdigest()
 
 
@@ -128,6 +126,8 @@ def _read(path: Path) -> dict[str, Any]:
 
 def _write(path: Path, entries: dict[str, Any]) -> None:
     """All or nothing."""
+    import tempfile  # only a process that has derived something needs it
+
     content = {"source": source_hash(), "digest": _digest(entries), "entries": entries}
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.stem, suffix=".tmp")
     try:
