@@ -148,7 +148,7 @@ def _least(scaled: Array) -> float:
     """Least eigenvalue of [[A, B], [B^T, E]], A 6x6: it is that of [[A, R^T], [R, E]] with B^T = Q R, or 1."""
     if len(scaled) <= 12:
         return float(np.linalg.eigvalsh(scaled)[0])
-    R = np.linalg.qr(scaled[6:, :6], mode="r")
+    R: Array = np.asarray(np.linalg.qr(scaled[6:, :6], mode="r"), dtype=np.float64)
     small = np.block([[scaled[:6, :6], R.T], [R, np.eye(6)]])
     return min(1.0, float(np.linalg.eigvalsh(small)[0]))
 
