@@ -118,27 +118,15 @@ class Measurement:
                 warm = least(command, self._env, self._repeat)
                 flags = ["-std=c99", "-O2", "-ffp-contract=off", "-c", str(out / f"{name}.c"), "-o", os.devnull]
                 compiled = least(["gcc", *flags], self._env, self._repeat)
-                rows.append(
-                    [f"{kind}, {count}", *cold.cells, *warm.cells, f"{compiled.clock:.2f}", f"{compiled.processor:.2f}"]
-                )
+                rows.append([f"{kind}, {count}", *cold.cells, *warm.cells, *compiled.cells])
                 print(*rows[-1], sep="   ", flush=True)
                 if count <= 64:
                     self._held(f"generation without a cache, {name}, s", cold.processor, MOST_GENERATION)
                     self._held(f"generation, {name}, s", warm.processor, MOST_GENERATION)
                 self._held(f"memory, {name}, MB", max(cold.memory, warm.memory), MOST_MEMORY)
                 self._held(f"gcc -O2, {name}, s", compiled.processor, MOST_COMPILE)
-        head = [
-            "stand, N",
-            "cold, s",
-            "processor, s",
-            "MB",
-            "warm, s",
-            "processor, s",
-            "MB",
-            "gcc -O2, s",
-            "processor, s",
-        ]
-        return table(head, rows)
+        columns = [f"{what}, s" for what in ("cold", "warm", "gcc -O2")]
+        return table(["stand, N", *(c for first in columns for c in (first, "processor, s", "MB"))], rows)
 
     def start(self) -> str:
         """Commands that need no formulas."""
