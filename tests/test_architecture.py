@@ -28,6 +28,7 @@ STAGES = (
     ("toolchain",),
     ("emit",),
     ("lower",),
+    ("formula",),
     ("derive", "reference", "second"),
     ("routines",),
     ("program",),
@@ -43,7 +44,8 @@ FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
 
 ONLY = {
     "reference": {"errors", "stand", "numpy"},
-    "lower": {"routines", "derive", "program", "stand", "errors", "sympy", "numpy"},
+    "lower": {"routines", "formula", "derive", "program", "stand", "errors", "numpy"},
+    "formula": {"derive", "errors", "sympy"},
     "derive": {"errors", "sympy"},
     "program": {"errors", "numpy"},
     "routines": {"errors", "program", "mpmath", "numpy"},
@@ -123,6 +125,12 @@ def test_strict_stages_import_only_what_they_may(path: Path) -> None:
     own = stage_of(path)
     allowed = ONLY[own] | {own, "", "mahovik"}
     assert [n for n in imported(path) if target(n) not in allowed] == []
+
+
+@pytest.mark.parametrize("path", [p for p in MODULES if stage_of(p) == "lower"], ids=name_of)
+def test_lowering_knows_no_symbols(path: Path) -> None:
+    """It asks for formulas; of the derivation itself it knows the order of numbers, so that it can do without SymPy."""
+    assert [n for n in imported(path) if n.startswith("mahovik.derive") and "mahovik.derive.order." not in n] == []
 
 
 C_SYNTAX = re.compile(

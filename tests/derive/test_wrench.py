@@ -9,8 +9,9 @@ from derive import table
 from derive.exact import remainders, rotation, trigonometric
 from mahovik.derive import wrench as derived
 from mahovik.derive.attitude import quaternion_product, rotation_of_quaternion
+from mahovik.derive.order import SYMMETRIC
 from mahovik.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
-from mahovik.derive.symbols import SYMMETRIC, from_six, matrix, six_of, symmetric, vector
+from mahovik.derive.symbols import from_six, matrix, six_of, symmetric, vector
 
 TIME = sp.Symbol("t")
 

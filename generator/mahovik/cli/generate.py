@@ -19,14 +19,20 @@ if TYPE_CHECKING:
     "-o", "output", metavar="DIR", type=click.Path(), help="Folder to write into; default ./NAME of the stand."
 )
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 where the folder differs.")
+@click.option("--no-cache", is_flag=True, help="Derive everything anew, and leave the cache of formulas as it is.")
 @real_option
-def generate(stand_file: str, output: str | None, check: bool, real: str) -> None:
+def generate(stand_file: str, output: str | None, check: bool, no_cache: bool, real: str) -> None:
     """Write the C of a stand.
 
     A folder that stands alone: header, source, self-test with golden vectors, README, and a manifest with the hash of
     every file. All or nothing, and never over a file that mahovik has not written. Needs no compiler.
     Warns where float would not resolve an unbalance.
+    The formulas that all stands share are derived once and then kept, in the folder MAHOVIK_CACHE if that is set.
     """
+    if no_cache:
+        from mahovik.formula.derived import without_cache
+
+        without_cache()
     stand = load_stand(stand_file)
     from mahovik.emit.delivery import delivery
     from mahovik.errors import CheckError

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+from collections.abc import Iterator
 from typing import Any
 
 import click
@@ -15,6 +16,18 @@ INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 and the number of the signal, as shells have it."""
 
 INTERRUPTION = "error: interrupted; no file is half written"
+
+
+@contextlib.contextmanager
+def _formulas() -> Iterator[None]:
+    """Formulas of the derivation from the cache; what was derived is kept, whatever the command ends in."""
+    from mahovik.formula.derived import leave_cache, use_cache
+
+    use_cache(lambda line: click.echo(f"warning: {line}", err=True))
+    try:
+        yield
+    finally:
+        leave_cache()
 
 
 class Commands(click.Group):
@@ -30,7 +43,8 @@ class Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            return super().invoke(ctx)
+            with _formulas():
+                return super().invoke(ctx)
         except MahovikError as error:
             for line in str(error).splitlines() or [type(error).__name__]:
                 click.echo(f"error: {line}", err=True)

@@ -115,3 +115,8 @@ def columns() -> Columns:
     t = vector("t_0") + vector("t_c") * cos + vector("t_s") * sin
     column = mu.diff(phi).col_join(t)
     return Columns(column.subs(names), column.diff(phi).subs(names))
+
+
+def reaction() -> sp.Matrix:
+    """-I_s: what a unit of phi'' leaves on the right-hand side of (8)."""
+    return -columns().I

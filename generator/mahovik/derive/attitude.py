@@ -7,11 +7,9 @@ from functools import cache
 
 import sympy as sp
 
+from mahovik.derive.order import SEQUENCES
 from mahovik.derive.screw import blocks, cross, elementary
 from mahovik.derive.symbols import matrix, vector
-
-SEQUENCES = {"ship": (3, 2, 1), "aircraft": (2, 3, 1), "euler": (3, 1, 3)}
-"""Axes of the three elementary rotations, outermost first: C = C_i(psi) C_j(theta) C_k(phi)."""
 
 ANGLES = ("psi", "theta", "phi")
 rates = sp.symbols("psi_dot theta_dot phi_dot")
@@ -79,6 +77,26 @@ def kinematics(sequence: str) -> tuple[sp.Matrix, sp.Matrix]:
     C, zero = matrix("C"), sp.zeros(3)
     A = blocks(C.T, zero, zero, found.B)
     return A, blocks(-cross(vector("omega")) * C.T, zero, zero, found.B_dot)
+
+
+def singular(sequence: str) -> sp.Expr:
+    """cos theta or sin theta: A has no inverse where it is 0."""
+    return attitude(sequence).singular
+
+
+def angular_velocity(sequence: str) -> sp.Matrix:
+    """omega = B a of angle rates a."""
+    return attitude(sequence).B * vector("a")
+
+
+def angular_acceleration(sequence: str) -> sp.Matrix:
+    """omega* = B a + B' b of second rates a and rates b of the angles."""
+    return attitude(sequence).B * vector("a") + attitude(sequence).B_dot * vector("b")
+
+
+def angle_rates(sequence: str) -> sp.Matrix:
+    """B^-1 a: rates of the angles of an angular velocity a."""
+    return attitude(sequence).B_inverse * vector("a")
 
 
 def quaternion_of(sequence: str) -> sp.Matrix:

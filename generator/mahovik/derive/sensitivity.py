@@ -10,11 +10,9 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.derive import carrier
+from mahovik.derive.order import WEIGHTS
 from mahovik.derive.screw import Phi, cross
 from mahovik.derive.symbols import symmetric, vector
-
-WEIGHTS = ("c", "s", "c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds", "phi_dot", "phi_ddot")
-"""Names of what the columns of a row are multiplied by (accumulate.sums)."""
 
 
 def by_phase() -> dict[str, sp.Expr]:
@@ -81,3 +79,8 @@ def quadratic_form(six: str) -> sp.Expr:
     """omega . J omega of six numbers."""
     omega = vector("omega")
     return omega.dot(symmetric(six) * omega)
+
+
+def bias_by_phase() -> sp.Expr:
+    """Derivative of the bias torque by the phase: mu'' . swing - omega . J'' omega / 2."""
+    return vector("mu_pp").dot(vector("swing")) - quadratic_form("J_pp") / 2

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-SYMMETRIC = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-"""Order of the six numbers of a symmetric 3x3 matrix: 11, 22, 33, 12, 13, 23."""
+from mahovik.derive.order import SYMMETRIC
 
 
 def vector(name: str, size: int = 3) -> sp.Matrix:

@@ -23,6 +23,11 @@ def weight(buoyancy: bool) -> sp.Matrix:
     return (m * g).col_join(cross(moment) * g)
 
 
+def weight_reaction(buoyancy: bool) -> sp.Matrix:
+    """What a mount bears of weight and Archimedes force: the negative of `weight`."""
+    return -weight(buoyancy)
+
+
 def twist_at() -> sp.Matrix:
     """v + omega x O: velocity of the point O of E1, in its axes."""
     return vector("v") + turning_velocity()
@@ -41,6 +46,11 @@ def rotated() -> sp.Matrix:
 def moment_of_force() -> sp.Matrix:
     """O x f: moment about O1 of a force at O, in axes of E1; T of the paper."""
     return cross(vector("O")) * vector("f")
+
+
+def moved_moment() -> sp.Matrix:
+    """O x f + n: moment about O1 of a wrench (f, n) at O."""
+    return moment_of_force() + vector("n")
 
 
 def turning_velocity() -> sp.Matrix:
@@ -64,6 +74,11 @@ def relative_quaternion() -> sp.Matrix:
 def row_times(row: str, column: str, size: int = 6) -> sp.Expr:
     """One row of a matrix times a vector: sum of row[j] column[j]."""
     return vector(row, size).dot(vector(column, size))
+
+
+def suspension_row() -> sp.Expr:
+    """One row of stiffness x + damping V."""
+    return row_times("stiffness", "x") + row_times("damping", "V")
 
 
 @dataclass(frozen=True)

@@ -81,6 +81,7 @@ class _Printer:
         self._expressions = Expressions(self._names, program.precision)
         self._statements = Statements(self._names, self._expressions)
         self._apart = apart(program)
+        self._identities = identities(stand)
 
     def header(self) -> str:
         """The header: the manual of the generated code."""
@@ -114,13 +115,12 @@ class _Printer:
 
     def _common(self) -> dict[str, Any]:
         stand = self._stand
-        found = identities(stand)
         return {
             "name": stand.name,
             "NAME": stand.name.upper(),
             "version": __version__,
-            "structure": found.structure,
-            "physics": found.physics,
+            "structure": self._identities.structure,
+            "physics": self._identities.physics,
             "real": self._program.precision.name,
             "width": self._program.precision.width,
             "bodies": described(stand),

@@ -14,7 +14,7 @@ from mahovik.emit.statement import dimensions
 from mahovik.emit.templates import template
 from mahovik.lower import drawn
 from mahovik.lower.drawn import Input, Rule
-from mahovik.lower.golden import CASES, FAR, LISTED, SWEPT, Golden
+from mahovik.lower.golden import CASES, FAR, LISTED, SWEPT, Golden, tested
 from mahovik.program.function import Argument, Function, Program
 from mahovik.program.types import Kind, Struct
 from mahovik.stand.identity import Identities
@@ -34,7 +34,7 @@ class _SelfTest:
         self._program = program
         self._golden = golden
         self._names = Names(program.name)
-        self._public = [f for f in program.functions if f.public]
+        self._public = tested(program)
         self._structs = {s.name: s for s in program.structs}
 
     def text(self, identities: Identities) -> str:
@@ -53,6 +53,9 @@ class _SelfTest:
         precision = self._program.precision
         return template("selftest.c.j2").render(
             **parts,
+            left_out=[
+                self._names.function(f.name) for f in self._program.functions if f.public and f not in self._public
+            ],
             name=self._program.name,
             NAME=self._program.name.upper(),
             version=__version__,

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.derive import accumulate as derived_rows
-from mahovik.derive import drive as derived
-from mahovik.derive.symbols import vector
+from mahovik.formula.derived import accumulate as derived_rows
+from mahovik.formula.derived import drive as derived
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower import lanes
 from mahovik.lower.flywheels import COLUMNS, turn_of
 from mahovik.lower.forward import Scene
@@ -148,4 +148,4 @@ def couple_blocks(
 
 def along(column: Sequence[Expr], V_dot: Place) -> Expr:
     """I_s . V*."""
-    return translate(vector("column", 6).dot(vector("V_dot", 6)), {"column": column, "V_dot": V_dot})
+    return translate(derived_wrench.row_times("column", "V_dot"), {"column": column, "V_dot": V_dot})

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import accumulate as derived_rows
-from mahovik.derive import carrier as derived_carrier
+from mahovik.formula.derived import accumulate as derived_rows
+from mahovik.formula.derived import carrier as derived_carrier
 from mahovik.lower.flywheels import columns_of, let_turn, places_of
 from mahovik.lower.forward import STATE_STATUSES, check_inputs, external_wrench, relative_rate, scene, sum_up
 from mahovik.lower.lanes import entry, row_of

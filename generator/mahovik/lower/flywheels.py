@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from mahovik.derive import accumulate as derived
+from mahovik.formula.derived import accumulate as derived
 from mahovik.lower import lanes
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import add_each, assign, translate

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.derive import wrench as derived
+from mahovik.formula.derived import wrench as derived
 from mahovik.lower import flywheels, lanes
 from mahovik.lower.checks import check_within
 from mahovik.lower.flywheels import AT_NOTES, Turns, named_turns, places_of, turns_of

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import attitude as derived
-from mahovik.derive.symbols import vector
+from mahovik.derive.order import SEQUENCES
+from mahovik.formula.derived import attitude as derived
 from mahovik.lower.flywheels import sine_and_cosine
 from mahovik.lower.forward import STATE_STATUSES
 from mahovik.lower.library import Library
@@ -23,7 +23,7 @@ _NAMES = ("psi", "theta", "phi")
 def angles_argument(lib: Library) -> Argument:
     """psi, theta, phi in the sequence of the stand."""
     sequence = lib.layout.structure.angles
-    axes = " ".join(f"C{axis}({name})" for axis, name in zip(derived.SEQUENCES[sequence], _NAMES, strict=True))
+    axes = " ".join(f"C{axis}({name})" for axis, name in zip(SEQUENCES[sequence], _NAMES, strict=True))
     return Argument("angles", Kind.REAL, (3,), unit="rad", purpose=f"psi, theta, phi of C = {axes} ({sequence})")
 
 
@@ -81,7 +81,6 @@ def attitude(lib: Library) -> Function:
     out = Argument("out", layout.generalized, (), "out", purpose="A, D, I0, J0, q_dot, q_ddot")
     body = Body()
     lib.begin(body)
-    found = derived.attitude(layout.structure.angles)
     y = body.local("y", (), layout.state, "the state with the attitude of the angles")
     V_dot = body.local("V_dot", (6,))
     m = body.local("m", (), layout.matrices)
@@ -91,7 +90,9 @@ def attitude(lib: Library) -> Function:
     for i, name in enumerate(_NAMES):
         turn = sine_and_cosine(lib, body, angles.place[i], f"_{name}")
         binding |= {f"s_{name}": turn["s"], f"c_{name}": turn["c"]}
-    singular = body.let("singular", translate(found.singular, binding), "A has no inverse where this is 0")
+    singular = body.let(
+        "singular", translate(derived.singular(layout.structure.angles), binding), "A has no inverse where this is 0"
+    )
     lib.check(body, "forward", stand.place, y, *(a.place for a in (*phi_ddot, *wrench)), V_dot)
     lib.check(body, "matrices", stand.place, y, *(a.place for a in wrench), m)
     lib.guard(body, magnitude(singular) < SINGULAR_BELOW, "SINGULAR_ATTITUDE")
@@ -102,7 +103,6 @@ def attitude(lib: Library) -> Function:
     body.call(lib["rotation"], y.attitude, C)
     _kinematics(
         body,
-        found,
         x.place.V,
         C,
         binding | {"singular_inv": body.let("singular_inv", 1 / singular)},
@@ -126,7 +126,6 @@ def attitude(lib: Library) -> Function:
 
 def _kinematics(
     body: Body,
-    found: derived.Attitude,
     V: Place,
     C: Place,
     binding: dict[str, Expr],
@@ -138,10 +137,10 @@ def _kinematics(
     six = list(V)
     rate, acceleration = list(out.q_dot), list(out.q_ddot)
     rotate = derived.rotation_product()
-    inverse = found.B_inverse
+    inverse = derived.angle_rates(sequence)
     body.note("q' = A^-1 V")
     assign(body, rate[:3], rotate, {"C": C, "a": six[:3]})
-    assign(body, rate[3:], inverse * vector("a"), binding | {"a": six[3:]})
+    assign(body, rate[3:], inverse, binding | {"a": six[3:]})
     names = dict(zip(("psi_dot", "theta_dot", "phi_dot"), rate[3:], strict=True))
     everything: dict[str, Any] = binding | names | {"C": C, "omega": six[3:]}
     A, D = derived.kinematics(sequence)
@@ -155,4 +154,4 @@ def _kinematics(
         body.set(rest[i], total)
     body.note("q'' = A^-1 (V* - D q')")
     assign(body, acceleration[:3], rotate, {"C": C, "a": list(rest)[:3]})
-    assign(body, acceleration[3:], inverse * vector("a"), binding | {"a": list(rest)[3:]})
+    assign(body, acceleration[3:], inverse, binding | {"a": list(rest)[3:]})

@@ -6,7 +6,7 @@ import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
-from math import floor, log2
+from math import floor, log2, prod
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,10 @@ from mahovik.program.types import Kind, Precision, Struct
 
 LISTED = 32
 """Numbers of an answer that are listed; the rest is in its hash alone, so that the file stays small."""
+
+LARGEST_ANSWER = 1 << 17
+"""Numbers of an answer; what gives more is not in the self-test: N^2 numbers of 1,000 flywheels fill no board's memory,
+and the interpreter would take minutes to know them."""
 
 SWEPT = 1
 """States of the sweep whose hash is known beforehand: one shows that the target draws what Python draws."""
@@ -77,6 +81,20 @@ def golden(program: Program, values: Values) -> Golden:
     return Golden(planned, cases, {name: tuple(found) for name, found in answers.items()}, player.sweep(SWEPT))
 
 
+def tested(program: Program) -> tuple[Function, ...]:
+    """The public functions that are in the self-test: those with answers of at most LARGEST_ANSWER numbers."""
+
+    def size(type_: Kind | Struct, shape: tuple[Any, ...]) -> int:
+        one = sum(size(f.type, f.shape) for f in type_.fields) if isinstance(type_, Struct) else 1
+        return one * prod(int(n) for n in shape)
+
+    return tuple(
+        f
+        for f in program.functions
+        if f.public and sum(size(a.type, a.shape) for a in f.arguments if a.direction != "in") <= LARGEST_ANSWER
+    )
+
+
 def sweep_hashes(program: Program, values: Values, states: int) -> dict[str, int]:
     """Hashes of a sweep by function, from the interpreter: some hundredths of a second a state."""
     return _Player(program, values).sweep(states)
@@ -98,7 +116,7 @@ class _Player:
 
     def __init__(self, program: Program, values: Values) -> None:
         self.plan = plan(program)
-        self.functions = [f for f in program.functions if f.public]
+        self.functions = tested(program)
         self._program = program
         self._values = values
         self._interpreter: Interpreter = values.interpreter

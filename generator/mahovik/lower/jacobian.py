@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import accumulate as derived_rows
-from mahovik.derive import carrier as derived_carrier
-from mahovik.derive import drive as derived_drive
-from mahovik.derive import sensitivity as derived
-from mahovik.derive.symbols import vector
+from mahovik.derive.order import WEIGHTS
+from mahovik.formula.derived import accumulate as derived_rows
+from mahovik.formula.derived import carrier as derived_carrier
+from mahovik.formula.derived import drive as derived_drive
+from mahovik.formula.derived import sensitivity as derived
 from mahovik.lower.coupling import along, carried, couple_flywheel
 from mahovik.lower.drive import check_drive
 from mahovik.lower.flywheels import Turns, columns_of, let_turn, let_weights, turns_of
@@ -129,7 +129,7 @@ def forward_jacobian(lib: Library) -> Function:
             body.set(o.V_dot_V[i][j], y[i])
     _drift(body, o.V_dot_V, seen.stream)
     if layout.flywheels:
-        changes = body.local("change", (len(derived.WEIGHTS),), comment="of the weights of a row")
+        changes = body.local("change", (len(WEIGHTS),), comment="of the weights of a row")
         with body.loop("s", layout.count) as s:
             row = row_of(lib, body, stand.place, s)
             weights = _row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
@@ -143,7 +143,7 @@ def forward_jacobian(lib: Library) -> Function:
                     solve()
                     with body.loop("i", 6) as i:
                         body.set(target[i][s], y[i])
-            assign(body, list(rhs), -derived_rows.columns().I, weights | columns_of(row))
+            assign(body, list(rhs), derived_rows.reaction(), weights | columns_of(row))
             solve()
             with body.loop("i", 6) as i:
                 body.set(o.V_dot_phi_ddot[i][s], y[i])
@@ -206,7 +206,7 @@ def coupled_jacobian(lib: Library) -> Function:
             body.call(lib["eliminate"], drives[s].I, entry(lib, stand.place, s, "spin_inv"), real(0), K, work.rhs)
     _by_twist(lib, work, o, x.place, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
-    changes = body.local("change", (len(derived.WEIGHTS),), comment="of the weights of a row")
+    changes = body.local("change", (len(WEIGHTS),), comment="of the weights of a row")
     with body.loop("s", layout.count) as s:
         row = row_of(lib, body, stand.place, s)
         weights = _row_weights(body, x.place, seen.turns, s, spins[s])
@@ -314,8 +314,7 @@ def _torque_slope(
     assign(body, list(tensor), J_pp, binding)
     assign(body, list(column), derived_rows.columns().I_prime, binding)
     bound = parts_of_twist(seen.V) | {"J_pp": tensor, "mu_pp": second, "swing": swing}
-    bias = vector("mu_pp").dot(vector("swing")) - derived.quadratic_form("J_pp") / 2
-    total = along(list(column), motion) + translate(bias, bound)
+    total = along(list(column), motion) + translate(derived.bias_by_phase(), bound)
     if lib.layout.flywheel_buoyancy:
         assert seen.g is not None
         for i in range(3):

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from mahovik.derive import wrench as derived
-from mahovik.derive.symbols import vector
+from mahovik.formula.derived import wrench as derived
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign, translate
 from mahovik.program.build import Body, call
@@ -94,7 +93,7 @@ def suspend(lib: Library) -> Function:
     body.call(lib["rotation_vector"], turn, angle)
     displacement: list[Expr] = [*body_shift, *angle]
     with body.loop("i", 6) as i:
-        row = derived.row_times("stiffness", "x") + derived.row_times("damping", "V")
+        row = derived.suspension_row()
         bound = {
             "stiffness": law.place.stiffness[i],
             "damping": law.place.damping[i],
@@ -168,8 +167,6 @@ def add_force(body: Body, target: list[Place], origin: Place, force: list[Place]
     """F += T (force; moment): a wrench at `origin`, in axes of E1."""
     for t, f in zip(target[:3], force, strict=True):
         body.add(t, f)
-    formula = derived.moment_of_force()
-    if moment is not None:
-        formula = formula + vector("n")
+    formula = derived.moment_of_force() if moment is None else derived.moved_moment()
     binding = {"O": origin, "f": force, "n": moment}
     assign(body, target[3:], formula, binding, add=True)

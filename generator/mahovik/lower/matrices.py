@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import accumulate as derived_rows
-from mahovik.derive import carrier as derived
-from mahovik.derive.screw import cross
-from mahovik.derive.symbols import vector
+from mahovik.formula.derived import accumulate as derived_rows
+from mahovik.formula.derived import carrier as derived
 from mahovik.lower.flywheels import Turns, columns_of, let_turn
 from mahovik.lower.forward import STATE_STATUSES, check_inputs, external_wrench, scene, sum_up
 from mahovik.lower.lanes import row_of
@@ -160,7 +158,6 @@ def _add_stream(body: Body, stand: Place, x: Place, V: Place, u: Place, sums: Pl
     work = p[0] * u[0] + p[1] * u[1] + p[2] * u[2]
     square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2]
     body.add(energy, work + real(0.5) * stand.mass * square)
-    moment = cross(derived.mu) * vector("u")
     for i in range(3):
         body.add(Z[i], stand.mass * u[i])
-    assign(body, list(Z)[3:], moment, {"mu": sums.mu, "u": u}, add=True)
+    assign(body, list(Z)[3:], derived.stream_moment(), {"mu": sums.mu, "u": u}, add=True)

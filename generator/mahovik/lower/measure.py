@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from mahovik.derive import point as derived
-from mahovik.derive import wrench as derived_wrench
+from mahovik.formula.derived import point as derived
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.lower.library import Library
 from mahovik.lower.solve import parts_of_twist

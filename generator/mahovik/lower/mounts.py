@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import drive as derived
-from mahovik.derive import wrench as derived_wrench
+from mahovik.formula.derived import drive as derived
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.flywheels import turn_of
 from mahovik.lower.forward import (
     STATE_STATUSES,
@@ -93,7 +93,7 @@ def _subtract_weight(lib: Library, body: Body, m: Place, phase: dict[str, Any], 
     bound: dict[str, Any] = {"g": gs, "m": m.mass, "mu": m.first_moment}
     if buoyant:
         bound |= {"weight_mass": m.mass - m.displaced_mass, "displaced_moment": m.displaced_moment}
-    assign(body, list(W), -derived_wrench.weight(buoyant), bound, add=True)
+    assign(body, list(W), derived_wrench.weight_reaction(buoyant), bound, add=True)
 
 
 def mounts(lib: Library) -> Function:

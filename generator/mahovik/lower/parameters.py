@@ -12,8 +12,8 @@ which need no root and are backward stable where the matrix is definite (Higham 
 
 from __future__ import annotations
 
-from mahovik.derive import carrier as derived_carrier
-from mahovik.derive.symbols import SYMMETRIC
+from mahovik.derive.order import SYMMETRIC
+from mahovik.formula.derived import carrier as derived_carrier
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import translate
 from mahovik.program.build import Body, call

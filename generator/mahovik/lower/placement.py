@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mahovik.derive import wrench as derived_wrench
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body, call

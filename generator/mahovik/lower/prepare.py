@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import sympy as sp
-
-from mahovik.derive import flywheel as derived
-from mahovik.derive import wrench as derived_wrench
-from mahovik.derive.symbols import SYMMETRIC, matrix, symmetric, vector
+from mahovik.derive.order import SYMMETRIC
+from mahovik.formula.derived import carrying as derived
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.layout import Layout
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
@@ -34,16 +32,16 @@ def carry(lib: Library) -> Function:
     RJ = body.local("RJ", (9,), comment="R J")
     Jr = body.local("Jr", (6,), comment="R J R^T")
     assign(body, list(b1), derived_wrench.rotated(), {"C": R.place, "a": b.place})
-    first, second = derived.rotated_tensor(symmetric("J"), matrix("R"))
+    first, second = derived.rotated_tensor()
     assign(body, list(RJ), first, {"R": R.place, "J": J_own.place})
     assign(body, list(Jr), second, {"R": R.place, "RJ": RJ})
     body.note("T Theta T^T: about O1")
-    moved_mu, moved_J = derived.shifted_inertia(sp.Symbol("m"), vector("b"), symmetric("J"), vector("O"))
+    moved_mu, moved_J = derived.shifted_inertia()
     binding: dict[str, Any] = {"m": m.place, "b": b1, "J": Jr, "O": O.place, "mu": mu.place}
     assign(body, list(mu.place), moved_mu, binding)
     assign(body, list(J.place), moved_J, binding)
     axis = [R.place[0], R.place[3], R.place[6]]
-    moment = derived.spin_momentum(vector("b"), symmetric("J"), vector("O"))
+    moment = derived.spin_momentum()
     assign(body, list(t.place), moment, binding | {"axis": axis})
     return Function(
         "carry",
@@ -237,7 +235,7 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
         row = out.flywheel[s] if lib.layout.lanes == 1 else body.local("row", (), lib.layout.row)
         _place(lib, body, p, w, work)
         work.first_moment(w.body)
-        parts = derived.spun_inertia(derived.generic())
+        parts = derived.harmonics()
         binding = {"b": work.b, "J": w.body.inertia, "m": w.body.mass}
         half = body.local("bh", (3,), comment="first moment of one harmonic, in mounting axes")
         Jh = body.local("Jh", (6,), comment="its inertia")

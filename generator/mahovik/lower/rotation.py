@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from mahovik.derive import attitude as derived
-from mahovik.derive import wrench as derived_wrench
+from mahovik.formula.derived import attitude as derived
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body
 from mahovik.program.function import Argument, Function

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mahovik.derive import carrier as derived_carrier
-from mahovik.derive.symbols import SYMMETRIC
+from mahovik.derive.order import SYMMETRIC
+from mahovik.formula.derived import carrier as derived_carrier
 from mahovik.lower import lanes
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign, translate

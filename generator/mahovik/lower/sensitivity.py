@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import sympy as sp
-
-from mahovik.derive import accumulate as derived_rows
-from mahovik.derive import sensitivity as derived
-from mahovik.derive import wrench as derived_wrench
+from mahovik.derive.order import WEIGHTS
+from mahovik.formula.derived import accumulate as derived_rows
+from mahovik.formula.derived import sensitivity as derived
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.flywheels import columns_of, sine_and_cosine
 from mahovik.lower.library import Library
 from mahovik.lower.solve import parts_of_twist
@@ -142,7 +141,7 @@ def row_slope(lib: Library) -> Function:
     """Change of F - Phi Z - K_dot V - (a, g) - K V* that a change of one row's weights makes."""
     layout = lib.layout
     row = Argument("row", layout.row)
-    weights = Argument("weight", Kind.REAL, (len(derived.WEIGHTS),), purpose="changes of " + ", ".join(derived.WEIGHTS))
+    weights = Argument("weight", Kind.REAL, (len(WEIGHTS),), purpose="changes of " + ", ".join(WEIGHTS))
     V = Argument("V", Kind.REAL, (6,))
     V_dot = Argument("V_dot", Kind.REAL, (6,))
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
@@ -150,7 +149,7 @@ def row_slope(lib: Library) -> Function:
     body = Body()
     changed = body.local("change", (), layout.sums, "of the sums")
     Z = body.local("Z", (6,), comment="change of the momentum screw")
-    binding: dict[str, Any] = {name: weights.place[k] for k, name in enumerate(derived.WEIGHTS)}
+    binding: dict[str, Any] = {name: weights.place[k] for k, name in enumerate(WEIGHTS)}
     binding |= columns_of(row.place)
     parts = derived_rows.sums()
     for field in layout.sums.fields:
@@ -181,7 +180,7 @@ def row_slope(lib: Library) -> Function:
 
 def set_weights(body: Body, changes: Place, by: dict[str, Any], given: dict[str, Expr]) -> None:
     """Changes of the weights into an array, in the order of WEIGHTS."""
-    assign(body, list(changes), sp.Matrix([by[name] for name in derived.WEIGHTS]), given)
+    assign(body, list(changes), [by[name] for name in WEIGHTS], given)
 
 
 def twist_slope(lib: Library) -> Function:
@@ -199,7 +198,7 @@ def twist_slope(lib: Library) -> Function:
     )
     body = Body()
     z = list(Z.place)
-    assign(body, list(out.place), sp.Matrix(36, 1, list(derived.momentum_by_twist())), {"p": z[:3], "h": z[3:]})
+    assign(body, list(out.place), derived.momentum_by_twist(), {"p": z[:3], "h": z[3:]})
     with body.loop("i", 6) as i, body.loop("j", 6) as j:
         body.add(out.place[i * integer(6) + j], -m.place.M[i][j])
     if layout.own_turning:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import carrier as derived
+from mahovik.formula.derived import carrier as derived
 from mahovik.lower.library import Library
 from mahovik.lower.symbolic import assign
 from mahovik.program.build import Body

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mahovik.derive import motion as derived
+from mahovik.formula.derived import motion as derived
 from mahovik.lower.drive import check_drive
 from mahovik.lower.flywheels import turns_of
 from mahovik.lower.forward import STATE_STATUSES, check_inputs

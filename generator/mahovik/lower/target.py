@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from mahovik.derive import attitude as derived
-from mahovik.derive import wrench as derived_wrench
-from mahovik.derive.symbols import vector
+from mahovik.formula.derived import attitude as derived
+from mahovik.formula.derived import motion as derived_motion
+from mahovik.formula.derived import wrench as derived_wrench
 from mahovik.lower.flywheels import sine_and_cosine
 from mahovik.lower.generalized import angles_argument
 from mahovik.lower.library import Library
@@ -39,12 +39,11 @@ def target(lib: Library) -> Function:
     a = body.local("a", (3,), comment="C^T r''")
     omega = body.local("omega", (3,), comment="B (psi', theta', phi')")
     lib.check(body, "quaternion", angles.place, attitude)
-    found = derived.attitude(sequence)
     bound: dict[str, Expr] = {}
     for i, name in enumerate(_NAMES):
         turn = sine_and_cosine(lib, body, angles.place[i], f"_{name}")
         bound |= {f"s_{name}": turn["s"], f"c_{name}": turn["c"]}
-    singular = body.let("singular", translate(found.singular, bound))
+    singular = body.let("singular", translate(derived.singular(sequence), bound))
     lib.guard(body, magnitude(singular) < SINGULAR_BELOW, "SINGULAR_ATTITUDE")
     rates, seconds = list(q_dot.place), list(q_ddot.place)
     body.call(lib["rotation"], attitude, C)
@@ -52,12 +51,12 @@ def target(lib: Library) -> Function:
     assign(body, list(v), back, {"C": C, "a": rates[:3]})
     assign(body, list(a), back, {"C": C, "a": seconds[:3]})
     named = bound | dict(zip(("psi_dot", "theta_dot", "phi_dot"), rates[3:], strict=True))
-    assign(body, list(omega), found.B * vector("a"), named | {"a": rates[3:]})
+    assign(body, list(omega), derived.angular_velocity(sequence), named | {"a": rates[3:]})
     body.note("V* = A q'' + D q': v* = C^T r'' - omega x v")
-    turning = derived_wrench.turning_velocity()
-    assign(body, list(V_dot.place)[:3], vector("r") - turning, {"r": a, "omega": omega, "O": v})
-    spin = found.B * vector("a") + found.B_dot * vector("b")
-    assign(body, list(V_dot.place)[3:], spin, named | {"a": seconds[3:], "b": rates[3:]})
+    assign(body, list(V_dot.place)[:3], derived_motion.linear_rate(), {"r": a, "omega": omega, "O": v})
+    assign(
+        body, list(V_dot.place)[3:], derived.angular_acceleration(sequence), named | {"a": seconds[3:], "b": rates[3:]}
+    )
     body.copy_array(x.place.position, position.place)
     body.copy_array(x.place.attitude, attitude)
     for i in range(3):

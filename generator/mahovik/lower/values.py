@@ -8,13 +8,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import sympy as sp
-
 from mahovik import routines
-from mahovik.derive import flywheel as derived_flywheel
-from mahovik.derive.screw import elementary
-from mahovik.derive.symbols import SYMMETRIC, symmetric, vector
+from mahovik.derive.order import SYMMETRIC
 from mahovik.errors import StandError
+from mahovik.formula.derived import carrying
 from mahovik.lower.layout import Layout
 from mahovik.lower.symbolic import assign
 from mahovik.lower.thresholds import thresholds
@@ -37,17 +34,15 @@ def _axes_of_angles(sincos: Function) -> Function:
     angles = Argument("angles", Kind.REAL, (3,))
     axis = Argument("axis", Kind.REAL, (3,), "out")
     zero = Argument("zero", Kind.REAL, (3,), "out")
-    symbols = sp.symbols("psi theta phi")
-    C = elementary(3, symbols[0]) * elementary(2, symbols[1]) * elementary(1, symbols[2])
     body = Body()
     binding: dict[str, Any] = {}
-    for i, angle in enumerate(symbols):
+    for i, angle in enumerate(("psi", "theta", "phi")):
         s, c = body.local(f"s_{angle}"), body.local(f"c_{angle}")
         body.call(sincos, angles.place[i], s, c)
         binding |= {f"s_{angle}": s, f"c_{angle}": c}
-        C = C.subs({sp.cos(angle): sp.Symbol(f"c_{angle}"), sp.sin(angle): sp.Symbol(f"s_{angle}")})
-    assign(body, list(axis.place), C[:, 0], binding)
-    assign(body, list(zero.place), C[:, 1], binding)
+    first, second = carrying.mounting_axes()
+    assign(body, list(axis.place), first, binding)
+    assign(body, list(zero.place), second, binding)
     return Function("axes_of_angles", "Axes of C3 C2 C1.", (angles, axis, zero), body.statements)
 
 
@@ -61,8 +56,7 @@ def _about_origin() -> Function:
     b = body.local("b", (3,))
     for i in range(3):
         body.set(b[i], mass.place * rc.place[i])
-    shifted = derived_flywheel.central_to_origin(sp.Symbol("m"), vector("b"), symmetric("J"))
-    assign(body, list(J.place), shifted, {"J": central.place, "b": b, "rc": rc.place})
+    assign(body, list(J.place), carrying.central_to_origin(), {"J": central.place, "b": b, "rc": rc.place})
     return Function("about_origin", "Parallel axes.", (mass, rc, central, J), body.statements)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.derive import wrench as derived
+from mahovik.formula.derived import wrench as derived
 from mahovik.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
 from mahovik.lower.lanes import row_of
 from mahovik.lower.laws import add_force

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 Array = NDArray[np.float64]
 Motion = tuple[Array, Array, Array]
@@ -115,6 +114,8 @@ class SpeedTable:
     @classmethod
     def of(cls, times: Array, speeds: Array) -> SpeedTable:
         """From columns of equal length; times rise."""
+        from scipy.interpolate import CubicSpline  # SciPy takes a second to start, and few regimes have a table
+
         return cls(times, CubicSpline(times, speeds))
 
     @property

@@ -6,7 +6,7 @@ and are measured elsewhere. Of two branches the dearer is counted, so a count is
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import lru_cache
 
 from mahovik.program.expression import (
@@ -40,22 +40,36 @@ class Cost:
 
     @property
     def total(self) -> int:
-        return sum(getattr(self, f.name) for f in fields(self))
+        return self.additions + self.multiplications + self.divisions + self.comparisons
 
     def __add__(self, other: Cost) -> Cost:
-        return Cost(*(getattr(self, f.name) + getattr(other, f.name) for f in fields(self)))
+        if other is ZERO:
+            return self
+        return Cost(
+            self.additions + other.additions,
+            self.multiplications + other.multiplications,
+            self.divisions + other.divisions,
+            self.comparisons + other.comparisons,
+        )
 
     def times(self, count: int) -> Cost:
-        return Cost(*(getattr(self, f.name) * count for f in fields(self)))
+        return Cost(
+            self.additions * count, self.multiplications * count, self.divisions * count, self.comparisons * count
+        )
 
 
 ZERO = Cost()
 
 
-@lru_cache(maxsize=256)
 def cost(function: Function) -> Cost:
     """Operations of one call. A function is counted once: it never changes."""
-    return _block(function.body, {})
+    return _counted(function, ())
+
+
+@lru_cache(maxsize=1024)
+def _counted(function: Function, bound: tuple[tuple[str, int], ...]) -> Cost:
+    """Of a call with known integer arguments."""
+    return _block(function.body, dict(bound))
 
 
 def _block(body: tuple[Statement, ...], bound: dict[str, int]) -> Cost:
@@ -143,5 +157,5 @@ def _expr(e: Expr, bound: dict[str, int]) -> Cost:
             passed = zip(e.function.arguments, e.arguments, strict=True)
             inside = {p.name: int(a.value) for p, a in passed if isinstance(a, Const) and a.kind is Kind.INT}
             inner = sum((_expr(a, bound) for a in e.arguments if not isinstance(a, Place)), ZERO)
-            return inner + _block(e.function.body, inside)
+            return inner + _counted(e.function, tuple(inside.items()))
     return ZERO

@@ -139,11 +139,18 @@ def _eigenvalue(constant: Array, rotors: list[_Rotor], phases: Array, mean_scale
     diagonal = np.diag(full)
     if not (diagonal > 0).all() or not np.isfinite(full).all():
         return -np.inf
-    least = np.inf
     own = 1.0 / np.sqrt(diagonal)
-    for scale in (own, np.concatenate([mean_scale, own[6:]])):
-        least = min(least, float(np.linalg.eigvalsh(full * scale[:, None] * scale[None, :])[0]))
-    return least
+    scales = (own, np.concatenate([mean_scale, own[6:]]))
+    return min(_least(full * scale[:, None] * scale[None, :]) for scale in scales)
+
+
+def _least(scaled: Array) -> float:
+    """Least eigenvalue of [[A, B], [B^T, E]], A 6x6: it is that of [[A, R^T], [R, E]] with B^T = Q R, or 1."""
+    if len(scaled) <= 12:
+        return float(np.linalg.eigvalsh(scaled)[0])
+    R: Array = np.asarray(np.linalg.qr(scaled[6:, :6], mode="r"), dtype=np.float64)
+    small = np.block([[scaled[:6, :6], R.T], [R, np.eye(6)]])
+    return min(1.0, float(np.linalg.eigvalsh(small)[0]))
 
 
 class _Rotor:

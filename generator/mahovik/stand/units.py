@@ -1,7 +1,7 @@
 """Numbers of a stand file in SI, exactly: a value is rational until it is rounded, once, to a float.
 
 So `"1.1 mm"` is the same float as `0.0011`, and no identity or generated file depends on how a unit was spelled.
-pint is imported only where a string has a unit: its registry takes half a second to start.
+pint is imported only where a unit is not a usual one: its registry takes half a second to start.
 """
 
 from __future__ import annotations
@@ -13,6 +13,8 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from typing import Any
+
+from mahovik.stand.usual_units import usual
 
 
 @dataclass(frozen=True)
@@ -155,6 +157,9 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
     """Exact factor and powers of pint's root units (gram, meter, second, radian, ...) of a unit."""
     if not unit:
         return Fraction(1), {}
+    found = usual(unit)
+    if found is not None:
+        return found
     if not _UNIT.fullmatch(unit):
         raise QuantityError(f"{show(unit)} is not a unit")
     registry = _registry()

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mahovik.emit.generate import Generated, generate_all
-from mahovik.lower.golden import sweep_hashes
+from mahovik.lower.golden import sweep_hashes, tested
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.toolchain.board import build, run, selftest_flags
@@ -53,7 +53,7 @@ def judge_log(text: str, where: str, stand: Stand | None = None) -> LogVerdict:
         lines = identity_problems(one, stand.name, expected.structure, expected.physics)
         if not lines:
             made = generate_all(stand, one.real)
-            lines = problems(one, [f.name for f in made.program.functions if f.public])
+            lines = problems(one, [f.name for f in tested(made.program)])
             if one.sweep is not None and one.sweep <= MOST:
                 key = (one.real, one.sweep)
                 if key not in here:

@@ -8,7 +8,8 @@ from mahovik.derive import accumulate
 from mahovik.derive import flywheel as derived
 from mahovik.derive.carrier import V, omega, v
 from mahovik.derive.document.parts import Formula, Section, Table, Text
-from mahovik.derive.symbols import SYMMETRIC, from_six, symmetric, vector
+from mahovik.derive.order import SYMMETRIC
+from mahovik.derive.symbols import from_six, symmetric, vector
 
 c, s, c2, s2 = sp.symbols("c s c2 s2")
 PHASES = {"0": sp.S.One, "c": c, "s": s, "2c": c2, "2s": s2}

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mahovik.derive.attitude import ANGLES, SEQUENCES, attitude, kinematics
+from mahovik.derive.attitude import ANGLES, attitude, kinematics
 from mahovik.derive.document.parts import Formula, Section, Text
+from mahovik.derive.order import SEQUENCES
 
 
 def generalized(sequence: str) -> Section:

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import sympy as sp
 
-from mahovik.derive.symbols import SYMMETRIC
+from mahovik.derive.order import SYMMETRIC
 from mahovik.report.derivation.notation import Fence, Fraction, FunctionName, Grid, Node, Number, Operator, Script, row
 from mahovik.report.derivation.parse import parse
 

@@ -13,7 +13,8 @@ import numpy as np
 import sympy as sp
 
 from mahovik.derive import accumulate, carrier, flywheel
-from mahovik.derive.symbols import SYMMETRIC, vector
+from mahovik.derive.order import SYMMETRIC
+from mahovik.derive.symbols import vector
 from mahovik.lower.layout import Layout
 from mahovik.lower.program import lower_layout
 from mahovik.lower.values import Values

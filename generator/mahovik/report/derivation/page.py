@@ -10,9 +10,10 @@ from typing import Any, Protocol
 from markupsafe import Markup
 
 from mahovik import __version__
-from mahovik.derive.attitude import ANGLES, SEQUENCES
+from mahovik.derive.attitude import ANGLES
 from mahovik.derive.document import Block, Formula, Part, Section, Table, Text, sections
 from mahovik.derive.document.flywheel import HEAD
+from mahovik.derive.order import SEQUENCES
 from mahovik.emit.templates import template
 from mahovik.report.derivation import mathml, tex
 from mahovik.report.derivation.expression import notation

@@ -1,0 +1,55 @@
+"""A command imports what it needs, and nothing that takes long to start for others."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8
+
+SLOW = ("sympy", "casadi", "scipy", "pint", "jinja2", "cffi", "numpy", "pydantic", "rich")
+"""Slowest to import first."""
+
+CODE = f"""
+import json, sys
+from mahovik.cli import main
+try:
+    main()
+except SystemExit:
+    pass
+print(json.dumps([name for name in {SLOW!r} if name in sys.modules]), file=sys.stderr)
+"""
+
+NOTHING: set[str] = set()
+NUMBERS = {"numpy", "pydantic"}
+CASES = {
+    ("--help",): NOTHING,
+    ("--version",): NOTHING,
+    ("generate", "--help"): NOTHING,
+    ("verify", "--help"): NOTHING,
+    ("new", "--list"): NOTHING,
+    ("new", "demo3"): NOTHING,
+    ("check", BENCH8): NUMBERS | {"rich"},
+    ("check", BENCH8, "--json"): NUMBERS,
+    ("rest", BENCH8): NUMBERS | {"rich"},
+    ("eval", BENCH8, "--backend", "numpy"): NUMBERS,
+    ("eval", BENCH8, "--backend", "casadi"): NUMBERS | {"casadi"},
+    ("judge-log", "log"): NUMBERS | {"jinja2"},
+    ("replay", "log"): NUMBERS | {"jinja2", "cffi"},
+    ("export", "--help"): NOTHING,
+}
+"""What of these a command may import."""
+
+
+@pytest.mark.parametrize("arguments", CASES, ids=" ".join)
+def test_a_command_imports_only_what_it_needs(arguments: tuple[str, ...], own_folder: Path) -> None:
+    (own_folder / "log").write_text("")
+    done = subprocess.run(
+        [sys.executable, "-c", CODE, *arguments], input="", capture_output=True, text=True, check=False
+    )
+    assert "Traceback" not in done.stderr
+    assert set(json.loads(done.stderr.splitlines()[-1])) <= CASES[arguments]

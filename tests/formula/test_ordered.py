@@ -1,0 +1,60 @@
+"""The order of operations is ours: positive terms first, then by the names, whatever SymPy does."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from mahovik.formula.ordered import ordered
+from mahovik.formula.tree import Formula
+
+a, b, c, s = sp.symbols("a b c s")
+x2, x10 = sp.symbols("x[2] x[10]")
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        (b + a, ("+", "a", "b")),
+        (-a + b, ("-", "b", "a")),
+        (-a - b, ("-", ("-", "a"), "b")),
+        (x10 + x2, ("+", "x[2]", "x[10]")),
+        (b * a, ("*", "a", "b")),
+        (c * x2, ("*", "x[2]", "c")),
+        (-b * a, ("*", ("-", "a"), "b")),
+        (b * a / 2, ("*", ("*", 0.5, "a"), "b")),
+        (a**3, ("*", ("*", "a", "a"), "a")),
+        (s * (a - b), ("*", ("-", "a", "b"), "s")),
+        (sp.Integer(0), 0.0),
+    ],
+    ids=str,
+)
+def test_the_order(expression: sp.Expr, expected: Formula) -> None:
+    assert ordered(expression) == expected
+
+
+@pytest.mark.parametrize("expression", [a / b, sp.sqrt(a), sp.sin(a)], ids=str)
+def test_what_no_program_can_do_is_refused(expression: sp.Expr) -> None:
+    with pytest.raises(TypeError, match="no form in a program"):
+        ordered(expression)
+
+
+def value(formula: Any, numbers: dict[str, sp.Integer]) -> sp.Expr:
+    """A formula by exact numbers."""
+    match formula:
+        case str():
+            return numbers[formula]
+        case ("-", one):
+            return -value(one, numbers)
+        case (operator, left, right):
+            one, two = value(left, numbers), value(right, numbers)
+            return {"+": one + two, "-": one - two, "*": one * two}[operator]
+    return sp.Rational(formula)
+
+
+def test_a_formula_has_the_value_of_its_expression() -> None:
+    expression = (a - 2 * b) * (c + x2**2) - sp.Rational(1, 4) * s * x10 + 3
+    primes = dict(zip((a, b, c, s, x2, x10), map(sp.Integer, (2, 3, 5, 7, 11, 13)), strict=True))
+    assert value(ordered(expression), {x.name: n for x, n in primes.items()}) == expression.subs(primes)

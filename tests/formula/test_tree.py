@@ -1,0 +1,82 @@
+"""Formulas as data: indexed as SymPy's matrices, renamed, and through JSON without a loss."""
+
+from __future__ import annotations
+
+import json
+from types import SimpleNamespace
+
+import pytest
+import sympy as sp
+
+from mahovik.formula.tree import Matrix, as_json, from_json, names_of, renamed
+
+SUM = ("+", ("*", 2.0, "mu[0]"), ("-", "c"))
+VALUES = (
+    "phi_dot",
+    0.1,
+    -0.0,
+    SUM,
+    Matrix(1, 2, (SUM, "J[10]")),
+    (Matrix(1, 1, ("a",)), SUM),
+    {"0": SUM, "2c": "b"},
+    SimpleNamespace(b=Matrix(1, 1, ("a",)), m=0.0),
+)
+
+
+@pytest.mark.parametrize("value", VALUES, ids=str)
+def test_json_keeps_everything(value: object) -> None:
+    back = from_json(json.loads(json.dumps(as_json(value))))
+    assert back == value
+    assert repr(back) == repr(value)  # -0.0 as well
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        None,
+        True,
+        1,
+        "a b",
+        "__import__('os')",
+        "mu[x]",
+        ["/", "a", "b"],
+        ["+", "a"],
+        ["-", "a", "b", "c"],
+        ["+", "a", {"dict": {}}],
+        [],
+        {"matrix": [2, 2], "elements": ["a"]},
+        {"matrix": [1, 1], "elements": [{"dict": {}}]},
+        {"record": []},
+        {"what": 1},
+    ],
+    ids=str,
+)
+def test_other_json_is_refused(value: object) -> None:
+    with pytest.raises((ValueError, TypeError)):
+        from_json(value)
+
+
+@pytest.mark.parametrize("index", [0, -1, slice(None, 3), slice(3, None)], ids=str)
+def test_a_vector_is_indexed_as_in_sympy(index: int | slice) -> None:
+    names = [f"a[{i}]" for i in range(6)]
+    expected = sp.Matrix([sp.Symbol(name) for name in names])[index]
+    found = Matrix(6, 1, tuple(names))[index]
+    assert (list(found) if isinstance(index, slice) else found) == (
+        [x.name for x in expected] if isinstance(index, slice) else expected.name
+    )
+
+
+@pytest.mark.parametrize(
+    "index", [(1, slice(None)), (slice(None, 2), slice(None)), (slice(None), slice(1, 3))], ids=str
+)
+def test_a_block_is_taken_as_in_sympy(index: tuple[int | slice, slice]) -> None:
+    names = [f"a[{i}]" for i in range(12)]
+    expected = sp.Matrix(4, 3, [sp.Symbol(name) for name in names])[index]
+    found = Matrix(4, 3, tuple(names))[index]
+    assert (found.rows, found.columns) == expected.shape
+    assert list(found) == [x.name for x in expected]
+
+
+def test_names_are_replaced_everywhere() -> None:
+    assert renamed(SUM, {"mu[0]": "mu[1]", "c": "s"}) == ("+", ("*", 2.0, "mu[1]"), ("-", "s"))
+    assert names_of(SUM) == {"mu[0]", "c"}

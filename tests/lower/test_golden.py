@@ -1,0 +1,20 @@
+"""What the self-test leaves out: answers that grow with the square of the number of flywheels, where there are many."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from mahovik.lower import golden
+from mahovik.lower.layout import Layout
+from mahovik.lower.program import lower_layout
+from mahovik.program.types import DOUBLE
+from mahovik.stand.random import BARE, random_stand
+from mahovik.stand.structure import structure
+
+
+@pytest.mark.parametrize(("flywheels", "left_out"), [(3, set()), (64, set()), (300, {"coupled_jacobian"})])
+def test_only_answers_too_large_for_a_board_are_left_out(flywheels: int, left_out: set[str]) -> None:
+    stand = random_stand(np.random.default_rng(0), flywheels, BARE)
+    program = lower_layout(Layout(structure(stand), DOUBLE))
+    assert {f.name for f in program.functions if f.public} - {f.name for f in golden.tested(program)} == left_out

@@ -1,0 +1,190 @@
+"""How long generation, the start of commands and the C compiler take: writes the tables of docs/generation.md.
+
+python tools/generation_time.py [--repeat 5] [--no-page]
+
+Every run is a process of its own: seconds of the clock and of the processor, and the most memory it held; the least of
+the repetitions. Exit status 1 where a limit is passed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from mahovik.formula.cache import VARIABLE
+from mahovik.stands import path
+
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "generation.md"
+BEGIN, END = "<!-- figures: tools/generation_time.py -->", "<!-- end of figures -->"
+
+COUNTS = (2, 8, 64, 1000)
+"""Flywheels."""
+KINDS = ("bare", "everything")
+
+DRAW = """
+import sys
+import numpy as np
+from mahovik.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.stand.write import dumps
+kind, count = sys.argv[1], int(sys.argv[2])
+features = BARE if kind == "bare" else EVERYTHING
+print(dumps(random_stand(np.random.default_rng([1986, count]), count, features, name=f"{kind}{count}")))
+"""
+"""Writes a stand. In a process of its own: what this one has imported would count as memory of those it starts."""
+
+MOST_GENERATION, MOST_MEMORY, MOST_START, MOST_COMPILE = 3.0, 300.0, 0.25, 2.0
+"""s, MB, s, s: generation with at most 64 flywheels, also without a cache; memory; start of a command; compiler.
+
+Seconds of the processor, which are those of the clock on a machine without other work: each is a process of one thread.
+"""
+
+
+@dataclass(frozen=True)
+class Spent:
+    """Of a process: seconds of the clock, seconds of the processor, MB."""
+
+    clock: float
+    processor: float
+    memory: float
+
+    @property
+    def cells(self) -> list[str]:
+        """As a row of a table has them."""
+        return [f"{self.clock:.2f}", f"{self.processor:.2f}", f"{self.memory:.0f}"]
+
+
+def run(command: Sequence[str], env: Mapping[str, str]) -> Spent:
+    """One process. Raises SystemExit where it fails."""
+    begin = time.perf_counter()
+    process = subprocess.Popen(command, env=dict(env), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        raise SystemExit(f"{' '.join(command)}: exit status {process.returncode}")
+    return Spent(time.perf_counter() - begin, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
+
+
+def least(command: Sequence[str], env: Mapping[str, str], repeat: int) -> Spent:
+    """The least of each figure over repetitions."""
+    found = [run(command, env) for _ in range(repeat)]
+    return Spent(min(s.clock for s in found), min(s.processor for s in found), max(s.memory for s in found))
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table, numbers to the right."""
+    rule = ["---" if k == 0 else "---:" for k in range(len(head))]
+    return "".join(f"| {' | '.join(line)} |\n" for line in [head, rule, *rows])
+
+
+class Measurement:
+    """All of it, with the limits that were passed."""
+
+    def __init__(self, folder: Path, repeat: int) -> None:
+        self.passed_limits: list[str] = []
+        self._folder = folder
+        self._repeat = repeat
+        self._env = {**os.environ, VARIABLE: str(folder / "cache")}
+
+    def _held(self, what: str, found: float, most: float) -> None:
+        if found > most:
+            self.passed_limits.append(f"{what}: {found:.2f}, at most {most:g}")
+
+    def _command(self, *arguments: str) -> list[str]:
+        return [sys.executable, "-m", "mahovik", *arguments]
+
+    def generation(self) -> str:
+        """`generate` without a cache and with a warm one, and the compiler on what it made."""
+        rows = []
+        for kind in KINDS:
+            for count in COUNTS:
+                name = f"{kind}{count}"
+                stand = self._folder / f"{name}.toml"
+                drawn = subprocess.run(
+                    [sys.executable, "-c", DRAW, kind, str(count)], stdout=subprocess.PIPE, text=True, check=True
+                )
+                stand.write_text(drawn.stdout, encoding="utf-8")
+                out = self._folder / name
+                command = self._command("generate", str(stand), "-o", str(out))
+                cold = least([*command, "--no-cache"], self._env, self._repeat)
+                run(command, self._env)
+                warm = least(command, self._env, self._repeat)
+                flags = ["-std=c99", "-O2", "-ffp-contract=off", "-c", str(out / f"{name}.c"), "-o", os.devnull]
+                compiled = least(["gcc", *flags], self._env, self._repeat)
+                rows.append([f"{kind}, {count}", *cold.cells, *warm.cells, *compiled.cells])
+                print(*rows[-1], sep="   ", flush=True)
+                if count <= 64:
+                    self._held(f"generation without a cache, {name}, s", cold.processor, MOST_GENERATION)
+                    self._held(f"generation, {name}, s", warm.processor, MOST_GENERATION)
+                self._held(f"memory, {name}, MB", max(cold.memory, warm.memory), MOST_MEMORY)
+                self._held(f"gcc -O2, {name}, s", compiled.processor, MOST_COMPILE)
+        columns = [f"{what}, s" for what in ("cold", "warm", "gcc -O2")]
+        return table(["stand, N", *(c for first in columns for c in (first, "processor, s", "MB"))], rows)
+
+    def start(self) -> str:
+        """Commands that need no formulas."""
+        bench8, log = str(path("bench8")), self._folder / "log"
+        log.write_text("")
+        rows = []
+        for arguments in (
+            ["--help"],
+            ["--version"],
+            ["new", "--list"],
+            ["generate", "--help"],
+            ["check", bench8],
+            ["rest", bench8],
+            ["eval", bench8, "--backend", "numpy"],
+        ):
+            found = least(self._command(*arguments), self._env, 2 * self._repeat)
+            shown = " ".join("STAND.toml" if a == bench8 else a for a in arguments)
+            rows.append([f"`mahovik {shown}`", *found.cells])
+            print(*rows[-1], sep="   ", flush=True)
+            self._held(f"mahovik {shown}, s", found.processor, MOST_START)
+        bare = least([sys.executable, "-c", "pass"], self._env, 2 * self._repeat)
+        numbers = least([sys.executable, "-c", "import numpy, pydantic"], self._env, 2 * self._repeat)
+        rows.append(["Python alone", *bare.cells])
+        rows.append(["Python and `import numpy, pydantic`", *numbers.cells])
+        return table(["command", "s", "processor, s", "MB"], rows)
+
+
+def machine() -> str:
+    """What was measured on."""
+    model = platform.processor() or platform.machine()
+    cpuinfo = Path("/proc/cpuinfo")
+    if cpuinfo.is_file():
+        lines = cpuinfo.read_text(encoding="utf-8").splitlines()
+        model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), model)
+    gcc = subprocess.run(["gcc", "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
+    return (
+        f"On {model}, {os.cpu_count()} cores, Python {platform.python_version()}, gcc {gcc}; "
+        f"processes that wanted to run meanwhile, on average: {os.getloadavg()[1]:.1f}."
+    )
+
+
+def main() -> None:
+    """Measure, print, write the page. Exit status 1 where a limit is passed."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--no-page", action="store_true", help="print only")
+    asked = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        found = Measurement(Path(scratch), asked.repeat)
+        generation, start = found.generation(), found.start()
+    verdict = "".join(f"* {line}\n" for line in found.passed_limits) or "None.\n"
+    text = f"{machine()}\n\n{generation}\n{start}\nLimits that were passed:\n\n{verdict}"
+    if not asked.no_page:
+        before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+        PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}", encoding="utf-8")
+    print(text)
+    raise SystemExit(1 if found.passed_limits else 0)
+
+
+if __name__ == "__main__":
+    main()
