@@ -28,7 +28,7 @@ STAGES = (
     ("toolchain",),
     ("emit",),
     ("lower",),
-    ("derive", "reference", "second"),
+    ("derive", "reference", "rigorous", "second"),
     ("routines",),
     ("program",),
     ("motion",),
@@ -43,6 +43,7 @@ FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
 
 ONLY = {
     "reference": {"errors", "stand", "numpy"},
+    "rigorous": {"errors", "stand", "flint"},
     "lower": {"routines", "derive", "program", "stand", "errors", "sympy", "numpy"},
     "derive": {"errors", "sympy"},
     "program": {"errors", "numpy"},

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +12,7 @@ from flint import arb, ctx
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Balls = NDArray[np.object_]
 
 NARROW = 2.0**-16
 """ulp of the scale; a ball of no larger radius adds nothing to an error that can be seen."""
@@ -50,7 +52,7 @@ def ulp(scale: float, significand: int) -> float:
 def units(natural: Any, floor: float, significand: int) -> Array:
     """ulp of every scale, those below the floor raised to it."""
     raised = np.maximum(np.asarray(natural, dtype=np.float64), floor)
-    return np.vectorize(ulp, otypes=[np.float64])(raised, significand)
+    return np.asarray(np.vectorize(ulp, otypes=[np.float64])(raised, significand), dtype=np.float64)
 
 
 def narrow(balls: Any, unit: Array) -> bool:
@@ -68,38 +70,39 @@ def error(quantity: str, found: Any, balls: Any, natural: Any, floor: float, sig
     if not numbers.size:
         return Error(0.0, 0.0, 0.0)
     exact = _flat(balls)
-    off = _shaped([_above(abs(arb(float(x)) - ball)) for x, ball in zip(numbers.flat, exact, strict=True)], shape)
-    size = _shaped([_below(abs(ball)) for ball in exact], shape)
+    apart = [abs(arb(float(x)) - ball) for x, ball in zip(numbers.flat, exact, strict=True)]
+    off = np.array([_above(distance) for distance in apart]).reshape(shape)
     raised = np.maximum(np.broadcast_to(natural, shape), floor)
     unit = units(raised, floor, significand)
-    return Error(float((off / unit).max()), float((off / raised).max()), _own(quantity, off, size))
+    return Error(
+        float((off / unit).max()),
+        float((off / raised).max()),
+        _own(quantity, _shaped(apart, shape), _shaped(exact, shape)),
+    )
 
 
-def _own(quantity: str, off: Array, size: Array) -> float:
+def _own(quantity: str, apart: Balls, exact: Balls) -> float:
     """The worst error over the largest component of the same unit."""
-    parts = [(off, size)]
+    parts = [(apart, exact)]
     if quantity in SCREW_ROWS:
         parts = [pair for a, b in parts for pair in zip(np.split(a, 2), np.split(b, 2), strict=True)]
     if quantity in SCREW_COLUMNS:
         parts = [pair for a, b in parts for pair in zip(np.split(a, 2, -1), np.split(b, 2, -1), strict=True)]
-    return max(_ratio(float(a.max(initial=0.0)), float(b.max(initial=0.0))) for a, b in parts)
+    return max(_ratio(a.ravel().tolist(), b.ravel().tolist()) for a, b in parts)
 
 
-def _ratio(off: float, size: float) -> float:
-    if size > 0.0:
-        return off / size
-    return math.inf if off > 0.0 else 0.0
+def _ratio(apart: Iterable[arb], exact: Iterable[arb]) -> float:
+    off = max((x.upper() for x in apart), default=arb(0))
+    size = max((abs(x).lower() for x in exact), default=arb(0))
+    if size > 0:
+        return _above(off / size)
+    return math.inf if off > 0 else 0.0
 
 
 def _above(x: arb) -> float:
     """A float that is no smaller than any number of a ball."""
     with ctx.workprec(64):
         return math.nextafter(float(x.upper()), math.inf) if not x.is_zero() else 0.0
-
-
-def _below(x: arb) -> float:
-    """A float that is no larger than any number of a ball of numbers >= 0."""
-    return max(0.0, math.nextafter(float(x.lower()), 0.0))
 
 
 def _shape(balls: Any) -> tuple[int, ...]:
@@ -112,5 +115,7 @@ def _flat(balls: Any) -> list[arb]:
     return [balls] if isinstance(balls, arb) else [x for each in balls for x in _flat(each)]
 
 
-def _shaped(numbers: list[float], shape: tuple[int, ...]) -> Array:
-    return np.array(numbers, dtype=np.float64).reshape(shape)
+def _shaped(balls: list[arb], shape: tuple[int, ...]) -> Balls:
+    found = np.empty(shape, dtype=object)
+    found.ravel()[:] = balls  # a view: the array is new
+    return found

@@ -7,7 +7,7 @@ to the literal equations.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -44,7 +44,7 @@ def arc_tangent(y: arb, x: arb) -> arb:
     return arb.atan2(y, x)
 
 
-ROUTINES = {"sincos": sincos, "sqrt": square_root, "atan2": arc_tangent}
+ROUTINES: Mapping[str, Callable[..., Any]] = {"sincos": sincos, "sqrt": square_root, "atan2": arc_tangent}
 
 
 class ExactProgram(ProgramBackend):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -16,6 +17,8 @@ from mahovik import reference, rigorous
 from mahovik.errors import StateError
 from mahovik.program.types import Precision
 from mahovik.rigorous.evaluate import BITS, Balls, enclose
+from mahovik.second import WANTS as SECOND_WANTS
+from mahovik.second import Second
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.bounds import BOUNDS
@@ -24,13 +27,13 @@ from mahovik.verify.compare import Row
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import Progress, report
 from mahovik.verify.report import Report
-from mahovik.verify.rounding.error import MISSING, Error, error, narrow, units
+from mahovik.verify.rounding.error import MISSING, Array, Error, error, narrow, units
 from mahovik.verify.rounding.exact_program import ExactProgram, given_to_c
 from mahovik.verify.rounding.limits import accepted
 from mahovik.verify.scales import scales
 from mahovik.verify.states import Request
 
-Naturals = dict[str, Any]
+Values = dict[str, Any]
 
 
 @dataclass
@@ -40,6 +43,7 @@ class Rounding:
     row    error over the natural scale, judged by the tolerance of `verify` and by the limits in ulp
     ulps   worst error in ulp of the natural scale: of stand file and state to the answer
     alone  the same of the function alone: its table, and the attitude as it got it, are exact
+    judges the same of those that `verify` judges by, reference and second derivation: of whichever is worse
     own    error over the largest component of the same unit, state by state
     limit  accepted of `ulps`; None where nothing is promised but the tolerance
     """
@@ -48,6 +52,7 @@ class Rounding:
     limit: float | None
     ulps: float = 0.0
     alone: float = 0.0
+    judges: float = 0.0
     own: list[float] = field(default_factory=list)
 
     @property
@@ -55,11 +60,14 @@ class Rounding:
         """Median of `own`: what a user sees; its worst says only how much cancels at some state."""
         return median(self.own) if self.own else 0.0
 
-    def note(self, whole: Error, alone: Error, request: Request, reason: str = "") -> None:
+    def note(
+        self, request: Request, whole: Error, alone: Error, judges: Sequence[Error] = (), reason: str = ""
+    ) -> None:
         """Count one state."""
         self.row.note(whole.scale, request, reason)
         self.ulps = max(self.ulps, whole.ulps)
         self.alone = max(self.alone, alone.ulps)
+        self.judges = max(self.judges, *(judge.ulps for judge in judges), 0.0)
         self.own.append(whole.own)
 
     def judge(self) -> None:
@@ -87,6 +95,7 @@ class Ruler:
         self._backend = backend
         self._real = real
         self._floor = BOUNDS[real].floor
+        self._second = Second(stand)
         self._exact: dict[CBackend, ExactProgram] = {}
         self.lines: dict[tuple[str, str], Rounding] = {}
 
@@ -97,62 +106,79 @@ class Ruler:
 
     def measure(self, name: str, state: State) -> None:
         """Note the errors of all wants at a state; one that the reference refuses is no test."""
-        with np.errstate(all="ignore"):
-            try:
-                at = reference.pieces(self._stand, state)
-                for want in self.wants:
-                    reference.evaluate(self._stand, state, [want], at)
-            except StateError:
-                return
-            naturals = {want: scales(self._stand, state, at, want) for want in self.wants}
+        at = self._pieces(state)
+        if at is None:
+            return
         pieces = cache(lambda bits: rigorous.pieces_at(self._stand, state, bits))
-        judged = self._judged(state)
         for want in self.wants:
-            request = Request(name, state, (want,))
+            judges = self._judges(state, want, at)
+            if not judges:
+                continue
+            with np.errstate(all="ignore"):
+                natural = scales(self._stand, state, at, want)
 
             def literal(bits: int, want: str = want) -> Balls:
                 return rigorous.evaluate(pieces(bits), state, want, bits)
 
-            self._note(request, want, naturals[want], literal, judged)
+            self._note(Request(name, state, (want,)), natural, literal, judges)
+
+    def _note(
+        self, request: Request, natural: Values, literal: Callable[[int], Balls], judges: Sequence[Values]
+    ) -> None:
+        """Note the errors of one want, and of what judges found of it, by the literal equations and the program."""
+        state, want = request.state, request.want
+        judged = self._judged(state)
+        program = self._program(judged)
+
+        def good(balls: Balls) -> bool:
+            return all(narrow(balls[key], self._units(scale)) for key, scale in natural.items())
+
+        try:
+            found = judged.evaluate(state, want)
+            given = given_to_c(judged, state)
+
+            def alone(bits: int) -> Balls:
+                with ctx.workprec(bits):
+                    return program.evaluate(given, want)
+
+            whole, own = enclose(literal, good), enclose(alone, good)
+        except StateError as refusal:
+            for key in natural:
+                self._line(want[0], key).note(request, MISSING, MISSING, reason=str(refusal))
+            return
+        with ctx.workprec(BITS):
+            for key, scale in natural.items():
+
+                def off(values: Values, balls: Balls, key: str = key, scale: Any = scale) -> Error:
+                    return error(key, values[key], balls[key], scale, self._floor, self._precision.significand)
+
+                others = [off(values, whole) for values in judges]
+                self._line(want[0], key).note(request, off(found, whole), off(found, own), others)
+
+    def _pieces(self, state: State) -> reference.Pieces | None:
+        try:
+            with np.errstate(all="ignore"):
+                return reference.pieces(self._stand, state)
+        except (StateError, ArithmeticError):
+            return None
+
+    def _judges(self, state: State, want: str, at: reference.Pieces) -> list[Values]:
+        """What reference and second derivation find; nothing where the reference refuses."""
+        try:
+            found = [reference.evaluate(self._stand, state, [want], at)]
+        except (StateError, np.linalg.LinAlgError, ArithmeticError):
+            return []
+        if want in SECOND_WANTS:
+            with suppress(StateError):  # `verify` reports that
+                found.append(self._second.evaluate(state, (want,)))
+        return found
 
     def _judged(self, state: State) -> CBackend:
         """The C that takes the run-time wrenches of a state."""
-        taken = set(state.wrench) <= set(self._backend.inputs)
-        return self._backend if taken else self._backend.full
+        return self._backend if set(state.wrench) <= set(self._backend.inputs) else self._backend.full
 
-    def _note(
-        self, request: Request, want: str, natural: Naturals, literal: Callable[[int], Balls], judged: CBackend
-    ) -> None:
-        state, significand = request.state, self._precision.significand
-        exact = self._program(judged)
-
-        def own(bits: int) -> Balls:
-            with ctx.workprec(bits):
-                return exact.evaluate(given, (want,))
-
-        def good(balls: Balls) -> bool:
-            unit = {key: units(natural[key], self._floor, significand) for key in balls}
-            return all(narrow(balls[key], unit[key]) for key in balls)
-
-        found: dict[str, Any] = {}
-        reason = ""
-        try:
-            found = self._backend.evaluate(state, (want,))
-            given = given_to_c(judged, state)
-            whole, alone = enclose(literal, good), enclose(own, good)
-        except StateError as refusal:
-            reason = str(refusal)
-            whole = alone = {}
-        for key, scale in natural.items():
-            line = self._line(want, key)
-            if reason:
-                line.note(MISSING, MISSING, request, reason)
-                continue
-            with ctx.workprec(BITS):
-                errors = [
-                    error(key, found[key], balls[key], scale, self._floor, significand) for balls in (whole, alone)
-                ]
-            line.note(errors[0], errors[1], request)
+    def _units(self, scale: Any) -> Array:
+        return units(scale, self._floor, self._precision.significand)
 
     @property
     def _precision(self) -> Precision:
