@@ -52,8 +52,8 @@ def _print(found: RoundingReport) -> None:
     out, report = console(), found.report
     head = f"rounding of {report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}"
     out.print(Text(f"{head}   seed {report.seed}"))
-    names = ("states>", "worst ulp>", "accepted>", "alone>", "judges>", "of scale>", "accepted >", "relative>")
-    rows = table("quantity", "want", *names, "at state", "verdict")
+    numbers = ("states>", "ulp>", "function alone>", "judges>", "of scale>", "accepted>", "relative>")
+    rows = table("quantity", "want", *numbers, "at state", "verdict")
     for line in found.lines:
         row = line.row
         verdict = Text(row.verdict, "red" if row.failed else "green")
@@ -64,7 +64,6 @@ def _print(found: RoundingReport) -> None:
             row.want,
             str(row.states),
             f"{line.ulps:.2g}",
-            "" if line.limit is None else f"{line.limit:g}",
             f"{line.alone:.2g}",
             f"{line.judges:.1g}",
             f"{row.worst:.1e}",

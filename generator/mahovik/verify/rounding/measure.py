@@ -29,7 +29,7 @@ from mahovik.verify.harness import Progress, report
 from mahovik.verify.report import Report
 from mahovik.verify.rounding.error import MISSING, Array, Error, error, narrow, units
 from mahovik.verify.rounding.exact_program import ExactProgram, given_to_c
-from mahovik.verify.rounding.limits import accepted
+from mahovik.verify.rounding.limits import ULPS
 from mahovik.verify.scales import scales
 from mahovik.verify.states import Request
 
@@ -44,6 +44,7 @@ class Rounding:
     ulps   worst error in ulp of the natural scale: of stand file and state to the answer
     alone  the same of the function alone: its table, and the attitude as it got it, are exact
     judges the same of those that `verify` judges by, reference and second derivation: of whichever is worse
+    apart  error of these over the natural scale
     own    error over the largest component of the same unit, state by state
     limit  accepted of `ulps`; None where nothing is promised but the tolerance
     """
@@ -53,6 +54,7 @@ class Rounding:
     ulps: float = 0.0
     alone: float = 0.0
     judges: float = 0.0
+    apart: float = 0.0
     own: list[float] = field(default_factory=list)
 
     @property
@@ -67,7 +69,8 @@ class Rounding:
         self.row.note(whole.scale, request, reason)
         self.ulps = max(self.ulps, whole.ulps)
         self.alone = max(self.alone, alone.ulps)
-        self.judges = max(self.judges, *(judge.ulps for judge in judges), 0.0)
+        for judge in judges:
+            self.judges, self.apart = max(self.judges, judge.ulps), max(self.apart, judge.scale)
         self.own.append(whole.own)
 
     def judge(self) -> None:
@@ -193,7 +196,7 @@ class Ruler:
         key = (want, quantity)
         if key not in self.lines:
             row = Row(want, quantity, tolerance=BOUNDS[self._real].of(want, quantity))
-            self.lines[key] = Rounding(row, accepted(self._real, want, quantity))
+            self.lines[key] = Rounding(row, ULPS[self._real])
         return self.lines[key]
 
 

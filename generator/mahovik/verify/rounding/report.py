@@ -17,11 +17,7 @@ def conclusion(found: RoundingReport) -> str:
         return report_conclusion(found.report)
     worst = max(found.lines, key=lambda line: line.ulps)
     words = f"passed: worst {worst.ulps:.2g} ulp of the natural scale, {worst.row.quantity} ({worst.row.want})"
-    promised = next((line for line in found.lines if line.limit is not None), None)
-    if promised is None:
-        return words
-    row = promised.row
-    return f"{words}; {row.quantity} ({row.want}) {promised.ulps:.2g}, {promised.limit:g} accepted"
+    return words if worst.limit is None else f"{words}; {worst.limit:g} accepted"
 
 
 def as_json(found: RoundingReport) -> str:
@@ -32,7 +28,7 @@ def as_json(found: RoundingReport) -> str:
     for row, line in zip(table["rows"], found.lines, strict=True):
         for unused in ("second", "between", "disagreement"):
             del row[unused]
-        row |= _errors(line)
+        row.update(_errors(line))
     return json.dumps(table, indent=1, allow_nan=False)
 
 
@@ -42,6 +38,7 @@ def _errors(line: Rounding) -> dict[str, float | None]:
         "ulps_accepted": line.limit,
         "ulps_function_alone": line.alone,
         "ulps_judges": line.judges,
+        "worst_judges": line.apart,
         "relative_typical": line.typical,
         "relative_worst": max(line.own, default=0.0),
     }
