@@ -1,6 +1,6 @@
 """The true error of the C of the example stands and of random ones, by enclosures: writes docs/rounding.md.
 
-python tools/rigorous.py [--states 200] [--random 24] [--random-states 24] [--jobs 2]
+python tools/rigorous.py [--states 200] [--random 12] [--random-states 24] [--jobs 2]
 """
 
 from __future__ import annotations
@@ -186,7 +186,7 @@ def main() -> None:
     """Measure, write the page. Exit status 1 where a limit is not met."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--states", type=int, default=200)
-    parser.add_argument("--random", type=int, default=24)
+    parser.add_argument("--random", type=int, default=12)
     parser.add_argument("--random-states", type=int, default=24)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     given = parser.parse_args()
