@@ -48,16 +48,19 @@ ROUTINES: Mapping[str, Callable[..., Any]] = {"sincos": sincos, "sqrt": square_r
 
 
 class ExactProgram(ProgramBackend):
-    """Wants of a state as balls, at the working precision; a state's attitude must be a quaternion."""
+    """Wants of a state as balls, at the working precision; a state's attitude must be a quaternion.
 
-    def __init__(self, backend: CBackend) -> None:
+    `table`, `mounting`: what the functions take as the prepared stand; by default what the C holds.
+    """
+
+    def __init__(self, backend: CBackend, table: Any = None, mounting: Any = None) -> None:
         program = replace(backend.program, precision=of_balls(backend.program.precision))
         interpreter = Interpreter(program, ROUTINES)
 
         def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
             return interpreter.run(function, inputs)
 
-        super().__init__("exact", backend.layout, program, backend.table(), backend.mounting, run)
+        super().__init__("exact", backend.layout, program, table or backend.table(), mounting or backend.mounting, run)
 
 
 def given_to_c(backend: ProgramBackend, state: State) -> State:
