@@ -27,11 +27,12 @@ from mahovik.verify.bounds import DOUBLE, FLOAT
 from mahovik.verify.c_backend import CBackend, with_all_inputs
 from mahovik.verify.draw import draw
 from mahovik.verify.rounding.error import MISSING, error, narrow, ulp, units
-from mahovik.verify.rounding.exact_program import ExactProgram, given_to_c
+from mahovik.verify.rounding.exact_program import ExactProgram
 from mahovik.verify.rounding.limits import ULPS
 from mahovik.verify.rounding.measure import RoundingReport, Ruler, measure_rounding
 from mahovik.verify.rounding.report import conclusion
 from rigorous.balls import flat
+from verify.build import generated
 
 STATES = 5
 """The next has a run-time wrench on every body: for most stands C of its own, to be compiled."""
@@ -119,6 +120,7 @@ def test_forward_is_right_to_fifty_ulp(name: str, real: str) -> None:
     assert math.isfinite(forward.typical)
 
 
+@pytest.mark.slow
 def test_every_kind_of_wrench_is_enclosed() -> None:
     found = measured(everything(), backend("everything"))
     assert found.report.passed, [(line.row.quantity, line.ulps) for line in found.lines]
@@ -163,22 +165,22 @@ def test_a_refusal_and_what_is_no_number_fail() -> None:
 
 def test_the_program_is_the_literal_equations_to_sixty_digits() -> None:
     """Derivation, lowering and prepare in ball arithmetic, of exact parameters: nothing is left but the balls."""
-    stand, judged = everything(), backend("everything")
+    stand = everything()
+    made = generated(stand)
+    parameters, table = made.values.parameters, made.values.table
     with ctx.workprec(320):
-        given = {"parameters": judged.generated.values.parameters}
-        unprepared = ExactProgram(judged)
-        status, made = unprepared.call("prepare", {**given, "stand": judged.table()})  # its laws are exact
+        unprepared = ExactProgram(made.layout, made.program, table, made.values.mounting)
+        status, found = unprepared.call("prepare", {"parameters": parameters, "stand": table})  # its laws are exact
         assert status == 0
-        mounting = unprepared.call("prepare_mounts", given)[1]["mounting"]
-        program = ExactProgram(judged, made["stand"], mounting)
-        for _, drawn in draw(stand, 4, STATES)[1:]:
-            state = given_to_c(judged, drawn)
+        mounting = unprepared.call("prepare_mounts", {"parameters": parameters})[1]["mounting"]
+        program = ExactProgram(made.layout, made.program, found["stand"], mounting)
+        for _, state in draw(stand, 4, 8)[1:]:
             at = rigorous.pieces_at(stand, state, 320)
             for want in rigorous.WANTS:
                 exact = rigorous.evaluate(at, state, want, 320)
-                found = program.evaluate(state, (want,))
+                answer = program.evaluate(state, (want,))
                 for key, balls in exact.items():
-                    pairs = list(zip(flat(balls), flat(found[key]), strict=True))
+                    pairs = list(zip(flat(balls), flat(answer[key]), strict=True))
                     size = max(float(abs(ball).upper()) for ball, _ in pairs)
                     assert all(mine.overlaps(its) for mine, its in pairs), (want, key)
                     assert all(float((mine - its).abs_upper()) <= 1e-60 * size for mine, its in pairs), (want, key)

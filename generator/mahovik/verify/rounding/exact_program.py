@@ -13,10 +13,11 @@ from typing import Any
 
 from flint import arb
 
+from mahovik.lower.layout import Layout
+from mahovik.program.function import Program
 from mahovik.program.interpret import Interpreter
 from mahovik.program.types import Precision
 from mahovik.stand.state import State
-from mahovik.verify.c_backend import CBackend
 from mahovik.verify.program_backend import ProgramBackend
 
 
@@ -48,19 +49,16 @@ ROUTINES: Mapping[str, Callable[..., Any]] = {"sincos": sincos, "sqrt": square_r
 
 
 class ExactProgram(ProgramBackend):
-    """Wants of a state as balls, at the working precision; a state's attitude must be a quaternion.
+    """Wants of a state as balls, at the working precision. `table`, `mounting`: the prepared stand."""
 
-    `table`, `mounting`: what the functions take as the prepared stand; by default what the C holds.
-    """
-
-    def __init__(self, backend: CBackend, table: Any = None, mounting: Any = None) -> None:
-        program = replace(backend.program, precision=of_balls(backend.program.precision))
-        interpreter = Interpreter(program, ROUTINES)
+    def __init__(self, layout: Layout, program: Program, table: Any, mounting: Any) -> None:
+        exact = replace(program, precision=of_balls(program.precision))
+        interpreter = Interpreter(exact, ROUTINES)
 
         def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
             return interpreter.run(function, inputs)
 
-        super().__init__("exact", backend.layout, program, table or backend.table(), mounting or backend.mounting, run)
+        super().__init__("exact", layout, exact, table, mounting, run)
 
 
 def given_to_c(backend: ProgramBackend, state: State) -> State:

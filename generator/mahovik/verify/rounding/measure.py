@@ -189,7 +189,7 @@ class Ruler:
 
     def _program(self, judged: CBackend) -> ExactProgram:
         if judged not in self._exact:
-            self._exact[judged] = ExactProgram(judged)
+            self._exact[judged] = ExactProgram(judged.layout, judged.program, judged.table(), judged.mounting)
         return self._exact[judged]
 
     def _line(self, want: str, quantity: str) -> Rounding:
