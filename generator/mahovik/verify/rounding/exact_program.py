@@ -58,7 +58,10 @@ class ExactProgram(ProgramBackend):
         def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
             return interpreter.run(function, inputs)
 
-        super().__init__("exact", layout, exact, table, mounting, run)
+        # filled once: the interpreter takes records as they are, and binary numbers are exact at any precision
+        kept = interpreter.filled(layout.table, table)
+        borne = None if mounting is None else interpreter.filled(layout.mount_table, mounting)
+        super().__init__("exact", layout, exact, kept, borne, run)
 
 
 def given_to_c(backend: ProgramBackend, state: State) -> State:
