@@ -11,7 +11,9 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import median
 
+from mahovik.rigorous import WANTS
 from mahovik.stand import load
 from mahovik.stands import names, path
 from mahovik.verify.bounds import BOUNDS
@@ -45,14 +47,15 @@ status is 1 where an error is above the tolerance of `verify`{limit}.
   (for `float` those of a state are rounded to float first); all that follows is exact: mountings, inertias, attitude,
   sums, the solution. So the rounding of `prepare`, and for `float` that of the parameters, are errors of the C. It is
   the worst component of all states, in units in the last place of its
-  [natural scale](verification.md#the-natural-scale), the same that `verify` uses.
+  [natural scale](verification.md#the-natural-scale), the same that `verify` uses. (What comes before is not in it: units
+  are converted exactly and rounded once, an unbalance by angles is turned into a centre of mass.)
 * **function alone**: what the function itself rounds. Exact is then the program of the stand in ball arithmetic, with
   exact sine, cosine and square root, on the C's own prepared table and the quaternion that the C was given.
 * **judges**: the larger error of the two that `verify` judges by, reference and second derivation (always in double).
 * **of scale**: the error over the natural scale, of the C and of the judges. **accepted**: the tolerance of `verify`.
 * **relative**: error over the largest exact component of the same unit (linear or angular part; all flywheels), the
-  median over states, of the stand where it is largest. It needs no scale. Its worst is left out: at some states the
-  exact answer is zero, or nearly.
+  median over all states of all stands. It needs no scale. Its worst is left out: at some states the exact answer is
+  zero, or nearly.
 
 """
 
@@ -79,11 +82,18 @@ class Worst:
     judges: float = 0.0
     scale: float = 0.0
     apart: float = 0.0
-    relative: float = 0.0
+    own: tuple[float, ...] = ()
 
     def join(self, other: Worst) -> Worst:
-        """The larger of each."""
-        return Worst(*(max(mine, its) for mine, its in zip(vars(self).values(), vars(other).values(), strict=True)))
+        """The larger of each; relative errors of the states of both."""
+        *mine, own = vars(self).values()
+        *its, others = vars(other).values()
+        return Worst(*map(max, mine, its), (*own, *others))
+
+    @property
+    def relative(self) -> float:
+        """Median over states."""
+        return median(self.own) if self.own else 0.0
 
 
 Found = Mapping[tuple[str, str], Worst]
@@ -97,19 +107,20 @@ def measured(stand_name: str, number: int, states: int, real: str) -> tuple[bool
         print(f"{stand.name}, {real}: {[(row.quantity, row.state, row.reason) for row in found.report.failures]}")
     return found.report.passed, {
         (line.row.want, line.row.quantity): Worst(
-            line.ulps, line.alone, line.judges, line.row.worst, line.apart, line.typical
+            line.ulps, line.alone, line.judges, line.row.worst, line.apart, tuple(line.own)
         )
         for line in found.lines
     }
 
 
 def joined(all_found: Sequence[Found]) -> dict[tuple[str, str], Worst]:
-    """The worst over stands."""
+    """The worst over stands, in the order of the wants: a stand without flywheels has not all of them."""
     total: dict[tuple[str, str], Worst] = {}
     for found in all_found:
         for key, worst in found.items():
             total[key] = total.get(key, Worst()).join(worst)
-    return total
+    order = list(WANTS)
+    return {key: total[key] for key in sorted(total, key=lambda key: order.index(key[0]))}
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]], words: int) -> str:

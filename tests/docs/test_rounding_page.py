@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib.util
+import sys
+from functools import cache
 from types import ModuleType
 
 import pytest
@@ -17,11 +19,13 @@ REALS = ("double", "float")
 Row = dict[str, str]
 
 
+@cache
 def tool() -> ModuleType:
     spec = importlib.util.spec_from_file_location("rigorous_tool", ROOT / "tools" / "rigorous.py")
     assert spec is not None
     assert spec.loader is not None
     found = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = found  # its data classes look for their module
     spec.loader.exec_module(found)
     return found
 
@@ -91,7 +95,9 @@ def test_the_page_is_what_the_tool_writes() -> None:
 
 def test_the_worst_of_stands_is_the_largest_of_each() -> None:
     written = tool()
-    first, second = written.Worst(1.0, 5.0, judges=2.0), written.Worst(2.0, 3.0, relative=1.0)
-    total = written.joined([{("a", "x"): first}, {("a", "x"): second, ("b", "y"): first}])
-    assert total["a", "x"] == written.Worst(2.0, 5.0, 2.0, 0.0, 0.0, 1.0)
-    assert total["b", "y"] == first
+    first, second = written.Worst(1.0, 5.0, judges=2.0, own=(1.0, 9.0)), written.Worst(2.0, 3.0, own=(3.0,))
+    total = written.joined([{("torque", "tau"): first}, {("torque", "tau"): second, ("forward", "V_dot"): first}])
+    assert list(total) == [("forward", "V_dot"), ("torque", "tau")]
+    assert total["torque", "tau"] == written.Worst(2.0, 5.0, 2.0, 0.0, 0.0, (1.0, 9.0, 3.0))
+    assert total["torque", "tau"].relative == 3.0
+    assert total["forward", "V_dot"] == first
