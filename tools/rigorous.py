@@ -47,8 +47,8 @@ status is 1 where an error is above the tolerance of `verify`{limit}.
   (for `float` those of a state are rounded to float first); all that follows is exact: mountings, inertias, attitude,
   sums, the solution. So the rounding of `prepare`, and for `float` that of the parameters, are errors of the C. It is
   the worst component of all states, in units in the last place of its
-  [natural scale](verification.md#the-natural-scale), the same that `verify` uses. (What comes before is not in it: units
-  are converted exactly and rounded once, an unbalance by angles is turned into a centre of mass.)
+  [natural scale](verification.md#the-natural-scale), the same that `verify` uses. (What comes before is not in it:
+  units are converted exactly and rounded once, an unbalance by angles is turned into a centre of mass.)
 * **function alone**: what the function itself rounds. Exact is then the program of the stand in ball arithmetic, with
   exact sine, cosine and square root, on the C's own prepared table and the quaternion that the C was given.
 * **judges**: the larger error of the two that `verify` judges by, reference and second derivation (always in double).
