@@ -65,8 +65,12 @@ class Rounding:
     def note(
         self, request: Request, whole: Error, alone: Error, judges: Sequence[Error] = (), reason: str = ""
     ) -> None:
-        """Count one state."""
-        self.row.note(whole.scale, request, reason)
+        """Count one state; the row keeps the one of the most ulp."""
+        row = self.row
+        if row.request is None or whole.ulps > self.ulps:
+            row.request, row.reason, row.state = request, reason, str(request.id)
+        row.states += 1
+        row.worst = max(row.worst, whole.scale)
         self.ulps = max(self.ulps, whole.ulps)
         self.alone = max(self.alone, alone.ulps)
         for judge in judges:
