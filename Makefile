@@ -8,7 +8,7 @@ EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 
-.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time generation-time math-campaign flight control-loop lint clean
+.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign rigorous verify-time generation-time math-campaign flight control-loop lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -22,6 +22,7 @@ help:
 	@echo "make cost       measure the example stands, COST.md in generated/; ACCEPT=--accept accepts what has risen"
 	@echo "make cost-check fails where the cost of an example stand has risen"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
+	@echo "make rigorous   the true error of the C, by ball arithmetic, into docs/rounding.md: minutes"
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
@@ -80,6 +81,9 @@ cost-check: setup
 
 verify-campaign: setup
 	$(BIN)/python tools/verify_campaign.py --stands 50
+
+rigorous: setup
+	$(BIN)/python tools/rigorous.py
 
 math-campaign: setup
 	$(BIN)/python tools/math_campaign.py

@@ -29,7 +29,7 @@ STAGES = (
     ("emit",),
     ("lower",),
     ("formula",),
-    ("derive", "reference", "second"),
+    ("derive", "reference", "rigorous", "second"),
     ("routines",),
     ("program",),
     ("motion",),
@@ -44,6 +44,7 @@ FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
 
 ONLY = {
     "reference": {"errors", "stand", "numpy"},
+    "rigorous": {"errors", "stand", "flint"},
     "lower": {"routines", "formula", "derive", "program", "stand", "errors", "numpy"},
     "formula": {"derive", "errors", "sympy"},
     "derive": {"errors", "sympy"},

@@ -239,6 +239,14 @@ def test_a_call_with_a_value_is_an_expression():
     assert Interpreter(program(square, f)).call("f", np.float64(3)) == 7
 
 
+def test_a_function_can_be_replaced_for_all_that_call_it():
+    square = function("square", [argument("x")], lambda body, x: body.ret(x * x), R, public=False)
+    f = function("f", [argument("x")], lambda body, x: body.ret(call(square, x) + 1), R)
+    cubes = Interpreter(program(square, f), {"square": lambda x: x * x * x})
+    assert cubes.call("f", np.float64(2)) == 9
+    assert Interpreter(program(square, f)).call("f", np.float64(2)) == 5
+
+
 def test_arguments_of_another_length_are_refused():
     f = function("f", [argument("x", R, (3,))], lambda body, x: body.ret(x[0]), R)
     with pytest.raises(ValueError, match="2 elements given, 3 expected"):

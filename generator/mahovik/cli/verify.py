@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 @click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
 @click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
 @click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, where it can, Basilisk.")
+@click.option("--rigorous", is_flag=True, help="The true error of the C, by enclosures of the exact answer.")
 @click.option("--bare", is_flag=True, help="With --judges: the stand without fluid, stream, suspension, legs.")
 @click.option(
     "--targets", metavar="NAME,...", help="The same bits on processors: all, quick, m7,rv64gc,...; both element types."
@@ -50,6 +51,7 @@ def verify(
     judges: bool,
     targets: str | None,
     bare: bool,
+    rigorous: bool,
     real: str,
 ) -> None:
     """Judge C or any program by the reference.
@@ -68,6 +70,8 @@ def verify(
         raise UsageError("--bare goes with --judges")
     if want is not None and command is None:
         raise UsageError("--want goes with --with")
+    if rigorous and (judges or command is not None or targets is not None):
+        raise UsageError("--rigorous measures the C: not with --judges, --with, --targets")
     if targets is not None:
         if judges or command is not None or against is not None or worst is not None:
             raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --with, --against, -o")
@@ -78,6 +82,12 @@ def verify(
         return
     wants = read_wants(want)
     stand = load_stand(stand_file)
+    if rigorous:
+        from mahovik.cli.rounding import verify_rigorously
+
+        measured = verify_rigorously(stand, seed, states, against, real, as_json).report
+        _conclude(measured, as_json, junit, worst)
+        return
     if judges:
         from mahovik.verify.judges.compare import verify_judges
 
@@ -126,13 +136,18 @@ def _verify_c(stand: Stand, seed: int, states: int, against: str | None, real: s
 
 
 def _finish(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
-    """Print, write what was asked for, and end with the verdict as exit status."""
+    """Print, and conclude."""
     from mahovik.verify.report import as_json as json_text
 
     if as_json:
         click.echo(json_text(found))
     else:
         _print(found)
+    _conclude(found, as_json, junit, worst)
+
+
+def _conclude(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
+    """Write what was asked for, and end with the verdict as exit status."""
     if found.error:
         click.echo(f"error: {found.error}", err=True)
     try:

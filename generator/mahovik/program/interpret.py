@@ -43,13 +43,15 @@ class Interpreter:
     Structs are records with attributes, arrays nested lists, scalar results lists of one; `new` makes them.
     """
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, replaced: Mapping[str, Callable[..., Any]] | None = None) -> None:
+        """`replaced`: Python functions to call in place of functions of the program, by their names."""
         self._functions = {f.name: f for f in program.functions}
         self._precision = program.precision
         self._scope: dict[str, Any] = _runtime(program.precision)
         for function in program.functions:
             source = _Transpiler(self._scope, program.precision).function(function)
             exec(compile(source, f"<program {program.name}.{function.name}>", "exec"), self._scope)
+        self._scope |= {_function_name(name): function for name, function in (replaced or {}).items()}
 
     def call(self, name: str, *arguments: Any) -> Any:
         """Calls a function; results are written into the records and lists given. Returns its real or status number."""

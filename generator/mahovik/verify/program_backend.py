@@ -47,6 +47,11 @@ class ProgramBackend:
         self._run = run
 
     @property
+    def mounting(self) -> Any:
+        """What `mounts` takes as the prepared mountings; None without flywheels."""
+        return self._mounting
+
+    @property
     def wants(self) -> tuple[str, ...]:
         """What the program has an answer to: no points on a stand without, nothing to invert without flywheels."""
         empty = set() if self.layout.flywheels else {"inverse", "torque", "mounts"}

@@ -1,0 +1,77 @@
+"""`mahovik verify --rigorous`: the true error of the C, by ball arithmetic."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from mahovik.cli.arguments import console, table
+from mahovik.errors import UsageError
+
+if TYPE_CHECKING:
+    from mahovik.stand.model import Stand
+    from mahovik.verify.rounding.measure import RoundingReport
+
+
+def verify_rigorously(
+    stand: Stand, seed: int, states: int, against: str | None, real: str, as_json: bool
+) -> RoundingReport:
+    """Measures, and prints the table. Raises UsageError without python-flint."""
+    try:
+        from mahovik.verify.rounding.measure import measure_rounding
+        from mahovik.verify.rounding.report import as_json as json_text
+    except ImportError as error:
+        if (error.name or "").partition(".")[0] != "flint":
+            raise
+        raise UsageError("--rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'") from None
+    from rich.console import Console
+    from rich.progress import Progress
+
+    err = Console(stderr=True)
+    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task(f"enclose {stand.name}", total=states)
+        found = measure_rounding(
+            stand,
+            seed=seed,
+            count=states,
+            real=real,
+            against=None if against is None else Path(against),
+            progress=lambda done, _: bar.update(task, completed=done),
+        )
+    click.echo(json_text(found)) if as_json else _print(found)
+    return found
+
+
+def _print(found: RoundingReport) -> None:
+    from rich.text import Text
+
+    from mahovik.verify.rounding.report import conclusion
+
+    out, report = console(), found.report
+    head = f"rounding of {report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}"
+    out.print(Text(f"{head}   seed {report.seed}"))
+    numbers = ("states>", "ulp>", "function alone>", "judges>", "of scale>", "accepted>", "relative>")
+    rows = table("quantity", "want", *numbers, "at state", "verdict")
+    for line in found.lines:
+        row = line.row
+        verdict = Text(row.verdict, "red" if row.failed else "green")
+        if row.reason:
+            verdict.append(f"  {row.reason}")
+        rows.add_row(
+            Text(row.quantity),
+            row.want,
+            str(row.states),
+            f"{line.ulps:.2g}",
+            f"{line.alone:.2g}",
+            f"{line.judges:.1g}",
+            f"{row.worst:.1e}",
+            f"{row.tolerance:.0e}",
+            f"{line.typical:.1e}",
+            Text(row.state),
+            verdict,
+        )
+    if found.lines:
+        out.print(rows)
+    out.print(Text(conclusion(found), "bold green" if report.passed else "bold red"))

@@ -1,0 +1,180 @@
+"""The literal equations in balls: where the reference is, narrow, nested, and honest about what they cannot tell."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mahovik import reference, rigorous
+from mahovik.errors import StateError
+from mahovik.rigorous.ball import column, elements, length, number
+from mahovik.rigorous.evaluate import BITS, MOST_BITS, enclose
+from mahovik.rigorous.rotation import elementary, of_quaternion, rotation_vector, turned
+from mahovik.stand import Stand, State, load
+from mahovik.stand.random import EVERYTHING, random_stand, random_state
+from mahovik.stands import names, path
+from mahovik.verify.bounds import DOUBLE
+from mahovik.verify.compare import difference
+from mahovik.verify.draw import draw
+from mahovik.verify.scales import scales
+from rigorous.balls import flat, middles
+from strategies import stands, states
+
+SEEDS = st.integers(0, 2**32 - 1)
+WANTS = tuple(rigorous.WANTS)
+
+
+def check_agreement(stand: Stand, state: State) -> None:
+    """Balls are within 1e-12 of the natural scale of the reference, and narrower than 1e-40 of it."""
+    try:
+        at = reference.pieces(stand, state)
+    except StateError:
+        return
+    exact = rigorous.pieces_at(stand, state)
+    for want in WANTS:
+        try:
+            expected = reference.evaluate(stand, state, [want], at)
+        except StateError:
+            continue
+        found, natural = rigorous.evaluate(exact, state, want), scales(stand, state, at, want)
+        assert found.keys() == expected.keys() == natural.keys()
+        for key, balls in found.items():
+            value = middles(balls).reshape(np.shape(expected[key]))
+            off, reason = difference(value, expected[key], natural[key], DOUBLE.floor)
+            assert off <= 1e-12, (want, key, off, reason)
+            widths = [float(ball.rad()) for ball in flat(balls)]
+            room = np.maximum(np.broadcast_to(natural[key], value.shape), DOUBLE.floor).ravel()
+            assert all(width <= 1e-40 * scale for width, scale in zip(widths, room, strict=True)), (want, key)
+
+
+@pytest.mark.parametrize("name", names())
+def test_example_stands_agree_with_the_reference(name: str) -> None:
+    stand = load(path(name))
+    for _, state in draw(stand, 3, 11):
+        check_agreement(stand, state)
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.data(), stands(0, 4))
+def test_random_stands_agree_with_the_reference(data: st.DataObject, stand: Stand) -> None:
+    (_, state), *_ = draw(stand, data.draw(SEEDS), 12)[data.draw(st.integers(0, 11)) :]
+    check_agreement(stand, state)
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.data())
+def test_higher_precision_stays_inside(data: st.DataObject) -> None:
+    """A ball of many bits lies in that of fewer: both hold the one exact answer."""
+    stand = data.draw(stands(1, 3))
+    state = data.draw(states(stand))
+    for want in WANTS:
+        try:
+            wide, narrow = (rigorous.evaluate(rigorous.pieces_at(stand, state, b), state, want, b) for b in (192, 640))
+        except StateError:
+            continue
+        for key in wide:
+            for outer, inner in zip(flat(wide[key]), flat(narrow[key]), strict=True):
+                assert outer.overlaps(inner)
+                assert inner.rad() <= outer.rad()
+
+
+def test_numbers_are_taken_as_they_are() -> None:
+    """0.1 is the double of that name, not a tenth, whatever the working precision."""
+    with ctx.workprec(20):
+        given = number(0.1)
+    assert given.is_exact()
+    with ctx.workprec(200):
+        assert not (arb(1) / 10).contains(given)
+    assert float(given) == 0.1
+
+
+def test_tiny_and_zero_vectors_have_a_length() -> None:
+    """A ball around zero has a root: its square is no power, which would be no number."""
+    with ctx.workprec(128):
+        assert length(column([arb(0, 1e-60), 0.0, 0.0])).is_finite()
+        assert float(length(column([3e-300, 4e-300, 0.0]))) == 5e-300
+
+
+@given(st.lists(st.floats(-2, 2), min_size=3, max_size=3), st.floats(1e-9, math.pi - 1e-6))
+def test_rotation_vector_turns_by_its_length(axis: list[float], angle: float) -> None:
+    """It turns back to itself: the axis is not moved, and its length is the angle of the rotation."""
+    if max(map(abs, axis)) < 1e-6:
+        return
+    with ctx.workprec(BITS):
+        u = column(axis)
+        half = arb(angle) / 2
+        s, c = half.sin_cos()
+        q = [float(c), *(float(x * s / length(u)) for x in elements(u))]
+        C = of_quaternion(q)
+        r = rotation_vector(C)
+        assert float(length(C * r - r)) < 1e-60
+        assert float(length(r)) == pytest.approx(angle, rel=1e-9)
+        assert float(length(r).rad()) < 1e-60
+
+
+def test_rotation_vector_at_rest_and_at_half_a_turn() -> None:
+    with ctx.workprec(BITS):
+        assert all(x == 0 for x in elements(rotation_vector(elementary(1, 0.0))))
+        there_and_back = turned((3, 3), (0.3, -0.3))
+        assert float(length(rotation_vector(there_and_back)).upper()) < 1e-70
+        with pytest.raises(StateError, match="two rotation vectors"):
+            rotation_vector(of_quaternion([0.0, 0.6, 0.0, 0.8]))
+
+
+@given(st.lists(st.floats(-1, 1), min_size=4, max_size=4))
+def test_the_rotation_of_any_quaternion_is_one(q: list[float]) -> None:
+    """Its length is divided out: C^T C is E."""
+    if max(map(abs, q)) < 1e-3:
+        return
+    with ctx.workprec(BITS):
+        C = of_quaternion(q)
+        product = C.transpose() * C
+        for i in range(3):
+            for j in range(3):
+                assert product[i, j].contains(int(i == j))
+                assert float(product[i, j].rad()) < 1e-70
+
+
+def test_precision_is_doubled_until_the_balls_are_narrow() -> None:
+    asked: list[int] = []
+
+    def found_at(bits: int) -> dict[str, arb]:
+        asked.append(bits)
+        if bits < 1000:
+            raise StateError("not yet")
+        return {"x": arb(1, 2.0**-bits if bits < 2000 else 0.0)}
+
+    found = enclose(found_at, lambda balls: balls["x"].is_exact())
+    assert found["x"] == 1
+    assert asked == [BITS, 512, 1024, 2048]
+
+
+def test_what_stays_too_wide_is_an_error() -> None:
+    with pytest.raises(StateError, match=f"no enclosure with {MOST_BITS} bits: the balls stay too wide"):
+        enclose(lambda _: {"x": arb(0, 1)}, lambda _: False)
+
+    def refused(bits: int) -> dict[str, arb]:
+        raise StateError("half a turn")
+
+    with pytest.raises(StateError, match="half a turn"):
+        enclose(refused, lambda _: True)
+
+
+def test_a_singular_mass_matrix_and_a_leg_without_length_are_refused() -> None:
+    stand = random_stand(np.random.default_rng(1), 2, EVERYTHING)
+    state = random_state(stand, np.random.default_rng(2))
+    bare = replace(stand.carrier, mass=0.0, inertia=((0.0,) * 3,) * 3, added_mass=None, buoyancy=None, damping=None)
+    empty = replace(stand, carrier=bare, instruments=(), flywheels=(), points=(), legs=(), suspension=None)
+    still = replace(state, phi=(), phi_dot=(), phi_ddot=(), tau=(), wrench={})
+    with pytest.raises(StateError, match="singular"):
+        rigorous.evaluate(rigorous.pieces_at(empty, still), still, "forward")
+    leg = replace(stand.legs[0], ground=(1.0, 2.0, 3.0), carrier=(0.0, 0.0, 0.0))
+    there = replace(still, position=(1.0, 2.0, 3.0))
+    with pytest.raises(StateError, match="no length"):
+        rigorous.pieces_at(replace(empty, legs=(leg,)), there)

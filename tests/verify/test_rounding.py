@@ -1,0 +1,245 @@
+"""The true error of the C: bounded where the C is right, seen where it is wrong by 1e-12."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mahovik import rigorous
+from mahovik.emit.generate import generate
+from mahovik.errors import StateError
+from mahovik.stand import Stand, State, load
+from mahovik.stand.model import MountingAxes
+from mahovik.stand.random import EVERYTHING, random_stand
+from mahovik.stands import names, path
+from mahovik.verify.bounds import DOUBLE, FLOAT
+from mahovik.verify.c_backend import CBackend, with_all_inputs
+from mahovik.verify.draw import draw
+from mahovik.verify.rounding.error import MISSING, error, narrow, ulp, units
+from mahovik.verify.rounding.exact_program import ExactProgram
+from mahovik.verify.rounding.limits import ULPS
+from mahovik.verify.rounding.measure import RoundingReport, Ruler, measure_rounding
+from mahovik.verify.rounding.report import conclusion
+from rigorous.balls import flat
+from verify.build import generated
+
+STATES = 5
+"""The next has a run-time wrench on every body: for most stands C of its own, to be compiled."""
+
+
+@cache
+def everything() -> Stand:
+    """Every kind of wrench and body, an input on every body, and numbers that its parameters take as they are.
+
+    Inertias about the origin, mountings by directions, nothing turned by angles, no sums of added mass: the C's
+    parameters are exact.
+    """
+    stand = with_all_inputs(random_stand(np.random.default_rng(7), 3, replace(EVERYTHING, angles="aircraft")))
+    assert stand.suspension is not None
+    assert stand.carrier.added_mass is not None
+    assert stand.stream is not None
+    assert stand.legs
+    assert {s.mount for s in stand.flywheels} != {"carrier"}
+    rng = np.random.default_rng(8)
+
+    def direction() -> tuple[float, float, float]:
+        x, y, z = map(float, rng.normal(size=3))
+        return x, y, z
+
+    def plain(body: Any) -> Any:
+        rc = np.array(body.center_of_mass)
+        about = np.array(body.inertia) + 2 * body.mass * (rc @ rc * np.eye(3) - np.outer(rc, rc))
+        return replace(body, inertia=tuple(map(tuple, about.tolist())), inertia_about="origin")
+
+    return replace(
+        stand,
+        carrier=plain(stand.carrier),
+        instruments=tuple(replace(plain(p), angles=(0.0, 0.0, 0.0), added_mass=None) for p in stand.instruments),
+        flywheels=tuple(replace(plain(s), mounting=MountingAxes(direction(), direction())) for s in stand.flywheels),
+        points=(),
+        suspension=replace(stand.suspension, angles=(0.0, 0.0, 0.0)),
+    )
+
+
+@cache
+def backend(name: str, real: str = "double") -> CBackend:
+    return CBackend(everything() if name == "everything" else load(path(name)), real)
+
+
+class Changed:
+    """A C that multiplies a quantity by a factor, or refuses; for the rest it is the C."""
+
+    def __init__(self, right: CBackend, quantity: str, factor: float) -> None:
+        self._right = right
+        self._quantity = quantity
+        self._factor = factor
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._right, name)
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        found = self._right.evaluate(state, want)
+        if math.isnan(self._factor) and self._quantity in found:
+            raise StateError("RANGE: it will not")
+        with np.errstate(invalid="ignore"):
+            return {k: np.array(v) * self._factor if k == self._quantity else v for k, v in found.items()}
+
+
+def measured(stand: Stand, judged: Any, count: int = STATES) -> RoundingReport:
+    return measure_rounding(stand, count=count, backend=judged)
+
+
+CASES = [case for case in product(names(), ("double", "float")) if case != ("demo3", "double")]
+
+
+@pytest.mark.parametrize(
+    ("name", "real"), [("demo3", "double"), *(pytest.param(*case, marks=pytest.mark.slow) for case in CASES)]
+)
+def test_forward_is_right_to_fifty_ulp(name: str, real: str) -> None:
+    found = measure_rounding(load(path(name)), count=STATES, real=real, backend=backend(name, real))
+    assert found.report.passed
+    assert all(line.row.states == STATES for line in found.lines)
+    for line in found.lines:
+        assert 0 <= line.ulps <= 50
+        assert line.row.worst <= (DOUBLE if real == "double" else FLOAT).of(line.row.want, line.row.quantity)
+        assert line.ulps >= line.row.worst * 2.0 ** (52 if real == "double" else 23) * (1 - 1e-9)
+    forward = next(line for line in found.lines if line.row.want == "forward")
+    assert forward.ulps > 0
+    assert forward.alone > 0
+    assert math.isfinite(forward.typical)
+
+
+@pytest.mark.slow
+def test_every_kind_of_wrench_is_enclosed() -> None:
+    found = measured(everything(), backend("everything"))
+    assert found.report.passed, [(line.row.quantity, line.ulps) for line in found.lines]
+    assert {line.row.want for line in found.lines} == set(rigorous.WANTS)
+    assert max(line.ulps for line in found.lines) <= 20
+
+
+@pytest.mark.parametrize("quantity", ["V_dot", "tau", "phi_ddot", "K", "Z"])
+def test_a_quantity_that_is_off_by_1e_12_is_caught(quantity: str) -> None:
+    """Too little for the tolerance of `verify`, too much for rounding."""
+    found = measured(load(path("demo3")), Changed(backend("demo3"), quantity, 1 + 9e-13))
+    failed = {row.quantity for row in found.report.failures}
+    assert failed == {quantity}
+    assert all(row.worst < DOUBLE.default for row in found.report.failures)
+    assert "ulp of the natural scale, 50 accepted" in found.report.failures[0].reason
+    assert conclusion(found) == f"FAILED: {quantity}"
+
+
+def test_a_constant_that_is_off_by_1e_12_is_caught(tmp_path: Path) -> None:
+    """One number of the table of C that lies somewhere; the function alone, of that table, is right."""
+    files = generate(load(path("demo3")))
+    old = "    .mass = 16.0,\n"
+    assert files["demo3.c"].count(old) == 1
+    changed = files["demo3.c"].replace(old, "    .mass = 16.000000000016,\n")
+    for name, text in {**files, "demo3.c": changed}.items():
+        (tmp_path / name).write_text(text, encoding="ascii")
+    found = measure_rounding(load(path("demo3")), count=STATES, against=tmp_path)
+    lines = {(line.row.want, line.row.quantity): line for line in found.lines}
+    K = lines["matrices", "K"]
+    assert K.row.failed
+    assert K.ulps > 1000
+    assert K.alone < 5
+
+
+def test_a_refusal_and_what_is_no_number_fail() -> None:
+    refused = measured(load(path("demo3")), Changed(backend("demo3"), "V_dot", math.nan), 3)
+    row = next(row for row in refused.report.failures if row.want == "forward")
+    assert (row.reason, row.worst) == ("RANGE: it will not", math.inf)
+    endless = measured(load(path("demo3")), Changed(backend("demo3"), "tau", math.inf), 3)
+    assert {row.quantity for row in endless.report.failures} == {"tau"}
+
+
+def test_the_program_is_the_literal_equations_to_sixty_digits() -> None:
+    """Derivation, lowering and prepare in ball arithmetic, of exact parameters: nothing is left but the balls."""
+    stand = everything()
+    made = generated(stand)
+    parameters, table = made.values.parameters, made.values.table
+    with ctx.workprec(320):
+        unprepared = ExactProgram(made.layout, made.program, table, made.values.mounting)
+        status, found = unprepared.call("prepare", {"parameters": parameters, "stand": table})  # its laws are exact
+        assert status == 0
+        mounting = unprepared.call("prepare_mounts", {"parameters": parameters})[1]["mounting"]
+        program = ExactProgram(made.layout, made.program, found["stand"], mounting)
+        for _, state in draw(stand, 4, 8)[1:]:
+            at = rigorous.pieces_at(stand, state, 320)
+            for want in rigorous.WANTS:
+                exact = rigorous.evaluate(at, state, want, 320)
+                answer = program.evaluate(state, (want,))
+                for key, balls in exact.items():
+                    pairs = list(zip(flat(balls), flat(answer[key]), strict=True))
+                    size = max(float(abs(ball).upper()) for ball, _ in pairs)
+                    assert all(mine.overlaps(its) for mine, its in pairs), (want, key)
+                    assert all(float((mine - its).abs_upper()) <= 1e-60 * size for mine, its in pairs), (want, key)
+
+
+@pytest.mark.slow
+def test_run_time_wrenches_are_measured_with_the_c_that_takes_them() -> None:
+    judged = backend("demo3")
+    ruler = Ruler(load(path("demo3")), judged, "double")
+    name, state = next(pair for pair in draw(load(path("demo3")), 1, 12) if pair[0].startswith("wrenched"))
+    assert state.wrench
+    ruler.measure(name, state)
+    for line in ruler.lines.values():
+        assert line.row.states == 1
+        assert line.ulps < 10
+
+
+@given(st.floats(1e-290, 1e290))
+def test_ulp_is_the_unit_in_the_last_place(scale: float) -> None:
+    assert ulp(scale, 53) == math.ulp(scale)
+    if 1e-30 < scale < 1e30:
+        below = np.nextafter(np.float32(scale), np.float32(0))
+        assert ulp(float(below), 24) == float(np.spacing(below))
+
+
+@given(st.floats(-1e3, 1e3), st.floats(-1e3, 1e3), st.floats(0, 1e-3))
+def test_an_error_is_never_less_than_it_is(found: float, exact: float, radius: float) -> None:
+    """An upper bound over the ball, and no more than its width above the error of its middle."""
+    with ctx.workprec(256):
+        bound = error("tau", [found], [arb(exact, radius)], [1.0], 1e-290, 53)
+    assert bound.scale >= abs(found - exact)
+    assert bound.scale <= (abs(found - exact) + radius) * (1 + 1e-6) + 1e-300
+    assert bound.ulps == bound.scale / 2.0**-52
+
+
+def test_what_is_missing_has_no_error() -> None:
+    ball = [arb(1), arb(2)]
+    for found in ([1.0], [1.0, math.nan], [1.0, math.inf]):
+        assert error("tau", found, ball, [1.0, 1.0], 1e-290, 53) == MISSING
+
+
+def test_relative_errors_are_within_one_unit() -> None:
+    """Linear parts are not measured against angular ones, and a zero answer has no relative error but zero."""
+    with ctx.workprec(128):
+        balls = [arb(x) for x in (1.0, 0.0, 0.0, 1000.0, 0.0, 0.0)]
+        off = error("V_dot", [1.0, 0.5, 0.0, 1000.0, 0.0, 0.0], balls, [1.0] * 6, 1e-290, 53)
+        assert off.own == pytest.approx(0.5)
+        zero = [arb(0)] * 6
+        assert error("V_dot", [0.0] * 6, zero, [1.0] * 6, 1e-290, 53).own == 0.0
+        assert error("V_dot", [0.0] * 5 + [1e-9], zero, [1.0] * 6, 1e-290, 53).own == math.inf
+
+
+def test_narrow_is_of_the_unit_of_each_component() -> None:
+    unit = units([1.0, 1e-20], 1e-290, 53)
+    assert narrow([arb(1, 1e-25), arb(0, 1e-45)], unit)
+    assert not narrow([arb(1, 1e-25), arb(0, 1e-25)], unit)
+    assert not narrow([arb.nan(), arb(0)], unit)
+    assert narrow([], units(np.zeros(0), 1e-290, 53))
+
+
+def test_the_limit_is_promised_in_double() -> None:
+    assert ULPS == {"double": 50.0, "float": None}
