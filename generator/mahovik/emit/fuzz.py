@@ -285,7 +285,9 @@ class _Harness:
     def _recorder(self, f: Function) -> dict[str, Any]:
         """The recorder's step beside step itself."""
         taken = [a for a in f.arguments if a.name != "next"]
-        given = [("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("stand", "x")]
+        given = [
+            ("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("stand", "x")
+        ]
         before = self._names.function(f.name)
         after = self._names.function(f"recorder_{f.name}")
         rest = ", ".join(given)

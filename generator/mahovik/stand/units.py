@@ -113,12 +113,18 @@ def show(raw: Any) -> str:
     if isinstance(raw, bool):
         return "true" if raw else "false"
     if isinstance(raw, str):
-        return '"' + (raw if len(raw) <= 40 else raw[:37] + "...").replace("\n", "\\n") + '"'
+        return '"' + _short(raw).replace("\n", "\\n") + '"'
     if isinstance(raw, dict):
         return "a table"
     if isinstance(raw, list):
         return f"a list of {len(raw)}"
-    return str(raw) if isinstance(raw, int | float | Decimal) else f"a {type(raw).__name__}"
+    if isinstance(raw, int) and raw.bit_length() > 1000:  # Python itself refuses to print the longest
+        return f"an integer of {raw.bit_length()} bits"
+    return _short(str(raw)) if isinstance(raw, int | float | Decimal) else f"a {type(raw).__name__}"
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 40 else text[:37] + "..."
 
 
 def _expected(dimension: Dimension) -> str:
@@ -130,7 +136,7 @@ def _exact(raw: int | Decimal) -> Fraction:
         if not raw.is_finite():
             raise QuantityError(f"not finite: {str(raw).lower()}")
         if raw.adjusted() > _MAX_EXPONENT:
-            raise QuantityError(f"not finite in double precision: {raw}")
+            raise QuantityError(f"not finite in double precision: {show(raw)}")
         if raw.adjusted() < -_MAX_EXPONENT:
             return Fraction(0)
     return Fraction(raw)
