@@ -1,4 +1,4 @@
-"""Whatever is read: no test of this folder may take more memory than this beyond what the process has."""
+"""Whatever is read: no reader may take more memory than this beyond what the process has."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ ROOM = 2 << 30
 """Bytes of address space: a refusal needs none of it, a count of 10^9 numbers needs it all."""
 
 
-@pytest.fixture(autouse=True)
+@pytest.fixture
 def bounded_memory() -> Iterator[None]:
     before = resource.getrlimit(resource.RLIMIT_AS)
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])

@@ -14,7 +14,8 @@ DEEP = 100_000
 
 NUMBERS = (
     "0", "-0.0", "-1", "1", "3", "1e308", "-1e308", "1e309", "1e-400", "5e-324", "1e999999999999999999", "1e-999999999",
-    "1000000000", "2147483648", "-9223372036854775809", "9" * 400, "9" * 5000, "1" + "0" * 20000, "0.1" + "0" * 5000 + "1",
+    "1000000000", "2147483648", "-9223372036854775809", "9" * 400, "9" * 5000,
+    "1" + "0" * 20000, "0.1" + "0" * 5000 + "1",
 )  # fmt: skip
 """Of TOML and JSON alike."""
 
@@ -26,10 +27,11 @@ _BOTH = (
 )  # fmt: skip
 
 TOML_VALUES = (
-    *NUMBERS, *_BOTH, "nan", "inf", "-inf", "0x" + "f" * 5000, "0o7", "0b" + "1" * 20000, "1_000", "1979-05-27T07:32:00Z", "07:32:00",
-    "1979-05-27", "'''x'''", '"""\n"""', "{ a = 1 }", '{ value = 1, unit = "mm" }', "{ value = [1, 2, 3], unit = 'mm' }",
+    *NUMBERS, *_BOTH, "nan", "inf", "-inf", "0x" + "f" * 5000, "0o7", "0b" + "1" * 20000, "1_000",
+    "1979-05-27T07:32:00Z", "07:32:00", "1979-05-27", "'''x'''", '"""\n"""', "{ a = 1 }", '{ value = 1, unit = "mm" }',
+    "{ value = [1, 2, 3], unit = 'mm' }",
     '{ value = 1, unit = "mm", more = 2 }', "{ value = { value = { value = 1, unit = 'm' }, unit = 'm' }, unit = 'm' }",
-    "{a={" * 500 + "}" * 1000, "{a=" * DEEP, "[{}, {}]", "",
+    f'"1 kg{" " * 100_000}x"', "{" + "a." * 50_000 + "a = 1}", "{a={" * 500 + "}" * 1000, "{a=" * DEEP, "[{}, {}]", "",
 )  # fmt: skip
 
 JSON_VALUES = (
@@ -38,8 +40,9 @@ JSON_VALUES = (
 )  # fmt: skip
 
 _UNITS = (
-    "kg", "g", "mm", "m", "s", "rad", "deg", "rpm", "N", "Nm", "Hz", "kilo", "degC", "dB", "percent", "%", "µ", "Ω", "°", "turn",
-    "²", "³", "·", "*", "/", "**", "^", "(", ")", "-", ".", " ", "1", "2", "9", "0", "99999999", "1e9", "pi", "oz", "in", "lambda", "None",
+    "kg", "g", "mm", "m", "s", "rad", "deg", "rpm", "N", "Nm", "Hz", "kilo", "degC", "dB", "percent", "%", "µ",
+    "Ω", "°", "turn", "²", "³", "·", "*", "/", "**", "^", "(", ")", "-", ".", " ", "1", "2", "9", "0",
+    "99999999", "1e9", "pi", "oz", "in", "lambda", "None",
 )  # fmt: skip
 
 quantities = st.builds(
@@ -80,7 +83,20 @@ def spoiled_toml(draw: st.DrawFn, examples: Sequence[str]) -> str:
 
 
 _keys = st.sampled_from(
-    ("mass", "inertia", "name", "flywheel", "a.b", '""', "schema", "x" * 1000, '"\\u0000"', "é", "terms")
+    (
+        "mass",
+        "inertia",
+        "name",
+        "flywheel",
+        "a.b",
+        '""',
+        "schema",
+        "x" * 1000,
+        "a." * 50_000 + "b",
+        '"\\u0000"',
+        "é",
+        "terms",
+    )
 )
 
 
@@ -96,6 +112,9 @@ def spoiled_json(draw: st.DrawFn, examples: Sequence[Any]) -> str:
         new = draw(st.one_of(st.sampled_from(JSON_VALUES), texts, quantities))
         text = text[: place.start()] + new + text[place.end() :]
     return text
+
+
+_PIECES = (b"\0" * 300, b"\xff" * 9, b"\r", b"\n", b"\xef\xbb\xbf", b"[" * 9999)
 
 
 @st.composite

@@ -8,12 +8,16 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 from mahovik.errors import MahovikError
 
 TIMES = int(os.environ.get("MAHOVIK_FUZZ_TIMES", "1"))
 """How many times as many examples: `make fuzz` sets it, and then they are new ones each time."""
+
+READERS = [pytest.mark.fuzz, pytest.mark.usefixtures("bounded_memory")]
+"""Of a module of tests of readers."""
 
 SECONDS = 20
 """For one input: the slowest takes a second where nobody else computes."""

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
-from fuzz.reading import fuzzed, taken
+from fuzz.reading import READERS, fuzzed, taken
 from mahovik.emit.generate import generate
 from mahovik.emit.manifest import NAME as MANIFEST
 from mahovik.emit.manifest import manifest
@@ -26,6 +26,9 @@ FILES = generate(DEMO3)
 GENERATED = ROOT / "generated" / "demo3"
 FIGURES_TEXT: dict[str, Any] = json.loads((GENERATED / FIGURES).read_text(encoding="utf-8"))
 FEW = {**FIGURES_TEXT, "targets": FIGURES_TEXT["targets"][:1]}
+
+
+pytestmark = READERS
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from emit.stands import stand as known_stand
 from fuzz.mangle import spoiled_bytes
-from fuzz.reading import fuzzed, soon, taken
+from fuzz.reading import READERS, fuzzed, soon, taken
 from mahovik.emit.log_format import fnv1a
 from mahovik.errors import MahovikError
 from mahovik.simulate import flight_log
@@ -23,6 +23,8 @@ from simulate.flights import Recorder
 
 NAME, REAL = "demo3", "double"
 STAND = known_stand(NAME)
+
+pytestmark = READERS
 
 
 @pytest.fixture(scope="module")

@@ -10,10 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json, spoiled_toml
-from fuzz.reading import fuzzed, taken
+from fuzz.reading import READERS, fuzzed, taken
 from mahovik.motion.read import load, loads
 from mahovik.stand import load as load_stand
 from mahovik.stands import path
+
+pytestmark = READERS
 
 DEMO3 = load_stand(path("demo3"))
 REGIMES = [

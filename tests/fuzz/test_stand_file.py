@@ -10,9 +10,11 @@ from hypothesis import strategies as st
 
 from cli.run import run
 from fuzz.mangle import spoiled_bytes, spoiled_toml
-from fuzz.reading import fuzzed, said, soon, taken
+from fuzz.reading import READERS, fuzzed, said, soon, taken
 from mahovik.stand.read import load, loads
 from mahovik.stands import names, path
+
+pytestmark = READERS
 
 EXAMPLES = [Path(path(name)).read_text(encoding="utf-8") for name in names()]
 

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
-from fuzz.reading import fuzzed, soon, taken
+from fuzz.reading import READERS, fuzzed, soon, taken
 from mahovik.simulate.start import load as load_start
 from mahovik.stand import load
 from mahovik.stand.state import rest_state
@@ -21,6 +21,8 @@ from mahovik.verify.c_backend import CBackend
 from mahovik.verify.evaluate import results
 from mahovik.verify.foreign import read_results
 from mahovik.verify.states import Request
+
+pytestmark = READERS
 
 AUV6 = load(path("auv6"))
 N = len(AUV6.flywheels)
@@ -63,7 +65,7 @@ def test_eval_answers_each_line(data: bytes, backend: Backend) -> None:
         assert "\n" not in answer
         found = strict(answer)
         assert good == ("error" not in found)
-        assert list(found)[0] == "id"
+        assert next(iter(found)) == "id"
 
 
 @fuzzed(150)

@@ -52,7 +52,7 @@ class QuantityError(ValueError):
     """A value cannot be read as the quantity its key wants; the text says what was found and what was expected."""
 
 
-_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*(.*?)\s*", re.DOTALL)
+_QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*(.*)", re.DOTALL)
 _UNIT = re.compile(r"[A-Za-zµμΩ°%²³·*/^() \d.-]{1,60}")
 _POWER = re.compile(r"(?<=[A-Za-zµμΩ])\^?(-?\d)")
 _MAX_EXPONENT = 400  # beyond the range of a double either way: no need for an integer of a million digits
@@ -68,7 +68,7 @@ def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
         value, unit = split_value_unit(raw, unit)
         return number(value, dimension, unit)
     if isinstance(raw, str):
-        found = _QUANTITY.fullmatch(raw)
+        found = _QUANTITY.fullmatch(raw.strip())
         if found is None:
             raise QuantityError(f"{show(raw)} is not a number with a unit, expected {_expected(dimension)}")
         if unit is not None:
