@@ -37,7 +37,7 @@ COMMANDS = {
     "judge-log": ("judge-log", "{}"),
     "judge-log, stand": ("judge-log", "{}", DEMO3),
 }
-PLACES = ("missing", "folder", "empty", "/dev/zero", "\0", "a/b", "blank", "closed")
+PLACES = ("missing", "folder", "empty", "/dev/zero", "a/b", "blank", "closed")
 
 
 @pytest.mark.parametrize("place", PLACES)
