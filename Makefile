@@ -8,7 +8,32 @@ EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 
-.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign rigorous verify-time generation-time math-campaign flight control-loop lint clean
+.PHONY: bench
+.PHONY: bench-quick
+.PHONY: bench-full
+.PHONY: bench-gate
+.PHONY: help
+.PHONY: demo
+.PHONY: test
+.PHONY: test-slow
+.PHONY: setup
+.PHONY: generated
+.PHONY: targets
+.PHONY: verify-targets
+.PHONY: targets-table
+.PHONY: cost
+.PHONY: cost-check
+.PHONY: verify-campaign
+.PHONY: rigorous
+.PHONY: verify-time
+.PHONY: generation-time
+.PHONY: math-campaign
+.PHONY: fuzz
+.PHONY: fuzz-quick
+.PHONY: flight
+.PHONY: control-loop
+.PHONY: lint
+.PHONY: clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -24,6 +49,8 @@ help:
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
 	@echo "make rigorous   the true error of the C, by ball arithmetic, into docs/rounding.md: minutes"
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
+	@echo "make fuzz       ten million executions of the C on arbitrary arguments, every file reader on arbitrary files"
+	@echo "make fuzz-quick  the same in two minutes"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
@@ -87,6 +114,18 @@ rigorous: setup
 
 math-campaign: setup
 	$(BIN)/python tools/math_campaign.py
+
+FUZZ_READERS := $(BIN)/python -m pytest -q -n 2 -m fuzz tests/fuzz
+
+fuzz: setup
+	tools/fuzz-packages.sh
+	$(BIN)/python tools/fuzz_campaign.py
+	MAHOVIK_FUZZ_TIMES=20 $(FUZZ_READERS)
+
+fuzz-quick: setup
+	tools/fuzz-packages.sh
+	$(BIN)/python tools/fuzz_campaign.py --quick
+	$(FUZZ_READERS)
 
 flight: setup
 	$(BIN)/python tools/flight.py

@@ -13,6 +13,9 @@ class MahovikError(Exception):
 
     exit_status = 2
 
+    def __str__(self) -> str:
+        return printable(super().__str__())
+
 
 class StandError(MahovikError):
     """A stand file was refused. `problems` holds one line each, all that were found, in the file's order."""
@@ -46,3 +49,8 @@ class CheckError(MahovikError):
     """What was asked to be checked is not so."""
 
     exit_status = 1
+
+
+def printable(text: str) -> str:
+    """The text with control characters and surrogates as `\\x1b`: what a file says must not steer a terminal."""
+    return "".join(c if c.isprintable() or c in "\n\t" else ascii(c)[1:-1] for c in text)

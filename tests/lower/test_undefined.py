@@ -55,7 +55,8 @@ from emit.compiled import QUANTITIES, compiled
 from lower.refusals import numbers, spoiled
 from mahovik.stand.random import EXTREMES, extreme_state, random_state
 
-c = compiled(sys.argv[2], "-O1", "gcc -fsanitize=undefined,bounds-strict -fsanitize-undefined-trap-on-error")
+checks = "undefined,float-divide-by-zero,bounds-strict"
+c = compiled(sys.argv[2], "-O1", f"gcc -fsanitize={checks} -fsanitize-undefined-trap-on-error")
 rng = np.random.default_rng(9)
 states = [random_state(c.stand, rng) for _ in range(3)] + [extreme_state(c.stand, rng, kind) for kind in EXTREMES]
 good = 0
@@ -75,7 +76,7 @@ assert c.c("prepare", default)[0] == 0
 """
 
 
-@pytest.mark.parametrize("name", ("everything6", "bare0"))
+@pytest.mark.parametrize("name", ("everything6", "hung5", "bare0"))
 def test_undefined_behaviour_sanitizer(name):
     """Every overflow of an int, shift, index or cast would end the process."""
     require("gcc", "gcc")

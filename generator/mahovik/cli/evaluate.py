@@ -36,10 +36,10 @@ def evaluate(stand_file: str, backend: str, real: str) -> None:
         raise UsageError(f"--real float: only --backend c has it, not {backend}")
     stand = load_stand(stand_file)
     chosen = _backend(stand, backend, real)
-    from mahovik.verify.evaluate import results
+    from mahovik.verify.evaluate import lines_of, results
 
     failed = 0
-    for line, good in results(stand, chosen, sys.stdin.buffer, real):
+    for line, good in results(stand, chosen, lines_of(sys.stdin.buffer), real):
         failed += not good
         sys.stdout.write(line + "\n")
         sys.stdout.flush()  # line by line, so that a program can hold a conversation

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.arguments import load_stand, real_option, stand_argument
 from mahovik.cli.group import Commands
 
 
@@ -37,6 +37,26 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     chosen = real or found.real or "double"
     folder = Path(output if output is not None else f"{stand.name}-{name}")
     done = deliver(folder, stand, chosen, project(stand, found, chosen), found.name)
+    for path in done.paths:
+        click.echo(click.format_filename(path))
+    for note in done.notes:
+        click.echo(note)
+
+
+@export.command()
+@stand_argument
+@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME-fuzz of the stand.")
+@real_option
+def fuzz(stand_file: str, output: str | None, real: str) -> None:
+    """Write a project that fuzzes every public function.
+
+    The C of the stand, a harness for libFuzzer, Makefile, README: `make run` there needs clang.
+    """
+    from mahovik.export.fuzz import fuzz_project
+    from mahovik.verify.delivery import deliver
+
+    stand = load_stand(stand_file)
+    done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, fuzz_project(stand, real), "fuzz")
     for path in done.paths:
         click.echo(click.format_filename(path))
     for note in done.notes:

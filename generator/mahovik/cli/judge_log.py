@@ -20,9 +20,10 @@ def judge_log(log: str, stand_file: str | None) -> None:
     Exit status 0 only if all that was asked for is good.
     """
     from mahovik.errors import CheckError
+    from mahovik.stand.content import TABLE, content
     from mahovik.verify.judge_log import judge_log as judge
 
-    text = Path(log).read_text(encoding="utf-8", errors="replace")
+    text = content(Path(log), TABLE).decode("utf-8", "replace")
     found = judge(text, log, load_stand(stand_file) if stand_file is not None else None)
     if found.problems:
         raise CheckError("\n".join(f"{click.format_filename(log)}: {line}" for line in found.problems))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from mahovik import __version__
@@ -10,6 +10,7 @@ from mahovik.emit.hexadecimal import hex_literal
 from mahovik.emit.layout import wrapped
 from mahovik.emit.literal import real_literal
 from mahovik.emit.names import Names
+from mahovik.emit.places import STEP, Results, closed, length, loops
 from mahovik.emit.statement import dimensions
 from mahovik.emit.templates import template
 from mahovik.lower import drawn
@@ -18,8 +19,6 @@ from mahovik.lower.golden import CASES, FAR, LISTED, SWEPT, Golden, tested
 from mahovik.program.function import Argument, Function, Program
 from mahovik.program.types import Kind, Struct
 from mahovik.stand.identity import Identities
-
-_STEP = "    "
 
 
 def selftest(program: Program, golden: Golden, identities: Identities) -> str:
@@ -34,6 +33,7 @@ class _SelfTest:
         self._program = program
         self._golden = golden
         self._names = Names(program.name)
+        self._results_of = Results(self._names)
         self._public = tested(program)
         self._structs = {s.name: s for s in program.structs}
 
@@ -42,7 +42,7 @@ class _SelfTest:
         parts: dict[str, Any] = {
             "members": [f"{self._declared(a.name, a.type, a.shape)};" for a in drawn.inputs(self._program)],
             "results": [(f.name, self._results(f)) for f in self._public],
-            "takes": [self._take_struct(s) for s in self._taken_structs()],
+            "takes": [self._results_of.struct(s) for s in self._results_of.structs(self._public)],
             "functions": [self._function(f) for f in self._public],
             "draws": list(self._draws()),
             "scales": self._scale(self._structs["parameters"], "parameters"),
@@ -108,11 +108,11 @@ class _SelfTest:
         ]
         call = f"{self._names.function(f.name)}({', '.join(self._passed(f, a) for a in f.arguments)})"
         if f.returns is Kind.STATUS:
-            lines = wrapped(f"return {call};", _STEP)
+            lines = wrapped(f"return {call};", STEP)
         elif f.returns is Kind.REAL:
-            lines = wrapped(f"results.{f.name}.value = {call};", _STEP) + self._good()
+            lines = wrapped(f"results.{f.name}.value = {call};", STEP) + self._good()
         else:
-            lines = wrapped(f"{call};", _STEP) + self._good()
+            lines = wrapped(f"{call};", STEP) + self._good()
         take = list(self._take(f))
         return {
             "name": f.name,
@@ -122,17 +122,17 @@ class _SelfTest:
         }
 
     def _good(self) -> list[str]:
-        return [f"{_STEP}return {self._names.constant('OK')};"]
+        return [f"{STEP}return {self._names.constant('OK')};"]
 
     def _begin(self, a: Argument, place: str) -> Iterator[str]:
         """A result that is an input as well begins with the input."""
         if a.shape:
-            loop, element, indent = _loops(place, len(a.shape), [self._count(n) for n in a.shape], _STEP)
+            loop, element, indent = loops(place, len(a.shape), [length(self._names, n) for n in a.shape], STEP)
             yield from loop
             yield f"{indent}{element} = {element.replace(place, 'in.' + a.name, 1)};"
-            yield from _closed(len(loop), _STEP)
+            yield from closed(len(loop), STEP)
         else:
-            yield f"{_STEP}{place} = {self._source(a)};"
+            yield f"{STEP}{place} = {self._source(a)};"
 
     def _source(self, a: Argument) -> str:
         """Where an input stands: in what was drawn, or among the constants of the stand."""
@@ -149,65 +149,27 @@ class _SelfTest:
         place = self._source(a) if a.direction == "in" else f"results.{f.name}.{a.name}"
         return f"&{place}" if a.variable.pointer else place
 
-    def _count(self, n: Any) -> str:
-        """A length as C has it: a named count by its name."""
-        return dimensions(self._names, (n,))[0][1:-1]
-
     # ---- taking results ----
 
     def _take(self, f: Function) -> Iterator[str]:
         """Lines that take what a function has written; what is an input as well is taken after a refusal too."""
         for a in f.arguments:
             if a.direction == "inout":
-                yield from self._taken(f"results.{f.name}.{a.name}", a.type, a.shape, _STEP)
+                yield from self._results_of.taken(f"results.{f.name}.{a.name}", a.type, a.shape, STEP)
         out = [(a.name, a.type, a.shape) for a in f.arguments if a.direction == "out"]
         if f.returns is Kind.REAL:
             out.append(("value", Kind.REAL, ()))
         if not out:
             return
         if f.returns is Kind.STATUS:
-            yield f"{_STEP}if (status < 0) {{"
+            yield f"{STEP}if (status < 0) {{"
             for name, _, _ in out:
                 place = f"results.{f.name}.{name}"
-                yield f"{_STEP * 2}untouched(sum, &{place}, sizeof {place});"
-            yield f"{_STEP * 2}return;"
-            yield f"{_STEP}}}"
+                yield f"{STEP * 2}untouched(sum, &{place}, sizeof {place});"
+            yield f"{STEP * 2}return;"
+            yield f"{STEP}}}"
         for name, type_, shape in out:
-            yield from self._taken(f"results.{f.name}.{name}", type_, shape, _STEP)
-
-    def _taken(self, place: str, type_: Kind | Struct, shape: tuple[Any, ...], indent: str) -> Iterator[str]:
-        """Lines that take one place: rows of numbers at once, structs by their own function."""
-        rows = 0 if isinstance(type_, Struct) else 1
-        outer = shape[: max(len(shape) - rows, 0)]
-        loop, element, inner = _loops(place, len(outer), [self._count(n) for n in outer], indent)
-        yield from loop
-        if isinstance(type_, Struct):
-            yield f"{inner}take_{type_.name}(sum, &{element});"
-        else:
-            count = self._count(shape[-1]) if shape else "1"
-            address = element if shape else f"&{element}"
-            yield f"{inner}take_{'reals' if type_ is Kind.REAL else 'ints'}(sum, {address}, {count});"
-        yield from _closed(len(loop), indent)
-
-    def _taken_structs(self) -> Iterable[Struct]:
-        """Structs that results hold, each after those it holds."""
-        found: dict[str, Struct] = {}
-
-        def visit(struct: Struct) -> None:
-            for f in struct.fields:
-                if isinstance(f.type, Struct):
-                    visit(f.type)
-            found.setdefault(struct.name, struct)
-
-        for f in self._public:
-            for a in f.arguments:
-                if a.direction != "in" and isinstance(a.type, Struct):
-                    visit(a.type)
-        return found.values()
-
-    def _take_struct(self, struct: Struct) -> dict[str, Any]:
-        lines = [line for f in struct.fields for line in self._taken(f"value->{f.name}", f.type, f.shape, _STEP)]
-        return {"name": struct.name, "type": self._names.type(struct), "lines": lines}
+            yield from self._results_of.taken(f"results.{f.name}.{name}", type_, shape, STEP)
 
     # ---- drawing inputs ----
 
@@ -220,30 +182,30 @@ class _SelfTest:
     def _draw(self, each: Input, place: str) -> Iterator[str]:
         match each.rule:
             case Rule.ATTITUDE:
-                yield f"{_STEP}draw_attitude(seed, {place}, refused);"
+                yield f"{STEP}draw_attitude(seed, {place}, refused);"
             case Rule.TURNS:
                 cosine = "in." + ".".join((*each.path[:-1], drawn.COSINE))
-                yield f"{_STEP}draw_turns(seed, {place}, {cosine}, {self._count(each.shape[-1])});"
+                yield f"{STEP}draw_turns(seed, {place}, {cosine}, {length(self._names, each.shape[-1])});"
             case Rule.INTEGER:
-                yield f"{_STEP}{place} = {each.lowest} + (int)(draw_word(seed) % {each.span}u);"
+                yield f"{STEP}{place} = {each.lowest} + (int)(draw_word(seed) % {each.span}u);"
             case Rule.ORDER:
-                yield f"{_STEP}{place} = (draw_word(seed) & 0x100u) != 0u ? 4 : 2;"
+                yield f"{STEP}{place} = (draw_word(seed) & 0x100u) != 0u ? 4 : 2;"
             case Rule.STEP:
-                yield f"{_STEP}{place} = {hex_literal(drawn.STEP, self._program.precision)};"
+                yield f"{STEP}{place} = {hex_literal(drawn.STEP, self._program.precision)};"
             case Rule.FACTOR:
-                yield f"{_STEP}{place} = {self._real(1.0)} + draw_real(seed, {self._real(each.largest)});"
+                yield f"{STEP}{place} = {self._real(1.0)} + draw_real(seed, {self._real(each.largest)});"
             case Rule.REALS | Rule.FLAGS:
                 outer = each.shape[:-1]
-                loop, element, inner = _loops(place, len(outer), [self._count(n) for n in outer], _STEP)
+                loop, element, inner = loops(place, len(outer), [length(self._names, n) for n in outer], STEP)
                 yield from loop
                 address = element if each.shape else f"&{element}"
-                count = self._count(each.shape[-1]) if each.shape else "1"
+                count = length(self._names, each.shape[-1]) if each.shape else "1"
                 if each.rule is Rule.FLAGS:
                     yield f"{inner}draw_flags(seed, {address}, {count});"
                 else:
                     size = self._real(each.largest) + (" * fast" if each.name in drawn.FAST_INPUTS else "")
                     yield f"{inner}draw_reals(seed, {address}, {count}, {size});"
-                yield from _closed(len(loop), _STEP)
+                yield from closed(len(loop), STEP)
 
     def _scale(self, struct: Struct, place: str, depth: int = 0) -> list[str]:
         """Lines that multiply masses and inertias of the parameters."""
@@ -251,15 +213,15 @@ class _SelfTest:
         for f in struct.fields:
             if not isinstance(f.type, Struct) and f.name not in drawn.SCALED:
                 continue
-            loop, element, inner = _loops(
-                f"{place}.{f.name}", len(f.shape), [self._count(n) for n in f.shape], _STEP * (depth + 1), depth
+            loop, element, inner = loops(
+                f"{place}.{f.name}", len(f.shape), [length(self._names, n) for n in f.shape], STEP * (depth + 1), depth
             )
             if isinstance(f.type, Struct):
                 body = self._scale(f.type, element, depth + len(loop))
             else:
                 body = [f"{inner}{element} = {element} * in.{drawn.MASS_FACTOR};"]
             if body:
-                found += [*loop, *body, *_closed(len(loop), _STEP * (depth + 1))]
+                found += [*loop, *body, *closed(len(loop), STEP * (depth + 1))]
         return found
 
     # ---- golden numbers ----
@@ -272,14 +234,14 @@ class _SelfTest:
             if isinstance(type_, Struct):
                 lines.append(f"{indent}.{name} = {{")
                 for f in type_.fields:
-                    visit(f.name, f.type, f.shape, value[f.name], indent + _STEP)
+                    visit(f.name, f.type, f.shape, value[f.name], indent + STEP)
                 lines.append(f"{indent}}},")
             else:
                 lines.extend(wrapped(f".{name} = {self._literal(type_, shape, value)},", indent))
 
         for a in drawn.inputs(self._program):
-            visit(a.name, a.type, a.shape, case[a.name], _STEP * 2)
-        visit(drawn.MASS_FACTOR, Kind.REAL, (), case[drawn.MASS_FACTOR], _STEP * 2)
+            visit(a.name, a.type, a.shape, case[a.name], STEP * 2)
+        visit(drawn.MASS_FACTOR, Kind.REAL, (), case[drawn.MASS_FACTOR], STEP * 2)
         return lines
 
     def _literal(self, type_: Kind, shape: tuple[Any, ...], value: Any) -> str:
@@ -293,24 +255,9 @@ class _SelfTest:
         precision = self._program.precision
         cases = [(a.status, f"0x{a.hash:08x}u", len(a.listed)) for a in answers]
         numbers = [
-            wrapped(", ".join(hex_literal(float(x), precision) for x in a.listed) + ",", _STEP)
+            wrapped(", ".join(hex_literal(float(x), precision) for x in a.listed) + ",", STEP)
             for a in answers
             if a.listed
         ]
-        numbers = numbers or [[f"{_STEP}{self._real(0.0)}"]]  # an array has at least one element
+        numbers = numbers or [[f"{STEP}{self._real(0.0)}"]]  # an array has at least one element
         return {"name": f.name, "cases": cases, "numbers": numbers, "sweep": f"0x{self._golden.sweep[f.name]:08x}u"}
-
-
-def _loops(place: str, depth: int, counts: list[str], indent: str, first: int = 0) -> tuple[list[str], str, str]:
-    """Heads of nested loops over a place, the element they reach, and the indent inside."""
-    heads = []
-    for level in range(depth):
-        index = "ijk"[first + level]
-        heads.append(f"{indent}for (int {index} = 0; {index} < {counts[level]}; ++{index}) {{")
-        place += f"[{index}]"
-        indent += _STEP
-    return heads, place, indent
-
-
-def _closed(depth: int, indent: str) -> list[str]:
-    return [f"{indent}{_STEP * level}}}" for level in reversed(range(depth))]

@@ -141,7 +141,9 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
     body.set(stopped, integer(-1))
     with body.loop("s", lib.layout.count) as s:
         moved = body.let("moved", (y[s] + step[s]) * w.scale[s])
-        with body.when(both(equal(held[s], 0), magnitude(moved) > p.limit[s])):
+        beyond = both(equal(held[s], 0), magnitude(moved) > p.limit[s])
+        # at its limit a flywheel that does not move may still be beyond it by the rounding of the product
+        with body.when(both(beyond, magnitude(step[s]) > 0)):
             room = body.let("room", p.limit[s] / w.scale[s] - select(moved < 0, -y[s], y[s]))
             part = body.let("part", room / magnitude(step[s]))
             with body.when(part < length):

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Sequence
-from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +14,11 @@ from mahovik.motion import ranges, table
 from mahovik.motion.entry import DRIVEN_KEYS, LAWS, Entry, law_of
 from mahovik.motion.laws import Constant, WrenchTable
 from mahovik.motion.regime import Driven, Regime
+from mahovik.stand.content import content
 from mahovik.stand.model import Stand
 from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
+from mahovik.stand.toml import exact, parse
 from mahovik.stand.units import ANGLE, SPEED, Dimension, QuantityError, number, show
 
 _KEYS = ("schema", "name", "default", "flywheel", "wrench")
@@ -36,7 +36,7 @@ def load(path: str | Path, stand: Stand, until: float) -> Regime:
     """Read and check the regime file at `path` for a run of `until` s. Raises RegimeError with every problem."""
     path = Path(path)
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = content(path).decode("utf-8-sig")
     except OSError as error:
         raise RegimeError([f"{path}: cannot be read: {error.strerror or error}"]) from None
     except ValueError as error:  # not UTF-8, or a NUL in the name
@@ -49,8 +49,8 @@ def loads(
 ) -> Regime:
     """Read and check a regime given as text; its tables lie in `folder`. Raises RegimeError."""
     try:
-        document = _json(text) if is_json else tomllib.loads(text, parse_float=_decimal)
-    except (json.JSONDecodeError, tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        document = _json(text) if is_json else parse(text)
+    except (RecursionError, ValueError) as error:
         raise RegimeError([f"{source}: not {'JSON' if is_json else 'TOML'}: {error}"]) from None
     problems = Problems(source)
     if not isinstance(document, dict):
@@ -83,14 +83,7 @@ def _json(text: str) -> Any:
             found[key] = value
         return found
 
-    return json.loads(text, parse_float=_decimal, object_pairs_hook=once)
-
-
-def _decimal(text: str) -> Decimal:
-    try:
-        return Decimal(text)
-    except InvalidOperation:
-        return Decimal("Infinity") if "e-" not in text.lower() else Decimal(0)
+    return json.loads(text, parse_float=exact, object_pairs_hook=once)
 
 
 def _tables(document: dict[str, Any], key: str, names: list[str], what: str, problems: Problems) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import math
 import re
 from collections.abc import Mapping
@@ -12,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.motion.laws import Array
+from mahovik.stand.content import TABLE, content
 from mahovik.stand.names import nearest
 from mahovik.stand.units import TIME, Dimension, QuantityError, factor, show
 
@@ -38,8 +40,8 @@ def read(path: Path, known: Mapping[str, Dimension], until: float) -> Table:
     """A table with a column `t` and some of the columns `known`, over 0..until. Raises TableError."""
     name = path.name
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            lines = [line for line in csv.reader(file) if any(cell.strip() for cell in line)]
+        text = content(path, TABLE).decode("utf-8-sig")
+        lines = [line for line in csv.reader(io.StringIO(text, newline="")) if any(cell.strip() for cell in line)]
     except OSError as error:
         raise TableError(f"{path}: cannot be read: {error.strerror or error}") from None
     except (UnicodeDecodeError, ValueError, csv.Error) as error:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from mahovik.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, fnv1a
 from mahovik.errors import UsageError
+from mahovik.stand.content import FLIGHT, content
 
 Reals = NDArray[np.floating[Any]]
 
@@ -77,7 +78,7 @@ def load(path: Path) -> tuple[bytes, list[str]]:
     Raises UsageError.
     """
     try:
-        data = path.read_bytes()
+        data = content(path, FLIGHT)
     except OSError as error:
         raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
     notes: list[str] = []

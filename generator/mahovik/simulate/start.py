@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.errors import StateError, UsageError
+from mahovik.stand.content import content
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.states import read_object, read_request, refuse_duplicates
@@ -20,7 +21,7 @@ REST_KEYS = ("name", "state", "V_dot", "free", "unstable")
 def load(path: Path, stand: Stand) -> State:
     """The state in a JSON file. Raises UsageError."""
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = content(path).decode("utf-8-sig")
     except OSError as error:
         raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
     except ValueError as error:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
-from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -11,6 +9,7 @@ from pydantic import ValidationError
 
 from mahovik.errors import StandError
 from mahovik.stand import build, physical
+from mahovik.stand.content import content
 from mahovik.stand.model import Flywheel, Instrument, Leg, Point, Stand
 from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
@@ -24,6 +23,7 @@ from mahovik.stand.schema import (
     SuspensionTable,
     Table,
 )
+from mahovik.stand.toml import parse
 from mahovik.stand.units import show
 
 AnyTable = TypeVar("AnyTable", bound=Table)
@@ -45,7 +45,7 @@ def load(path: str | Path) -> Stand:
     """Read and check the stand file at `path`. Raises StandError with every problem found."""
     path = Path(path)
     try:
-        content = path.read_bytes()
+        found = content(path)
     except FileNotFoundError:
         raise StandError([f"{path}: no such file"]) from None
     except IsADirectoryError:
@@ -55,18 +55,18 @@ def load(path: str | Path) -> Stand:
     except ValueError as error:  # a NUL in the name
         raise StandError([f"{show(str(path))}: {error}"]) from None
     try:
-        text = content.decode("utf-8-sig")  # Windows editors write a byte order mark
+        text = found.decode("utf-8-sig")  # Windows editors write a byte order mark
     except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        raise StandError([f"{path.name}: not UTF-8, byte 0x{content[error.start]:02x} in line {line}"]) from None
+        line = found.count(b"\n", 0, error.start) + 1
+        raise StandError([f"{path.name}: not UTF-8, byte 0x{found[error.start]:02x} in line {line}"]) from None
     return loads(text, path.name)
 
 
 def loads(text: str, source: str = "stand") -> Stand:
     """Read and check a stand given as text; `source` names it in messages. Raises StandError."""
     try:
-        document = tomllib.loads(text, parse_float=_decimal)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:  # ValueError: an integer of 5000 digits
+        document = parse(text)
+    except (RecursionError, ValueError) as error:
         raise StandError([f"{source}: not TOML: {error}"]) from None
     return read(document, source)
 
@@ -122,14 +122,6 @@ def read(document: dict[str, Any], source: str) -> Stand:
     if problems.lines:
         raise StandError(problems.lines)
     return stand
-
-
-def _decimal(text: str) -> Decimal:
-    """A float literal with every digit it has, so that a unit can be applied before it is rounded."""
-    try:
-        return Decimal(text)
-    except InvalidOperation:  # an exponent too long even for Decimal
-        return Decimal("Infinity") if "e-" not in text.lower() else Decimal(0)
 
 
 def _header(document: dict[str, Any], problems: Problems) -> Header | None:

@@ -54,7 +54,7 @@ class QuantityError(ValueError):
     """A value cannot be read as the quantity its key wants; the text says what was found and what was expected."""
 
 
-_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*(.*?)\s*", re.DOTALL)
+_QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*(.*)", re.DOTALL)
 _UNIT = re.compile(r"[A-Za-zµμΩ°%²³·*/^() \d.-]{1,60}")
 _POWER = re.compile(r"(?<=[A-Za-zµμΩ])\^?(-?\d)")
 _MAX_EXPONENT = 400  # beyond the range of a double either way: no need for an integer of a million digits
@@ -70,7 +70,7 @@ def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
         value, unit = split_value_unit(raw, unit)
         return number(value, dimension, unit)
     if isinstance(raw, str):
-        found = _QUANTITY.fullmatch(raw)
+        found = _QUANTITY.fullmatch(raw.strip())
         if found is None:
             raise QuantityError(f"{show(raw)} is not a number with a unit, expected {_expected(dimension)}")
         if unit is not None:
@@ -115,12 +115,18 @@ def show(raw: Any) -> str:
     if isinstance(raw, bool):
         return "true" if raw else "false"
     if isinstance(raw, str):
-        return '"' + (raw if len(raw) <= 40 else raw[:37] + "...").replace("\n", "\\n") + '"'
+        return '"' + _short(raw).replace("\n", "\\n") + '"'
     if isinstance(raw, dict):
         return "a table"
     if isinstance(raw, list):
         return f"a list of {len(raw)}"
-    return str(raw) if isinstance(raw, int | float | Decimal) else f"a {type(raw).__name__}"
+    if isinstance(raw, int) and raw.bit_length() > 1000:  # Python itself refuses to print the longest
+        return f"an integer of {raw.bit_length()} bits"
+    return _short(str(raw)) if isinstance(raw, int | float | Decimal) else f"a {type(raw).__name__}"
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 40 else text[:37] + "..."
 
 
 def _expected(dimension: Dimension) -> str:
@@ -132,7 +138,7 @@ def _exact(raw: int | Decimal) -> Fraction:
         if not raw.is_finite():
             raise QuantityError(f"not finite: {str(raw).lower()}")
         if raw.adjusted() > _MAX_EXPONENT:
-            raise QuantityError(f"not finite in double precision: {raw}")
+            raise QuantityError(f"not finite in double precision: {show(raw)}")
         if raw.adjusted() < -_MAX_EXPONENT:
             return Fraction(0)
     return Fraction(raw)

@@ -24,7 +24,7 @@ def is_figures(text: str, stand: Stand) -> bool:
     """Is it a cost.json of this stand?"""
     try:
         found = json.loads(text)
-    except ValueError:
+    except (ValueError, RecursionError):
         return False
     return isinstance(found, dict) and found.get("stand") == stand.name and isinstance(found.get("targets"), list)
 

@@ -16,6 +16,7 @@ from typing import Any
 from mahovik.emit.generate import PRECISIONS, generate
 from mahovik.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.errors import UsageError
+from mahovik.stand.content import content
 from mahovik.stand.model import Stand
 from mahovik.verify.cost_files import COST, FIGURES, is_figures, is_page, speaks_of
 from mahovik.verify.files import write_all
@@ -150,12 +151,12 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
     if not path.is_file():
         return None
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        found = json.loads(content(path).decode("utf-8"))
         known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
         known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
         if known and isinstance(found["files"], dict):
             return dict(found)
-    except (ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
     raise UsageError(f"{path}: is not a manifest of mahovik: choose another folder, nothing was written")
 
@@ -168,10 +169,10 @@ def _refuse_foreign(folder: Path, stand: Stand, files: Mapping[str, str], old: M
         path = folder / name
         if not path.is_file():
             continue  # what is no file at all is refused where it is written
-        content = path.read_bytes()
+        there = path.read_bytes()
         listed = old["files"].get(name) if old is not None else None
-        marked = _MARK.encode() in content and f'of the stand "{stand.name}"'.encode() in content
-        if content == text.encode("utf-8") or listed == digest(content) or (old is None and marked):
+        marked = _MARK.encode() in there and f'of the stand "{stand.name}"'.encode() in there
+        if there == text.encode("utf-8") or listed == digest(there) or (old is None and marked):
             continue
         why = "was changed by hand" if listed is not None else "was not written by mahovik"
         raise UsageError(f"{path}: {why}: move it away or choose another folder, nothing was written")

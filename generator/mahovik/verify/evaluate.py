@@ -6,7 +6,7 @@ import codecs
 import json
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -15,6 +15,17 @@ from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.backends import Backend
 from mahovik.verify.states import Request, identifier, read_object, read_request
+
+LONGEST = 16_000_000
+"""Bytes of a line; more is no state of any stand, and is not kept."""
+
+
+def lines_of(stream: IO[bytes]) -> Iterator[bytes]:
+    """The lines of a stream, as they come; of one that is too long no more than shows that it is."""
+    while line := stream.readline(LONGEST + 1):
+        yield line
+        while len(line) > LONGEST and not line.endswith(b"\n"):
+            line = stream.readline(LONGEST + 1)
 
 
 def results(stand: Stand, backend: Backend, lines: Iterable[bytes], real: str = "double") -> Iterator[tuple[str, bool]]:
@@ -29,6 +40,8 @@ def result(stand: Stand, backend: Backend, line: bytes, real: str = "double") ->
     """The result of one line, an error line where it cannot be evaluated."""
     given: Any = None
     try:
+        if len(line) > LONGEST:
+            raise StateError(f"a line of more than {LONGEST} bytes")
         found = read_object(_text(line))
         given = identifier(found)
         request = read_request(stand, found, real)

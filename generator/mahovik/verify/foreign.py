@@ -19,7 +19,7 @@ from mahovik.verify.draw import draw
 from mahovik.verify.evaluate import state_line
 from mahovik.verify.harness import askable, report
 from mahovik.verify.report import Report
-from mahovik.verify.states import Request
+from mahovik.verify.states import Request, shown
 
 OPTIONAL = {"generalized": ("I0", "J0")}
 """Quantities that a program may leave out of a want that it offers: (10) and (11) can be had without them."""
@@ -81,7 +81,7 @@ def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Ma
         if not isinstance(result, dict):
             raise CheckError(f"line {number} of its output is no object: {_start(line)}")
         if result.get("id") != request.id:
-            given = json.dumps(result.get("id"))[:60]
+            given = shown(result.get("id"))
             raise CheckError(f'line {number} of its output has the id {given}, expected "{request.id}"')
         found.append(result)
     if len(lines) != len(requests):

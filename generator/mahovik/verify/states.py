@@ -48,7 +48,7 @@ def read_object(line: str) -> dict[str, Any]:
     except RecursionError:
         raise StateError("not readable: nested too deeply") from None
     if not isinstance(found, dict):
-        raise StateError(f"expected an object, found {_show(found)}")
+        raise StateError(f"expected an object, found {shown(found)}")
     return found
 
 
@@ -135,7 +135,7 @@ def _duplicate_in(value: Any) -> str | None:
     return value.key if isinstance(value, _Duplicated) else None
 
 
-def _show(value: Any) -> str:
+def shown(value: Any) -> str:
     """A value in a message: short, whatever it is."""
     try:
         text = json.dumps(value)
@@ -149,12 +149,12 @@ def _want(found: dict[str, Any]) -> tuple[str, ...]:
         raise StateError(f"want: missing, expected a list of {', '.join(WANTS)}")
     given = found["want"]
     if not isinstance(given, list):
-        raise StateError(f"want: expected a list of names, found {_show(given)}")
+        raise StateError(f"want: expected a list of names, found {shown(given)}")
     if not given:
         raise StateError(f"want: empty, expected at least one of {', '.join(WANTS)}")
     for name in given:
         if not isinstance(name, str):
-            raise StateError(f"want: expected names, found {_show(name)}")
+            raise StateError(f"want: expected names, found {shown(name)}")
         if name not in WANTS:
             raise StateError(f'want: unknown "{name}", did you mean "{nearest(name, list(WANTS))}"?')
     for first, second, value in ONE_NAME_TWO_VALUES:
@@ -170,7 +170,7 @@ def _numbers(found: dict[str, Any], key: str, count: int, limit: float) -> tuple
 def _list_of(given: Any, where: str, count: int, limit: float) -> tuple[float, ...]:
     """`count` finite numbers, none beyond `limit` in magnitude."""
     if not isinstance(given, list):
-        raise StateError(f"{where}: expected a list of {count} numbers, found {_show(given)}")
+        raise StateError(f"{where}: expected a list of {count} numbers, found {shown(given)}")
     if len(given) != count:
         raise StateError(f"{where}: expected {count} numbers, found {len(given)}")
     numbers = tuple(_number(value, f"{where}[{i}]") for i, value in enumerate(given))
@@ -180,13 +180,13 @@ def _list_of(given: Any, where: str, count: int, limit: float) -> tuple[float, .
 
 def _number(given: Any, where: str) -> float:
     if isinstance(given, bool) or not isinstance(given, int | float):
-        raise StateError(f"{where}: expected a number, found {_show(given)}")
+        raise StateError(f"{where}: expected a number, found {shown(given)}")
     try:
         number = float(given)
     except OverflowError:
-        raise StateError(f"{where}: {_show(given)} is not finite as a double") from None
+        raise StateError(f"{where}: {shown(given)} is not finite as a double") from None
     if not math.isfinite(number):
-        raise StateError(f"{where}: {_show(given)} is not finite")
+        raise StateError(f"{where}: {shown(given)} is not finite")
     return number
 
 
@@ -209,7 +209,7 @@ def _quaternion(found: dict[str, Any]) -> Quaternion:
 def _wrench(stand: Stand, found: dict[str, Any]) -> MappingProxyType[str, Vec6]:
     given = found.get("wrench", {})
     if not isinstance(given, dict):
-        raise StateError(f"wrench: expected an object of bodies, found {_show(given)}")
+        raise StateError(f"wrench: expected an object of bodies, found {shown(given)}")
     bodies = [body.name for body in stand.bodies]
     for name in given:
         if name not in bodies:

@@ -100,7 +100,7 @@ def accepted(text: str, where: str) -> list[dict[str, Any]]:
     try:
         found = json.loads(text)["targets"]
         good = all(_is_target(target) for target in found)
-    except (json.JSONDecodeError, KeyError, TypeError, AttributeError):
+    except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
         good = False
     if not good:
         raise UsageError(f"{where}: no figures of `mahovik cost`: restore it, or move it away and accept anew")

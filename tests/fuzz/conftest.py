@@ -1,0 +1,22 @@
+"""Whatever is read: no reader may take more memory than this beyond what the process has."""
+
+from __future__ import annotations
+
+import resource
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOM = 2 << 30
+"""Bytes of address space: a refusal needs none of it, a count of 10^9 numbers needs it all."""
+
+
+@pytest.fixture
+def bounded_memory() -> Iterator[None]:
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+    limit = pages * resource.getpagesize() + ROOM
+    resource.setrlimit(resource.RLIMIT_AS, (limit, before[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_AS, before)

@@ -1,0 +1,87 @@
+"""What lies in a delivered folder and is read again: manifest, accepted figures, cost page, header."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+
+from fuzz.mangle import spoiled_bytes, spoiled_json
+from fuzz.reading import READERS, fuzzed, taken
+from mahovik.emit.generate import generate
+from mahovik.emit.manifest import NAME as MANIFEST
+from mahovik.emit.manifest import manifest
+from mahovik.stand import load
+from mahovik.stands import path
+from mahovik.study.cost.page import accepted
+from mahovik.verify.cost_files import COST, FIGURES
+from mahovik.verify.delivery import accepted_figures, deliver, differences, require_place_for_cost
+
+ROOT = Path(__file__).resolve().parents[2]
+DEMO3 = load(path("demo3"))
+FILES = generate(DEMO3)
+GENERATED = ROOT / "generated" / "demo3"
+FIGURES_TEXT: dict[str, Any] = json.loads((GENERATED / FIGURES).read_text(encoding="utf-8"))
+FEW = {**FIGURES_TEXT, "targets": FIGURES_TEXT["targets"][:1]}
+
+
+pytestmark = READERS
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    deliver(tmp_path, DEMO3, "double", FILES)
+    return tmp_path
+
+
+def visit(folder: Path) -> None:
+    """Everything that reads a folder before it writes there."""
+    taken(lambda: differences(folder, DEMO3, "double", FILES))
+    taken(lambda: accepted_figures(folder, DEMO3))
+    taken(lambda: deliver(folder, DEMO3, "double", FILES))
+    for name, text in FILES.items():
+        there = folder / name
+        assert not there.is_file() or there.read_text(encoding="utf-8") == text
+
+
+@fuzzed(40)
+@given(text=spoiled_json([json.loads(manifest(DEMO3, "double", FILES))]))
+def test_manifest(text: str, folder: Path) -> None:
+    (folder / MANIFEST).write_bytes(text.encode("utf-8", "surrogatepass"))
+    visit(folder)
+
+
+@fuzzed(40)
+@given(data=spoiled_bytes([manifest(DEMO3, "double", FILES).encode()]))
+def test_manifest_of_any_bytes(data: bytes, folder: Path) -> None:
+    (folder / MANIFEST).write_bytes(data)
+    visit(folder)
+
+
+@fuzzed(60)
+@given(text=spoiled_json([FEW]))
+def test_accepted_figures(text: str, folder: Path) -> None:
+    (folder / FIGURES).write_bytes(text.encode("utf-8", "surrogatepass"))
+    found = taken(lambda: accepted_figures(folder, DEMO3))
+    if found is not None:
+        taken(lambda: accepted(found, FIGURES))
+    taken(lambda: deliver(folder, DEMO3, "double", FILES))
+
+
+@fuzzed(4)
+@given(text=spoiled_json([json.loads(manifest(DEMO3, "double", FILES))]))
+def test_a_place_for_cost(text: str, folder: Path) -> None:
+    (folder / MANIFEST).write_bytes(text.encode("utf-8", "surrogatepass"))
+    taken(lambda: require_place_for_cost(folder, DEMO3))
+
+
+@fuzzed(30)
+@given(
+    data=spoiled_bytes([(GENERATED / COST).read_bytes()] if (GENERATED / COST).is_file() else [b"# Cost of demo3\n"])
+)
+def test_cost_page(data: bytes, folder: Path) -> None:
+    (folder / COST).write_bytes(data)
+    visit(folder)

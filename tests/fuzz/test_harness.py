@@ -1,0 +1,122 @@
+"""The fuzz harness notices what it says it asserts: faults are planted in the C, and each must be found in seconds."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from cli.run import DEMO3, run
+from mahovik.errors import CheckError
+from mahovik.export.fuzz import fuzz_project
+from mahovik.stand import load
+from mahovik.toolchain.fuzzing import compile_harness, fuzz, minimise
+from toolchain.tools import compile_c, require
+
+pytestmark = pytest.mark.fuzz
+
+RUNS = 400_000
+"""Executions within which every planted fault is found; most in hundreds."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is replaced in the C of demo3, once, and what the harness says of it."""
+
+    name: str
+    old: str
+    new: str
+    said: str
+
+
+CHECKED = "    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);\n"
+NULL = "    if (encoder == NULL) { return DEMO3_BAD_ARGUMENT; }\n"
+LOOP = "for (int i = 0; i < count; ++i) {\n        if (!("
+RANGE = "{ return DEMO3_RANGE; }\n            return"
+WITHIN = "if (!(values[i] >= -limit && values[i] <= limit))"
+DONE = "    status = demo3_finish(&y);\n"
+
+FAULTS = (
+    Fault("written before a check", CHECKED, f"    V_dot[5] = 0.0;\n{CHECKED}", "a result was written"),
+    Fault("not written", "  V_dot[5] = result[5];", "", "not the same bits"),
+    Fault("loop one too long", LOOP, LOOP.replace("<", "<=", 1), "insufficient space"),
+    Fault("NaN let through", WITHIN, "if (values[i] < -limit || values[i] > limit)", "finite"),
+    Fault("null let through", NULL, "", "null pointer"),
+    Fault("other status for null", NULL, NULL.replace("BAD_ARGUMENT", "RANGE"), "status that is not documented"),
+    Fault("status of another cause", RANGE, RANGE.replace("RANGE", "NOT_FINITE"), "every argument is finite"),
+    Fault("int that overflows", "per_turn < -1073741824 || ", "", "runtime error"),
+    Fault("division by zero", " || per_turn == 0) { return", ") { return", "division by zero"),
+    Fault("angle guard gone", "demo3_within(given, 1, DEMO3_MAX_PHASE)", "DEMO3_OK", "finite"),
+    Fault("state written before its last check", DONE, f"    *next = y;\n{DONE}", "a result was written"),
+)
+
+
+TEXTS = fuzz_project(load(DEMO3), "double")
+
+
+@pytest.fixture(scope="module")
+def harness(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """Objects of all but the C itself."""
+    folder = tmp_path_factory.mktemp("harness")
+    place(folder, None)
+    return [str(compile_harness(folder, ("-c", f"demo3_{part}.c"), f"{part}.o")) for part in ("fuzz", "recorder")]
+
+
+def place(folder: Path, fault: Fault | None) -> None:
+    """The project, its C with a fault."""
+    texts = dict(TEXTS)
+    if fault is not None:
+        assert fault.old in texts["demo3.c"], fault.name
+        texts["demo3.c"] = texts["demo3.c"].replace(fault.old, fault.new, 1)
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+
+
+def build(folder: Path, fault: Fault | None, harness: list[str]) -> Path:
+    """A program that fuzzes demo3 with a fault."""
+    place(folder, fault)
+    return compile_harness(folder, ("-O0", "demo3.c", *harness))  # quicker to compile
+
+
+@pytest.fixture(autouse=True, scope="module")
+def needed() -> None:
+    require("clang", "clang libclang-rt-14-dev")
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+def test_a_planted_fault_is_found(fault: Fault, harness: list[str], tmp_path: Path) -> None:
+    with pytest.raises(CheckError) as found:
+        fuzz(build(tmp_path, fault, harness), tmp_path / "corpus", runs=RUNS)
+    assert fault.said in str(found.value)
+    assert "Test unit written" in str(found.value)
+
+
+def test_without_a_fault_nothing_is_found_and_the_corpus_is_kept_small(harness: list[str], tmp_path: Path) -> None:
+    program = build(tmp_path, None, harness)
+    corpus = tmp_path / "corpus"
+    run_ = fuzz(program, corpus, runs=20_000)
+    assert run_.executions >= 20_000
+    assert run_.edges > 800
+    many = len(list(corpus.iterdir()))
+    minimise(program, corpus)
+    assert 100 < len(list(corpus.iterdir())) < many
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_the_harness_is_clean_c_and_runs_files_without_libfuzzer(real: str, tmp_path: Path) -> None:
+    folder = tmp_path / "project"
+    assert run("export", "fuzz", DEMO3, "-o", str(folder), "--real", real).exit_code == 0
+    for compiler in ("gcc", "clang"):
+        compile_c(compiler, folder / "demo3_fuzz.c", "-I", folder, "-DDEMO3_FUZZ_MAIN", "-c", "-o", tmp_path / "fuzz.o")
+    assert (folder / "Makefile").is_file()
+
+
+def test_every_public_function_is_fuzzed() -> None:
+    """And the recorder's: whoever adds one need not think of it."""
+    header = TEXTS["demo3.h"] + TEXTS["demo3_recorder.h"]
+    declared = re.findall(r"^demo3_status (demo3_\w+)\(", header, re.MULTILINE)
+    assert len(declared) > 20
+    for name in declared:
+        assert f"{name}(" in TEXTS["demo3_fuzz.c"]

@@ -1,0 +1,122 @@
+"""Logs: of a flight, binary or as text of a console, and of a self-test. A byte of them may be anything."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from emit.stands import stand as known_stand
+from fuzz.mangle import spoiled_bytes
+from fuzz.reading import READERS, fuzzed, soon, taken
+from mahovik.emit.log_format import fnv1a
+from mahovik.errors import MahovikError
+from mahovik.simulate import flight_log
+from mahovik.simulate.flight_log import Damage, Start, records
+from mahovik.simulate.replay import CMachine, check_stand, replay
+from mahovik.verify.judge_log import judge_log
+from simulate.flights import Recorder
+
+NAME, REAL = "demo3", "double"
+STAND = known_stand(NAME)
+
+pytestmark = READERS
+
+
+@pytest.fixture(scope="module")
+def log(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    recorder = Recorder(NAME, REAL, tmp_path_factory.mktemp("flight"))
+    recorder.fly(16)
+    return recorder.log
+
+
+@pytest.fixture(scope="module")
+def machine() -> CMachine:
+    return CMachine(STAND, REAL)
+
+
+def read(data: bytes, file: Path, machine: CMachine) -> None:
+    """As the command does: all records, then the replay of those of this stand."""
+    file.write_bytes(data)
+    found, _ = flight_log.load(file)
+    for start in [r for r in records(found) if isinstance(r, Start)]:
+        check_stand(STAND, start, "demo3.toml")
+        if start.real != REAL:
+            return
+    for each in replay(machine, records(found)):
+        if isinstance(each, Damage):
+            assert each.message
+
+
+@fuzzed(120)
+@given(data=st.data())
+def test_a_spoiled_flight_log(
+    data: st.DataObject, log: bytes, machine: CMachine, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    text = b"\n".join(b"@" + log[i : i + 32].hex().encode() for i in range(0, len(log), 32))
+    spoiled = data.draw(spoiled_bytes([log, text]))
+    taken(lambda: read(spoiled, tmp_path_factory.getbasetemp() / "flight.log", machine))
+
+
+def resealed(log: bytes, change: Callable[[bytearray], None], which: int) -> bytes:
+    """The log with one record changed and its check made good: what damage would not do, another writer might."""
+    places = [r.offset for r in records(log) if not isinstance(r, Damage)] + [len(log)]
+    begin, end = places[which % (len(places) - 1)], places[which % (len(places) - 1) + 1]
+    record = bytearray(log[begin : end - 4])
+    change(record)
+    return log[:begin] + bytes(record) + struct.pack("<I", fnv1a(bytes(record))) + log[end:]
+
+
+@fuzzed(120)
+@given(which=st.integers(0, 40), place=st.integers(0, 400), new=st.binary(min_size=1, max_size=8))
+def test_a_record_that_lies(
+    which: int, place: int, new: bytes, log: bytes, machine: CMachine, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    def change(record: bytearray) -> None:
+        at = place % len(record)
+        record[at : at + len(new)] = new[: len(record) - at]
+
+    file = tmp_path_factory.getbasetemp() / "flight.log"
+    taken(lambda: read(resealed(log, change, which), file, machine))
+
+
+@pytest.fixture(scope="module")
+def console() -> bytes:
+    return _selftest_log().encode()
+
+
+def _selftest_log() -> str:
+    """What a self-test would print that has no sweep: nothing has to be compiled to judge it."""
+    from mahovik.stand.identity import identities
+
+    found = identities(STAND)
+    head = f"mahovik selftest {STAND.name} structure {found.structure} physics {found.physics} real double"
+    lines = [
+        head,
+        "generator mahovik 0.1.0",
+        "forward PASS cases 9 worst 0 ulp",
+        "step FAIL cases 9 wrong 1 worst more than 9 ulp",
+    ]
+    return "\n".join([*lines, "sweep 0", "forward 0123abcd", "step 00000000", "failures 1", ""])
+
+
+@fuzzed(150)
+@given(data=st.data())
+def test_the_log_of_a_selftest(data: st.DataObject, console: bytes) -> None:
+    spoiled = data.draw(spoiled_bytes([console, console + console]))
+    taken(lambda: judge_log(spoiled.decode("utf-8", "replace"), "log"))
+
+
+@fuzzed(3)
+@given(data=st.data())
+def test_the_log_of_a_selftest_beside_its_stand(data: st.DataObject, console: bytes) -> None:
+    spoiled = data.draw(spoiled_bytes([console]))
+    with soon(120):
+        try:
+            judge_log(spoiled.decode("utf-8", "replace"), "log", STAND)
+        except MahovikError as error:
+            assert str(error)

@@ -1,0 +1,83 @@
+"""Lines of `eval`, a start of `simulate`, a program's answers to `verify --with`: any JSON, and what is none."""
+
+from __future__ import annotations
+
+import io
+import json
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fuzz.mangle import spoiled_bytes, spoiled_json
+from fuzz.reading import READERS, fuzzed, soon, taken
+from mahovik.simulate.start import load as load_start
+from mahovik.stand import load
+from mahovik.stand.state import rest_state
+from mahovik.stands import path
+from mahovik.verify.backends import Backend, NumpyBackend
+from mahovik.verify.c_backend import CBackend
+from mahovik.verify.evaluate import results
+from mahovik.verify.foreign import read_results
+from mahovik.verify.states import Request
+
+pytestmark = READERS
+
+AUV6 = load(path("auv6"))
+N = len(AUV6.flywheels)
+STATES: list[dict[str, Any]] = [
+    {"id": 7, "V": [1, 2, 3, 0.1, 0.2, 0.3], "phi": [0.5] * N, "phi_dot": [100.0] * N, "want": ["forward", "torque"]},
+    {"id": "a", "angles": [0.1, 0.2, 0.3], "phi_ddot": [1.0] * N, "want": ["generalized", "measure", "inverse"]},
+    {"quaternion": [1, 0, 0, 0], "tau": [0.01] * N, "want": ["coupled"]},
+    {"id": None, "position": [1, 2, 3], "wrench": {"carrier": [1, 2, 3, 4, 5, 6]}, "want": ["wrench", "momentum"]},
+    {"id": [1, {"a": 2}], "V_dot": [1, 2, 3, 4, 5, 6], "phi_dot": [1e5] * N, "want": ["mounts", "matrices", "forward"]},
+]
+LINES = st.one_of(
+    spoiled_json(STATES).map(lambda text: text.encode("utf-8", "surrogatepass")),
+    spoiled_bytes([json.dumps(state).encode() for state in STATES]),
+)
+
+
+@pytest.fixture(scope="module", params=["c", "numpy"])
+def backend(request: pytest.FixtureRequest) -> Backend:
+    return CBackend(AUV6) if request.param == "c" else NumpyBackend(AUV6)
+
+
+def strict(line: str) -> Any:
+    """Strict JSON has no NaN."""
+
+    def constant(name: str) -> None:
+        raise AssertionError(f"{name} in {line[:200]}")
+
+    return json.loads(line, parse_constant=constant)
+
+
+@fuzzed(150)
+@given(data=st.lists(LINES, min_size=1, max_size=3).map(b"\n".join))
+def test_eval_answers_each_line(data: bytes, backend: Backend) -> None:
+    lines = [line for line in io.BytesIO(data) if line.strip()]
+    with soon(60):
+        answers = list(results(AUV6, backend, iter(lines)))
+    blank = sum(not line.removeprefix(b"\xef\xbb\xbf").strip() for line in lines[:1])
+    assert len(answers) == len(lines) - blank
+    for answer, good in answers:
+        assert "\n" not in answer
+        found = strict(answer)
+        assert good == ("error" not in found)
+        assert next(iter(found)) == "id"
+
+
+@fuzzed(150)
+@given(data=LINES)
+def test_a_start_of_simulate(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
+    file = tmp_path_factory.getbasetemp() / "start.json"
+    file.write_bytes(data)
+    taken(lambda: load_start(file, AUV6))
+
+
+@fuzzed(150)
+@given(data=LINES)
+def test_answers_of_a_program(data: bytes) -> None:
+    request = Request(7, rest_state(AUV6), ("forward",))
+    taken(lambda: read_results([data], [request]))
