@@ -1,0 +1,150 @@
+"""A diagnosis: asking a program, searching its error, and what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from mahovik.stand.model import Stand
+from mahovik.study.diagnose.predict import Part, Predictions
+from mahovik.study.diagnose.search import EXACT, Evidence, Finding, Search
+from mahovik.study.diagnose.sheet import Sheet, sheet
+from mahovik.study.diagnose.states import FIRST, separating_states
+from mahovik.verify.backends import WANTS
+from mahovik.verify.bounds import BOUNDS
+from mahovik.verify.harness import askable
+from mahovik.verify.states import Request
+
+Outcome = Literal["equal", "rounding", "named", "unknown", "nothing"]
+
+Answers = Callable[[Request], Mapping[str, Any]]
+"""What a program said to a request: empty where it refused."""
+
+
+@dataclass(frozen=True)
+class Cause:
+    """What a program is found to have: one fault, or two at once.
+
+    parts    faults, each with the flywheel it is in alone, or None
+    share    part of the fault's error that is there, 1.0 for a whole fault
+    score    0: it explains the error to rounding; 1: it explains nothing
+    only_in  quantities in which the error is, where the fault would spoil others as well; else empty
+    """
+
+    parts: tuple[Part, ...]
+    share: float
+    score: float
+    only_in: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What the error of a program looks like.
+
+    outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float;
+                named: `causes`; unknown: an error that the dictionary does not explain; nothing: no answers
+    causes      the best first; more than one where the stand cannot tell them apart
+    confidence  0 to 1: how well the first explains the error, and how much worse the best of the others does
+    others      the next best, for what they are worth
+    unseen      names of faults that have no effect on this stand, in what the program offers
+    examined    faults in the dictionary
+    wrong       quantities with an error, as want: quantity
+    """
+
+    outcome: Outcome
+    causes: tuple[Cause, ...] = ()
+    confidence: float = 0.0
+    others: tuple[Cause, ...] = ()
+    unseen: tuple[str, ...] = ()
+    examined: int = 0
+    wrong: tuple[str, ...] = ()
+
+
+class Clinic:
+    """Diagnoses programs of one stand: the states, the reference's answers and what the faults predict are kept."""
+
+    def __init__(self, stand: Stand, seed: int = 1, wants: Sequence[str] = ()) -> None:
+        self._stand = stand
+        states = separating_states(stand, seed)
+        asked = [
+            (number, Request(f"{name}, {want}", state, (want,)))
+            for number, (name, state) in enumerate(states)
+            for want in wants or WANTS
+            if askable(state, want) and (stand.flywheels or want != "inverse")
+        ]
+        self.whole = sheet(stand, [request for _, request in asked])
+        self.first = sheet(stand, [request for number, request in asked if number < FIRST])
+        self.predictions = Predictions(stand, self.whole, self.first)
+
+    @property
+    def requests(self) -> tuple[Request, ...]:
+        """What to ask a program."""
+        return self.whole.requests
+
+    def diagnose(self, answers: Answers) -> Diagnosis:
+        """The diagnosis of a program by its answers to `requests`."""
+        found, first = (each.filled(answers) for each in (self.whole, self.first))
+        if not np.isfinite(found).any():
+            return Diagnosis("nothing")
+        double = self._searched(found, first, "double")
+        if double.outcome == "equal" or (double.outcome == "named" and double.causes[0].score <= EXACT):
+            return double
+        levels = [double, self._searched(found, first, "float")]
+        if levels[1].outcome == "equal":  # no larger than rounding of float: only a perfect likeness is a fault
+            return Diagnosis("rounding", examined=double.examined, wrong=double.wrong)
+        return max(levels, key=lambda each: (each.outcome == "named", -each.causes[0].score if each.causes else 0.0))
+
+    def _searched(self, found: Any, first: Any, real: str) -> Diagnosis:
+        bounds = BOUNDS[real]
+        with np.errstate(all="ignore"):
+            evidence = Evidence(
+                self.whole,
+                self.first,
+                (found - self.whole.expected) / self.whole.scale,
+                (first - self.first.expected) / self.first.scale,
+                self.whole.noise(bounds),
+                self.first.noise(bounds),
+            )
+        wrong = _wrong(self.whole, evidence)
+        search = Search(self._stand, evidence, self.predictions)
+        if not wrong:
+            return Diagnosis("equal")
+        ranked = search.ranked()
+        unseen = tuple(part.fault.name for (part,) in search.unseen())
+        examined = len({part.fault for suspect, _ in self.predictions.known() for part in suspect})
+        if not ranked or not ranked[0].named:
+            others = tuple(self._cause(each, wrong) for each in ranked[:3])
+            return Diagnosis("unknown", (), 0.0, others, unseen, examined, wrong)
+        best, rest = ranked[0], ranked[1:]
+        twins = search.twins(best, rest)
+        others = [each for each in rest if each not in twins]
+        return Diagnosis(
+            "named",
+            tuple(self._cause(each, wrong) for each in (best, *twins)),
+            _confidence(best, others),
+            tuple(self._cause(each, wrong) for each in others[:3]),
+            unseen,
+            examined,
+            wrong,
+        )
+
+    def _cause(self, finding: Finding, wrong: Sequence[str]) -> Cause:
+        only = tuple(wrong) if finding.match.absent and finding.named else ()
+        return Cause(finding.suspect, finding.share, finding.match.score, only)
+
+
+def _wrong(whole: Sheet, evidence: Evidence) -> tuple[str, ...]:
+    """Quantities with an error beyond rounding."""
+    there = np.abs(np.nan_to_num(evidence.e_whole, nan=0.0)) > evidence.noise_whole
+    blocks = sorted({int(i) for i in whole.block[there]})
+    return tuple(f"{want}: {quantity}" for want, quantity in (whole.quantities[i] for i in blocks))
+
+
+def _confidence(best: Finding, others: Sequence[Finding]) -> float:
+    """(1 - score) (1 - score / next score)."""
+    next_score = min((each.cost for each in others), default=1.0)
+    apart = 1.0 - min(best.cost / next_score, 1.0) if next_score > 0.0 else 0.0
+    return (1.0 - best.match.score) * apart

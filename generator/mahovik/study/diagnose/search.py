@@ -1,0 +1,182 @@
+"""The search: which fault, or part of one, or two, predict the error that was found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from mahovik.reference.array import Array
+from mahovik.stand.model import Stand
+from mahovik.study.diagnose.faults import DICTIONARY
+from mahovik.study.diagnose.match import Match, match, share
+from mahovik.study.diagnose.predict import Part, Predictions, Suspect, singles
+from mahovik.study.diagnose.sheet import Sheet
+
+EXACT = 0.02
+"""A score below this is the fault itself: no other has to be looked for."""
+
+NAMED = 0.3
+"""A single fault with a higher score is not named."""
+
+NAMED_FREELY = 0.1
+"""Neither is a part of a fault, or two at once: they have more freedom to fit what they are not."""
+
+PENALTY = 0.05
+"""On the score of a part of a fault, or two: a whole single one that is as good comes first."""
+
+LEAST_SHARE, LARGEST_SHARE = 0.02, 50.0
+"""Parts of a fault that are looked for; smaller ones are what rounding looks like."""
+
+SHORT_LIST = 10
+"""So many suspects are examined at all states."""
+
+PAIRED = 40
+"""So many single faults are tried two at a time."""
+
+TWIN = 1e-3
+"""Two faults whose predictions are as near as this are one as far as the stand can tell."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A suspect, the share of its error that was found, and how well it explains what was found."""
+
+    suspect: Suspect
+    share: float
+    match: Match
+
+    @property
+    def cost(self) -> float:
+        """Its score, and what it must be better by than a whole single fault."""
+        return self.match.score + PENALTY * (len(self.suspect) - 1 + (self.share != 1.0))
+
+    @property
+    def named(self) -> bool:
+        """Whether it is good enough to be named."""
+        return self.match.score <= (NAMED if len(self.suspect) == 1 and self.share == 1.0 else NAMED_FREELY)
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """The error of a program on a sheet of all states and on one of the first, over the scale."""
+
+    whole: Sheet
+    first: Sheet
+    e_whole: Array
+    e_first: Array
+    noise_whole: Array
+    noise_first: Array
+
+
+class Search:
+    """The search of one program's error through the dictionary."""
+
+    def __init__(self, stand: Stand, evidence: Evidence, predictions: Predictions) -> None:
+        self._stand = stand
+        self._evidence = evidence
+        self._predictions = predictions
+        self._asked = (np.isfinite(evidence.e_first), np.isfinite(evidence.e_whole))
+
+    def ranked(self) -> list[Finding]:
+        """Suspects, the best first: wider and wider, until one is exact."""
+        found: list[Finding] = []
+        for stage in (self._of_all, self._of_one, self._parts, self._pairs):
+            found = self._confirmed([*found, *stage(found)])
+            if found and found[0].match.score <= EXACT:
+                break
+        return found
+
+    def unseen(self) -> list[Suspect]:
+        """Faults that change nothing at the states that were asked: they cannot be told from a correct program."""
+        return [each for each in singles(DICTIONARY) if not self._visible(each)]
+
+    def twins(self, finding: Finding, others: Sequence[Finding]) -> list[Finding]:
+        """Of the others, those that no state tells apart from the finding."""
+        noise, block = self._masked(True, self._evidence.noise_whole, self._evidence.whole.block)
+        own = finding.share * self._predicted(finding.suspect, True)
+        return [
+            other
+            for other in others
+            if match(own, other.share * self._predicted(other.suspect, True), noise, block).score <= TWIN
+        ]
+
+    def _of_all(self, found: Sequence[Finding]) -> Iterator[Finding]:
+        """Every fault in all bodies that it concerns."""
+        yield from (self._examined(each, False) for each in singles(DICTIONARY) if self._visible(each))
+
+    def _of_one(self, found: Sequence[Finding]) -> Iterator[Finding]:
+        """Every fault of flywheels that spoils the same quantities, in one flywheel alone."""
+        if len(self._stand.flywheels) < 2:
+            return
+        spoiled = self._spoiled(self._e(False))
+        for (part,) in singles([fault for fault in DICTIONARY if fault.of_flywheels]):
+            if self._visible((part,)) and spoiled <= self._spoiled(self._predicted((part,), False)):
+                for wheel in self._stand.flywheels:
+                    yield self._examined((Part(part.fault, wheel.name),), False)
+
+    def _parts(self, found: Sequence[Finding]) -> Iterator[Finding]:
+        """Shares of the faults tried so far."""
+        e = self._e(False)
+        (noise,) = self._masked(False, self._evidence.noise_first)
+        for each in list(self._tried()):
+            a = share(e, self._predicted(each, False), noise)
+            if LEAST_SHARE <= abs(a) <= LARGEST_SHARE:
+                yield self._examined(each, False, a)
+
+    def _pairs(self, found: Sequence[Finding]) -> Iterator[Finding]:
+        """Two at once: those whose errors add up to what was found, then as one program that has both."""
+        e = self._e(False)
+        noise, block = self._masked(False, self._evidence.noise_first, self._evidence.first.block)
+        alone = [(self._examined(each, False).match.rest, each) for each in self._tried()]
+        alone.sort(key=lambda pair: pair[0])
+        likely = [each for rest, each in alone[:PAIRED] if rest < 1.0]
+        sums = []
+        for a, b in combinations(likely, 2):
+            if a[0].fault is not b[0].fault:
+                p = self._predicted(a, False) + self._predicted(b, False)
+                sums.append((match(e, p, noise, block).score, (*a, *b)))
+        sums.sort(key=lambda pair: pair[0])
+        yield from (self._examined(both, False) for _, both in sums[:SHORT_LIST])
+
+    def _tried(self) -> Iterator[Suspect]:
+        """Single suspects examined so far."""
+        return (suspect for suspect, whole in self._predictions.known() if not whole and len(suspect) == 1)
+
+    def _confirmed(self, found: Sequence[Finding]) -> list[Finding]:
+        """The best of them at all states, then the best first."""
+        best = {(each.suspect, each.share): each for each in sorted(found, key=lambda each: each.cost)[:SHORT_LIST]}
+        return sorted(
+            (self._examined(each.suspect, True, each.share) for each in best.values()), key=lambda each: each.cost
+        )
+
+    def _examined(self, suspect: Suspect, whole: bool, a: float = 1.0) -> Finding:
+        sheet, noise = (
+            (self._evidence.whole, self._evidence.noise_whole)
+            if whole
+            else (self._evidence.first, self._evidence.noise_first)
+        )
+        noise, block = self._masked(whole, noise, sheet.block)
+        return Finding(suspect, a, match(self._e(whole), a * self._predicted(suspect, whole), noise, block))
+
+    def _e(self, whole: bool) -> Array:
+        (e,) = self._masked(whole, self._evidence.e_whole if whole else self._evidence.e_first)
+        return e
+
+    def _predicted(self, suspect: Suspect, whole: bool) -> Array:
+        (p,) = self._masked(whole, self._predictions.of(suspect, whole))
+        return p
+
+    def _masked(self, whole: bool, *arrays: Array) -> tuple[Array, ...]:
+        """Only what the program has answered."""
+        return tuple(each[self._asked[whole]] for each in arrays)
+
+    def _visible(self, suspect: Suspect) -> bool:
+        return bool(self._spoiled(self._predicted(suspect, False)))
+
+    def _spoiled(self, error: Array) -> set[int]:
+        """Quantities that an error of the first states is in."""
+        noise, block = self._masked(False, self._evidence.noise_first, self._evidence.first.block)
+        return {int(i) for i in block[~(np.abs(error) <= noise)]}
