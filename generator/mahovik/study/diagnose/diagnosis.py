@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
 
+from mahovik.reference.array import Array
 from mahovik.stand.model import Stand
 from mahovik.study.diagnose.predict import Part, Predictions
 from mahovik.study.diagnose.search import EXACT, Evidence, Finding, Search
-from mahovik.study.diagnose.sheet import Sheet, sheet
+from mahovik.study.diagnose.sheet import sheet
 from mahovik.study.diagnose.states import FIRST, separating_states
 from mahovik.verify.backends import WANTS
 from mahovik.verify.bounds import BOUNDS
@@ -50,7 +51,6 @@ class Diagnosis:
     confidence  0 to 1: how well the first explains the error, and how much worse the best of the others does
     others      the next best, for what they are worth
     unseen      names of faults that have no effect on this stand, in what the program offers
-    examined    faults in the dictionary
     wrong       quantities with an error, as want: quantity
     """
 
@@ -59,7 +59,6 @@ class Diagnosis:
     confidence: float = 0.0
     others: tuple[Cause, ...] = ()
     unseen: tuple[str, ...] = ()
-    examined: int = 0
     wrong: tuple[str, ...] = ()
 
 
@@ -89,18 +88,23 @@ class Clinic:
         found, first = (each.filled(answers) for each in (self.whole, self.first))
         if not np.isfinite(found).any():
             return Diagnosis("nothing")
-        double = self._searched(found, first, "double")
-        if double.outcome == "equal" or (double.outcome == "named" and double.causes[0].score <= EXACT):
+        fine, coarse = (self._evidence(found, first, real) for real in ("double", "float"))
+        if not _wrong(fine):
+            return Diagnosis("equal")
+        if not _wrong(coarse):  # no larger than rounding of float: only a perfect likeness is a fault
+            strict = self._searched(fine, freely=False)
+            exact = strict.outcome == "named" and strict.causes[0].score <= EXACT
+            return strict if exact else replace(strict, outcome="rounding", causes=(), others=(), confidence=0.0)
+        double = self._searched(fine)
+        if double.outcome == "named" and double.causes[0].score <= EXACT:
             return double
-        levels = [double, self._searched(found, first, "float")]
-        if levels[1].outcome == "equal":  # no larger than rounding of float: only a perfect likeness is a fault
-            return Diagnosis("rounding", examined=double.examined, wrong=double.wrong)
-        return max(levels, key=lambda each: (each.outcome == "named", -each.causes[0].score if each.causes else 0.0))
+        single = self._searched(coarse)
+        return max((double, single), key=lambda each: (each.outcome == "named", -_score(each)))
 
-    def _searched(self, found: Any, first: Any, real: str) -> Diagnosis:
+    def _evidence(self, found: Array, first: Array, real: str) -> Evidence:
         bounds = BOUNDS[real]
         with np.errstate(all="ignore"):
-            evidence = Evidence(
+            return Evidence(
                 self.whole,
                 self.first,
                 (found - self.whole.expected) / self.whole.scale,
@@ -108,17 +112,17 @@ class Clinic:
                 self.whole.noise(bounds),
                 self.first.noise(bounds),
             )
-        wrong = _wrong(self.whole, evidence)
+
+    def _searched(self, evidence: Evidence, freely: bool = True) -> Diagnosis:
+        wrong = _wrong(evidence)
         search = Search(self._stand, evidence, self.predictions)
-        if not wrong:
-            return Diagnosis("equal")
-        ranked = search.ranked()
+        ranked = search.ranked(freely)
         unseen = tuple(part.fault.name for (part,) in search.unseen())
-        examined = len({part.fault for suspect, _ in self.predictions.known() for part in suspect})
         if not ranked or not ranked[0].named:
-            others = tuple(self._cause(each, wrong) for each in ranked[:3])
-            return Diagnosis("unknown", (), 0.0, others, unseen, examined, wrong)
-        best, rest = ranked[0], ranked[1:]
+            nearest = tuple(self._cause(each, wrong) for each in ranked[:3])
+            return Diagnosis("unknown", (), 0.0, nearest, unseen, wrong)
+        best = ranked[0]
+        rest = [each for each in ranked[1:] if not each.repeats(best)]
         twins = search.twins(best, rest)
         others = [each for each in rest if each not in twins]
         return Diagnosis(
@@ -127,7 +131,6 @@ class Clinic:
             _confidence(best, others),
             tuple(self._cause(each, wrong) for each in others[:3]),
             unseen,
-            examined,
             wrong,
         )
 
@@ -136,8 +139,13 @@ class Clinic:
         return Cause(finding.suspect, finding.share, finding.match.score, only)
 
 
-def _wrong(whole: Sheet, evidence: Evidence) -> tuple[str, ...]:
+def _score(diagnosis: Diagnosis) -> float:
+    return diagnosis.causes[0].score if diagnosis.causes else 1.0
+
+
+def _wrong(evidence: Evidence) -> tuple[str, ...]:
     """Quantities with an error beyond rounding."""
+    whole = evidence.whole
     there = np.abs(np.nan_to_num(evidence.e_whole, nan=0.0)) > evidence.noise_whole
     blocks = sorted({int(i) for i in whole.block[there]})
     return tuple(f"{want}: {quantity}" for want, quantity in (whole.quantities[i] for i in blocks))
@@ -145,6 +153,7 @@ def _wrong(whole: Sheet, evidence: Evidence) -> tuple[str, ...]:
 
 def _confidence(best: Finding, others: Sequence[Finding]) -> float:
     """(1 - score) (1 - score / next score)."""
-    next_score = min((each.cost for each in others), default=1.0)
-    apart = 1.0 - min(best.cost / next_score, 1.0) if next_score > 0.0 else 0.0
-    return (1.0 - best.match.score) * apart
+    score = best.match.score
+    next_score = min((each.match.score for each in others), default=1.0)
+    apart = 1.0 - min(score / next_score, 1.0) if next_score > 0.0 else 0.0
+    return (1.0 - score) * apart

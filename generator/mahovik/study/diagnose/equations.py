@@ -34,7 +34,7 @@ class Equations(Terms):
 
     def bias(self) -> Array:
         """M V + J phi' (6)."""
-        return self.M @ self.V_r + self.J @ self.phi_dot
+        return np.asarray(self.M @ self.V_r + self.J @ self.phi_dot)
 
     def V_dot(self, V_r_dot: Array) -> Array:
         """V* (6) of V_r*."""
@@ -121,9 +121,7 @@ class Equations(Terms):
 
     def _loads(self) -> list[Array]:
         V_dot = self.given_V_dot()
-        return [
-            self.on_flywheel(k, self.V, V_dot, each) for k, each in zip(self.flywheels, self.phi_ddot, strict=True)
-        ]
+        return [self.on_flywheel(k, self.V, V_dot, each) for k, each in zip(self.flywheels, self.phi_ddot, strict=True)]
 
     def torque(self) -> Values:
         """tau."""

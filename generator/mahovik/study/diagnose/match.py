@@ -28,7 +28,7 @@ class Match:
 
 
 def match(e: Array, p: Array, noise: Array, block: NDArray[np.int64]) -> Match:
-    """Number by number, so that a small term counts as much as a large one; then the mean of each quantity; then of all.
+    """Number by number, so that a small term counts as much as a large one; the mean of each quantity, then of all.
 
     What neither says is beyond `noise` counts nothing. A p that is no number explains nothing.
     """
@@ -50,7 +50,7 @@ def match(e: Array, p: Array, noise: Array, block: NDArray[np.int64]) -> Match:
 
 
 def share(e: Array, p: Array, noise: Array) -> float:
-    """a of e = a p: least squares of each number over its size, from the middle one outward; 0 where p shows nothing."""
+    """a of e = a p: least squares of each number over its size, without what is far from the middle; 0 where p is."""
     seen = np.isfinite(p) & (np.abs(p) > 10 * noise)
     if not seen.any():
         return 0.0

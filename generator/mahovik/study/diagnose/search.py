@@ -13,16 +13,19 @@ from mahovik.stand.model import Stand
 from mahovik.study.diagnose.faults import DICTIONARY
 from mahovik.study.diagnose.match import Match, match, share
 from mahovik.study.diagnose.predict import Part, Predictions, Suspect, singles
-from mahovik.study.diagnose.sheet import Sheet
+from mahovik.study.diagnose.sheet import Numbers, Sheet
 
-EXACT = 0.02
+EXACT = 1e-3
 """A score below this is the fault itself: no other has to be looked for."""
 
 NAMED = 0.3
 """A single fault with a higher score is not named."""
 
-NAMED_FREELY = 0.1
-"""Neither is a part of a fault, or two at once: they have more freedom to fit what they are not."""
+NAMED_AS_PART = 0.2
+"""Nor a part of a fault, which has more freedom to fit what it is not (and is not always a part of the error)."""
+
+NAMED_AS_TWO = 0.1
+"""Nor two at once, with more freedom still."""
 
 PENALTY = 0.05
 """On the score of a part of a fault, or two: a whole single one that is as good comes first."""
@@ -30,7 +33,7 @@ PENALTY = 0.05
 LEAST_SHARE, LARGEST_SHARE = 0.02, 50.0
 """Parts of a fault that are looked for; smaller ones are what rounding looks like."""
 
-SHORT_LIST = 10
+SHORT_LIST = 6
 """So many suspects are examined at all states."""
 
 PAIRED = 40
@@ -50,13 +53,20 @@ class Finding:
 
     @property
     def cost(self) -> float:
-        """Its score, and what it must be better by than a whole single fault."""
-        return self.match.score + PENALTY * (len(self.suspect) - 1 + (self.share != 1.0))
+        """Its score, and what it must be better by than a whole single fault; of parts, those of a half to all."""
+        a_part = PENALTY * (1.0 + 0.1 * min(abs(self.share - 1.0), 1.0)) if self.share != 1.0 else 0.0
+        return self.match.score + PENALTY * (len(self.suspect) - 1) + a_part
 
     @property
     def named(self) -> bool:
         """Whether it is good enough to be named."""
-        return self.match.score <= (NAMED if len(self.suspect) == 1 and self.share == 1.0 else NAMED_FREELY)
+        if len(self.suspect) > 1:
+            return self.match.score <= NAMED_AS_TWO
+        return self.match.score <= (NAMED if self.share == 1.0 else NAMED_AS_PART)
+
+    def repeats(self, other: Finding) -> bool:
+        """Whether it says no more than the other: the same in another share, or with something more."""
+        return set(other.suspect) <= set(self.suspect)
 
 
 @dataclass(frozen=True)
@@ -80,10 +90,10 @@ class Search:
         self._predictions = predictions
         self._asked = (np.isfinite(evidence.e_first), np.isfinite(evidence.e_whole))
 
-    def ranked(self) -> list[Finding]:
-        """Suspects, the best first: wider and wider, until one is exact."""
+    def ranked(self, freely: bool = True) -> list[Finding]:
+        """Suspects, the best first: wider and wider, until one is exact. `freely`: parts and pairs as well."""
         found: list[Finding] = []
-        for stage in (self._of_all, self._of_one, self._parts, self._pairs):
+        for stage in (self._of_all, self._of_one, *((self._parts, self._pairs) if freely else ())):
             found = self._confirmed([*found, *stage(found)])
             if found and found[0].match.score <= EXACT:
                 break
@@ -95,7 +105,7 @@ class Search:
 
     def twins(self, finding: Finding, others: Sequence[Finding]) -> list[Finding]:
         """Of the others, those that no state tells apart from the finding."""
-        noise, block = self._masked(True, self._evidence.noise_whole, self._evidence.whole.block)
+        noise, block = self._rounding(True)
         own = finding.share * self._predicted(finding.suspect, True)
         return [
             other
@@ -120,7 +130,7 @@ class Search:
     def _parts(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Shares of the faults tried so far."""
         e = self._e(False)
-        (noise,) = self._masked(False, self._evidence.noise_first)
+        noise, _ = self._rounding(False)
         for each in list(self._tried()):
             a = share(e, self._predicted(each, False), noise)
             if LEAST_SHARE <= abs(a) <= LARGEST_SHARE:
@@ -129,7 +139,7 @@ class Search:
     def _pairs(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Two at once: those whose errors add up to what was found, then as one program that has both."""
         e = self._e(False)
-        noise, block = self._masked(False, self._evidence.noise_first, self._evidence.first.block)
+        noise, block = self._rounding(False)
         alone = [(self._examined(each, False).match.rest, each) for each in self._tried()]
         alone.sort(key=lambda pair: pair[0])
         likely = [each for rest, each in alone[:PAIRED] if rest < 1.0]
@@ -153,30 +163,26 @@ class Search:
         )
 
     def _examined(self, suspect: Suspect, whole: bool, a: float = 1.0) -> Finding:
-        sheet, noise = (
-            (self._evidence.whole, self._evidence.noise_whole)
-            if whole
-            else (self._evidence.first, self._evidence.noise_first)
-        )
-        noise, block = self._masked(whole, noise, sheet.block)
+        noise, block = self._rounding(whole)
         return Finding(suspect, a, match(self._e(whole), a * self._predicted(suspect, whole), noise, block))
 
     def _e(self, whole: bool) -> Array:
-        (e,) = self._masked(whole, self._evidence.e_whole if whole else self._evidence.e_first)
-        return e
+        return (self._evidence.e_whole if whole else self._evidence.e_first)[self._asked[whole]]
 
     def _predicted(self, suspect: Suspect, whole: bool) -> Array:
-        (p,) = self._masked(whole, self._predictions.of(suspect, whole))
-        return p
+        return self._predictions.of(suspect, whole)[self._asked[whole]]
 
-    def _masked(self, whole: bool, *arrays: Array) -> tuple[Array, ...]:
-        """Only what the program has answered."""
-        return tuple(each[self._asked[whole]] for each in arrays)
+    def _rounding(self, whole: bool) -> tuple[Array, Numbers]:
+        """Noise and quantity of each number that the program has answered."""
+        evidence, asked = self._evidence, self._asked[whole]
+        if whole:
+            return evidence.noise_whole[asked], evidence.whole.block[asked]
+        return evidence.noise_first[asked], evidence.first.block[asked]
 
     def _visible(self, suspect: Suspect) -> bool:
         return bool(self._spoiled(self._predicted(suspect, False)))
 
     def _spoiled(self, error: Array) -> set[int]:
         """Quantities that an error of the first states is in."""
-        noise, block = self._masked(False, self._evidence.noise_first, self._evidence.first.block)
+        noise, block = self._rounding(False)
         return {int(i) for i in block[~(np.abs(error) <= noise)]}

@@ -9,7 +9,7 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.stand.model import Stand, Vec3, Vec6
+from mahovik.stand.model import Stand, Vec6
 from mahovik.stand.random_state import random_state
 from mahovik.stand.state import Quaternion, State
 
@@ -30,7 +30,7 @@ def separating_states(stand: Stand, seed: int = 1) -> list[tuple[str, State]]:
     ]
     assert len(found) == FIRST
     N = len(stand.flywheels)
-    zeros, zero6 = (0.0,) * N, cast(Vec6, (0.0,) * 6)
+    zeros, zero6 = (0.0,) * N, (0.0,) * 6
     quiet = {"phi_ddot": zeros, "V_dot": zero6, "tau": zeros}
     states = {
         "at rest": replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros, **quiet),  # type: ignore[arg-type]
@@ -52,7 +52,7 @@ def _by_angles(stand: Stand, rng: np.random.Generator) -> State:
     """An ordinary state with attitude angles well off their singularity."""
     psi, phi = rng.uniform(-math.pi, math.pi, 2)
     theta = rng.uniform(0.3, 1.2) * rng.choice([-1.0, 1.0])
-    return replace(_plain(stand, rng), angles=cast(Vec3, (float(psi), float(theta), float(phi))), quaternion=None)
+    return replace(_plain(stand, rng), angles=(float(psi), float(theta), float(phi)), quaternion=None)
 
 
 def _by_quaternion(stand: Stand, rng: np.random.Generator) -> State:

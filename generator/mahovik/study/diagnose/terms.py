@@ -40,9 +40,8 @@ class Terms:
         self.u = self.stream()
         self.gravity = self.gravity_in_E1()
         self.V_r = self.V - np.concatenate([self.u, np.zeros(3)])
-        self.fixed = tuple(
-            Fixed(k, self.fixed_transfer(k), self.theta(k), self.fluid(k)) for k in (stand.carrier, *stand.instruments)
-        )
+        fixed: tuple[Carrier | Instrument, ...] = (stand.carrier, *stand.instruments)
+        self.fixed = tuple(Fixed(k, self.fixed_transfer(k), self.theta(k), self.fluid(k)) for k in fixed)
         self.flywheels = tuple(
             self._spinning(s, *motion) for s, *motion in zip(stand.flywheels, state.phi, state.phi_dot, strict=True)
         )
@@ -122,11 +121,11 @@ class Terms:
 
     def stream(self) -> Array:
         """C^T u (3; m/s)."""
-        return self.C.T @ np.array(self.stand.stream or (0.0, 0.0, 0.0))
+        return np.asarray(self.C.T @ np.array(self.stand.stream or (0.0, 0.0, 0.0)))
 
     def gravity_in_E1(self) -> Array:
         """C^T g (3; m/s2)."""
-        return self.C.T @ np.array(self.stand.gravity)
+        return np.asarray(self.C.T @ np.array(self.stand.gravity))
 
     def stream_rate(self) -> Array:
         """(omega x C^T u, 0) (6)."""
@@ -190,15 +189,15 @@ class Terms:
 
     def coupling(self, k: Spinning) -> Array:
         """I_s = Ls Theta_s f (6)."""
-        return k.L @ k.Theta @ f
+        return np.asarray(k.L @ k.Theta @ f)
 
     def turning(self, k: Spinning) -> Array:
         """Phi Ls Theta_s f (6), of J_s."""
-        return self.Phi(self.V_r) @ k.L @ k.Theta @ f
+        return np.asarray(self.Phi(self.V_r) @ k.L @ k.Theta @ f)
 
     def spinning(self, k: Spinning) -> Array:
         """Ls [<e>] phi_s' Theta_s f (6), of J_s."""
-        return k.L @ spin @ k.Theta @ f * k.phi_dot
+        return np.asarray(k.L @ spin @ k.Theta @ f * k.phi_dot)
 
     # wrenches, (7), in the body's frame about its origin
 

@@ -72,7 +72,7 @@ class MomentumNotTurned(Fault):
     look = "L1 Z with C in L1"
 
     def in_E0(self, Z: Array) -> Array:
-        return Z + np.concatenate([np.zeros(3), np.cross(np.array(self.state.position), Z[:3])])
+        return np.asarray(Z + np.concatenate([np.zeros(3), np.cross(np.array(self.state.position), Z[:3])]))
 
 
 class EnergyDoubled(Fault):

@@ -8,7 +8,7 @@ from typing import TypeVar
 import numpy as np
 
 from mahovik.reference.array import Array
-from mahovik.reference.bodies import Placed, Spinning
+from mahovik.reference.bodies import Placed
 from mahovik.reference.screw import Phi, force_at
 from mahovik.reference.wrenches import linear_damping, quadratic_damping
 from mahovik.stand.model import Body, Carrier, Instrument
@@ -231,8 +231,8 @@ class WheelDampingWithoutSpin(Fault):
     equation = "(7)"
     look = "V_s = Ls^T V + f phi'"
 
-    def twist_in_fluid(self, k: Spinning) -> Array:
-        return k.L.T @ self.V_r
+    def twist_in_fluid(self, k: Placed) -> Array:
+        return np.asarray(k.L.T @ self.V_r)
 
 
 class DampingAboutO1(Fault):

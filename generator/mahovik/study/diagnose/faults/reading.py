@@ -105,7 +105,7 @@ class AnglesReversedOrder(Fault):
 
     def read_state(self, state: State) -> State:
         read = super().read_state(state)
-        return read if read.angles is None else replace(read, angles=cast(Vec3, read.angles[::-1]))
+        return read if read.angles is None else replace(read, angles=read.angles[::-1])
 
 
 class AttitudeTransposed(Fault):

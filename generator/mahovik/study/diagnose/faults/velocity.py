@@ -62,7 +62,7 @@ class NotSquared(Fault):
     look = "the last term of (5), which the print has without the square"
 
     def spinning(self, k: Spinning) -> Array:
-        return k.L @ spin @ k.Theta @ f
+        return np.asarray(k.L @ spin @ k.Theta @ f)
 
 
 class NoSpinTerm(Fault):

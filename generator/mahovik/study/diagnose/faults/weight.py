@@ -58,7 +58,7 @@ class GravityTurnedBack(Fault):
     look = "C^T g: C carries from E1 to E0"
 
     def gravity_in_E1(self) -> Array:
-        return self.C @ np.array(self.stand.gravity)
+        return np.asarray(self.C @ np.array(self.stand.gravity))
 
 
 class NoWeightOfWheels(Fault):
@@ -200,7 +200,8 @@ class WrenchNotTurned(Fault):
     equation = "(7)"
     look = "a run-time wrench of a flywheel is in Es, which turns with phi"
 
-    def run_time(self, k: Spinning) -> Array:
+    def run_time(self, k: Placed) -> Array:
+        assert isinstance(k, Spinning)
         return block_diagonal(C1(k.phi)).T @ super().run_time(k)
 
 
@@ -238,4 +239,4 @@ class RunTimeWrenchAtMassCentre(Fault):
 
     def run_time(self, k: Placed) -> Array:
         P = super().run_time(k)
-        return P + np.concatenate([np.zeros(3), np.cross(np.array(k.body.center_of_mass), P[:3])])
+        return np.asarray(P + np.concatenate([np.zeros(3), np.cross(np.array(k.body.center_of_mass), P[:3])]))
