@@ -125,6 +125,8 @@ class Clinic:
         rest = [each for each in ranked[1:] if not each.repeats(best)]
         twins = search.twins(best, rest)
         others = [each for each in rest if each not in twins]
+        if best.share == 1.0:  # a part of another fault that looks the same is no news
+            twins = [each for each in twins if each.share == 1.0 and len(each.suspect) == len(best.suspect)]
         return Diagnosis(
             "named",
             tuple(self._cause(each, wrong) for each in (best, *twins)),

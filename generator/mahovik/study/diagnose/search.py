@@ -53,9 +53,13 @@ class Finding:
 
     @property
     def cost(self) -> float:
-        """Its score, and what it must be better by than a whole single fault; of parts, those of a half to all."""
+        """Its score, and what it must be better by than a whole single fault; of parts, those of a half to all.
+
+        Of a fault in all flywheels and in one that look the same, that in all comes first.
+        """
+        alone = 0.01 * PENALTY * sum(part.wheel is not None for part in self.suspect)
         a_part = PENALTY * (1.0 + 0.1 * min(abs(self.share - 1.0), 1.0)) if self.share != 1.0 else 0.0
-        return self.match.score + PENALTY * (len(self.suspect) - 1) + a_part
+        return self.match.score + PENALTY * (len(self.suspect) - 1) + a_part + alone
 
     @property
     def named(self) -> bool:

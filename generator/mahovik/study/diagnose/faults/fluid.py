@@ -8,7 +8,7 @@ from typing import TypeVar
 import numpy as np
 
 from mahovik.reference.array import Array
-from mahovik.reference.bodies import Placed
+from mahovik.reference.bodies import Placed, Spinning
 from mahovik.reference.screw import Phi, force_at
 from mahovik.reference.wrenches import linear_damping, quadratic_damping
 from mahovik.stand.model import Body, Carrier, Instrument
@@ -294,8 +294,22 @@ class StreamNotTurned(Fault):
         return np.array(self.stand.stream or (0.0, 0.0, 0.0))
 
 
+class StreamRateIgnoredEverywhere(Fault):
+    """The turning of the stream in E1 is ignored in the flywheels' equations too: V* is taken for V_r*."""
+
+    name = "omega x u missing, drives too"
+    equation = "V_r*"
+    look = "V* = V_r* - (omega x C^T u, 0), wherever V_r stands for V"
+
+    def stream_rate(self) -> Array:
+        return np.zeros(6)
+
+    def load(self, k: Spinning, phi_ddot: float) -> Array:
+        return self.on_flywheel(k, self.V_r, self.given_V_dot(), phi_ddot)
+
+
 class StreamRateIgnored(Fault):
-    """The turning of the stream in E1 is ignored: V* is taken for V_r*."""
+    """The turning of the stream in E1 is ignored in the carrier's equation: V* is taken for V_r*."""
 
     name = "omega x u missing"
     equation = "V_r*"
