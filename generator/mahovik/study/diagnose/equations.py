@@ -119,9 +119,12 @@ class Equations(Terms):
         rate = self.base_acceleration(k, V_dot) + self.transport(k, V) + self.own_acceleration(k, phi_ddot)
         return np.asarray(k.Theta @ rate + self.gyroscopic(k, k.twist(V)) - self.own_wrench(k))
 
+    def load(self, k: Spinning, phi_ddot: float) -> Array:
+        """The same (6) at the motion that the state gives."""
+        return self.on_flywheel(k, self.V, self.given_V_dot(), phi_ddot)
+
     def _loads(self) -> list[Array]:
-        V_dot = self.given_V_dot()
-        return [self.on_flywheel(k, self.V, V_dot, each) for k, each in zip(self.flywheels, self.phi_ddot, strict=True)]
+        return [self.load(k, each) for k, each in zip(self.flywheels, self.phi_ddot, strict=True)]
 
     def torque(self) -> Values:
         """tau."""
