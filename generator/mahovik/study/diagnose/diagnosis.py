@@ -75,8 +75,10 @@ class Clinic:
             if askable(state, want) and (stand.flywheels or want != "inverse")
         ]
         self.whole = sheet(stand, [request for _, request in asked])
-        self.first = sheet(stand, [request for number, request in asked if number < FIRST])
-        self.predictions = Predictions(stand, self.whole, self.first)
+        searched = {request.id for number, request in asked if number < FIRST}
+        count = sum(request.id in searched for request in self.whole.requests)
+        self._first = self.whole.head(count).expected.size
+        self.predictions = Predictions(stand, self.whole, count)
 
     @property
     def requests(self) -> tuple[Request, ...]:
@@ -85,13 +87,13 @@ class Clinic:
 
     def diagnose(self, answers: Answers) -> Diagnosis:
         """The diagnosis of a program by its answers to `requests`."""
-        found, first = (each.filled(answers) for each in (self.whole, self.first))
+        found = self.whole.filled(answers)
         if not np.isfinite(found).any():
             return Diagnosis("nothing")
-        fine, coarse = (self._evidence(found, first, real) for real in ("double", "float"))
-        if not _wrong(fine):
+        fine, coarse = (self._evidence(found, real) for real in ("double", "float"))
+        if not self._wrong(fine):
             return Diagnosis("equal")
-        if not _wrong(coarse):  # no larger than rounding of float: only a perfect likeness is a fault
+        if not self._wrong(coarse):  # no larger than rounding of float: only a perfect likeness is a fault
             strict = self._searched(fine, freely=False)
             exact = strict.outcome == "named" and strict.causes[0].score <= EXACT
             return strict if exact else replace(strict, outcome="rounding", causes=(), others=(), confidence=0.0)
@@ -101,25 +103,24 @@ class Clinic:
         single = self._searched(coarse)
         return max((double, single), key=lambda each: (each.outcome == "named", -_score(each)))
 
-    def _evidence(self, found: Array, first: Array, real: str) -> Evidence:
-        bounds = BOUNDS[real]
+    def _evidence(self, found: Array, real: str) -> Evidence:
         with np.errstate(all="ignore"):
-            return Evidence(
-                self.whole,
-                self.first,
-                (found - self.whole.expected) / self.whole.scale,
-                (first - self.first.expected) / self.first.scale,
-                self.whole.noise(bounds),
-                self.first.noise(bounds),
-            )
+            e = (found - self.whole.expected) / self.whole.scale
+        return Evidence(e, self.whole.noise(BOUNDS[real]), self.whole.block, self._first)
+
+    def _wrong(self, evidence: Evidence) -> tuple[str, ...]:
+        """Quantities with an error beyond rounding."""
+        there = np.abs(np.nan_to_num(evidence.e, nan=0.0)) > evidence.noise
+        blocks = sorted({int(i) for i in evidence.block[there]})
+        return tuple(f"{want}: {quantity}" for want, quantity in (self.whole.quantities[i] for i in blocks))
 
     def _searched(self, evidence: Evidence, freely: bool = True) -> Diagnosis:
-        wrong = _wrong(evidence)
+        wrong = self._wrong(evidence)
         search = Search(self._stand, evidence, self.predictions)
         ranked = search.ranked(freely)
         unseen = tuple(part.fault.name for (part,) in search.unseen())
         if not ranked or not ranked[0].named:
-            nearest = tuple(self._cause(each, wrong) for each in ranked[:3])
+            nearest = tuple(_cause(each, wrong) for each in ranked[:3])
             return Diagnosis("unknown", (), 0.0, nearest, unseen, wrong)
         best = ranked[0]
         rest = [each for each in ranked[1:] if not each.repeats(best)]
@@ -129,28 +130,21 @@ class Clinic:
             twins = [each for each in twins if each.share == 1.0 and len(each.suspect) == len(best.suspect)]
         return Diagnosis(
             "named",
-            tuple(self._cause(each, wrong) for each in (best, *twins)),
+            tuple(_cause(each, wrong) for each in (best, *twins)),
             _confidence(best, others),
-            tuple(self._cause(each, wrong) for each in others[:3]),
+            tuple(_cause(each, wrong) for each in others[:3]),
             unseen,
             wrong,
         )
 
-    def _cause(self, finding: Finding, wrong: Sequence[str]) -> Cause:
-        only = tuple(wrong) if finding.match.absent and finding.named else ()
-        return Cause(finding.suspect, finding.share, finding.match.score, only)
+
+def _cause(finding: Finding, wrong: Sequence[str]) -> Cause:
+    only = tuple(wrong) if finding.match.absent and finding.named else ()
+    return Cause(finding.suspect, finding.share, finding.match.score, only)
 
 
 def _score(diagnosis: Diagnosis) -> float:
     return diagnosis.causes[0].score if diagnosis.causes else 1.0
-
-
-def _wrong(evidence: Evidence) -> tuple[str, ...]:
-    """Quantities with an error beyond rounding."""
-    whole = evidence.whole
-    there = np.abs(np.nan_to_num(evidence.e_whole, nan=0.0)) > evidence.noise_whole
-    blocks = sorted({int(i) for i in whole.block[there]})
-    return tuple(f"{want}: {quantity}" for want, quantity in (whole.quantities[i] for i in blocks))
 
 
 def _confidence(best: Finding, others: Sequence[Finding]) -> float:

@@ -59,26 +59,34 @@ class Faulty:
 class Predictions:
     """Predicted errors of suspects, kept: each is asked for again and again."""
 
-    def __init__(self, stand: Stand, whole: Sheet, first: Sheet) -> None:
+    def __init__(self, stand: Stand, whole: Sheet, first: int) -> None:
+        """`first`: so many requests are enough to search by."""
         self._stand = stand
-        self._sheets = (first, whole)
+        self._whole, self._first = whole, whole.head(first)
+        self._rest = whole.tail(first)
         self._known: dict[tuple[Suspect, bool], Array] = {}
 
     @cached_property
-    def _right(self) -> tuple[Array, Array]:
+    def _right(self) -> Array:
         """Of the equations without a fault: so that a fault without effect predicts exactly zero."""
-        first, whole = (each.filled(Faulty(self._stand).answer) for each in self._sheets)
-        return first, whole
+        return self._whole.filled(Faulty(self._stand).answer)
 
     def of(self, suspect: Suspect, whole: bool) -> Array:
-        """Error over scale, on the whole sheet or on its first states."""
+        """Error over scale, on the whole sheet or on its first requests."""
         key = (suspect, whole)
         if key not in self._known:
-            sheet = self._sheets[whole]
-            answered = sheet.filled(Faulty(self._stand, suspect).answer)
+            found = self._first.filled(Faulty(self._stand, suspect).answer) if not whole else self._completed(suspect)
             with np.errstate(all="ignore"):
-                self._known[key] = (answered - self._right[whole]) / sheet.scale
+                error = (found - self._right[: found.size]) / self._whole.scale[: found.size]
+            if whole:
+                first = self.of(suspect, False)
+                error[: first.size] = first
+            self._known[key] = error
         return self._known[key]
+
+    def _completed(self, suspect: Suspect) -> Array:
+        """Numbers after the first requests; none there."""
+        return self._rest.filled(Faulty(self._stand, suspect).answer)
 
     def known(self) -> list[tuple[Suspect, bool]]:
         """What has been predicted so far: suspects, and whether on the whole sheet."""

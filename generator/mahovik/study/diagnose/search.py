@@ -13,7 +13,7 @@ from mahovik.stand.model import Stand
 from mahovik.study.diagnose.faults import DICTIONARY
 from mahovik.study.diagnose.match import Match, match, share
 from mahovik.study.diagnose.predict import Part, Predictions, Suspect, singles
-from mahovik.study.diagnose.sheet import Numbers, Sheet
+from mahovik.study.diagnose.sheet import Numbers
 
 EXACT = 1e-3
 """A score below this is the fault itself: no other has to be looked for."""
@@ -33,7 +33,7 @@ PENALTY = 0.05
 LEAST_SHARE, LARGEST_SHARE = 0.02, 50.0
 """Parts of a fault that are looked for; smaller ones are what rounding looks like."""
 
-SHORT_LIST = 6
+SHORT_LIST = 5
 """So many suspects are examined at all states."""
 
 PAIRED = 40
@@ -75,14 +75,12 @@ class Finding:
 
 @dataclass(frozen=True)
 class Evidence:
-    """The error of a program on a sheet of all states and on one of the first, over the scale."""
+    """The error of a program over the scale, and what may be rounding; `first` numbers are enough to search by."""
 
-    whole: Sheet
-    first: Sheet
-    e_whole: Array
-    e_first: Array
-    noise_whole: Array
-    noise_first: Array
+    e: Array
+    noise: Array
+    block: Numbers
+    first: int
 
 
 class Search:
@@ -92,7 +90,8 @@ class Search:
         self._stand = stand
         self._evidence = evidence
         self._predictions = predictions
-        self._asked = (np.isfinite(evidence.e_first), np.isfinite(evidence.e_whole))
+        answered = np.isfinite(evidence.e)
+        self._asked = (answered[: evidence.first], answered)
 
     def ranked(self, freely: bool = True) -> list[Finding]:
         """Suspects, the best first: wider and wider, until one is exact. `freely`: parts and pairs as well."""
@@ -171,17 +170,20 @@ class Search:
         return Finding(suspect, a, match(self._e(whole), a * self._predicted(suspect, whole), noise, block))
 
     def _e(self, whole: bool) -> Array:
-        return (self._evidence.e_whole if whole else self._evidence.e_first)[self._asked[whole]]
+        return self._of_sheet(self._evidence.e, whole)
 
     def _predicted(self, suspect: Suspect, whole: bool) -> Array:
         return self._predictions.of(suspect, whole)[self._asked[whole]]
 
     def _rounding(self, whole: bool) -> tuple[Array, Numbers]:
         """Noise and quantity of each number that the program has answered."""
-        evidence, asked = self._evidence, self._asked[whole]
-        if whole:
-            return evidence.noise_whole[asked], evidence.whole.block[asked]
-        return evidence.noise_first[asked], evidence.first.block[asked]
+        asked = self._asked[whole]
+        return self._of_sheet(self._evidence.noise, whole), self._evidence.block[: asked.size][asked]
+
+    def _of_sheet(self, numbers: Array, whole: bool) -> Array:
+        """Those that the program has answered, of the whole sheet or of its first requests."""
+        asked = self._asked[whole]
+        return numbers[: asked.size][asked]
 
     def _visible(self, suspect: Suspect) -> bool:
         return bool(self._spoiled(self._predicted(suspect, False)))

@@ -43,12 +43,25 @@ class Sheet:
         """The same numbers of somebody else; NaN where there is none, or none of the right shape."""
         found = np.full(self.expected.size, np.nan)
         for request, parts in zip(self.requests, self.parts, strict=True):
+            if not parts:
+                continue
             values = answers(request)
             for path, shape, start in parts:
                 numbers = _at(values, path, shape)
                 if numbers is not None:
                     found[start : start + numbers.size] = numbers.ravel()
         return found
+
+    def head(self, count: int) -> Sheet:
+        """The sheet of so many requests from the first: its numbers are the first ones of this."""
+        end = next((start for parts in self.parts[count:] for _, _, start in parts), self.expected.size)
+        cut = (self.block[:end], self.expected[:end], self.scale[:end], self.parts[:count])
+        return Sheet(self.requests[:count], self.quantities, *cut)
+
+    def tail(self, count: int) -> Sheet:
+        """The requests after so many, with their numbers where they are on this sheet."""
+        empty = ((),) * count
+        return Sheet(self.requests, self.quantities, self.block, self.expected, self.scale, empty + self.parts[count:])
 
     def noise(self, bounds: Bounds) -> Array:
         """What rounding may do to each number, in units of the scale, by the bounds of an element type."""
