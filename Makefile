@@ -8,7 +8,7 @@ EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 
-.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
+.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign explain-campaign flight control-loop lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -23,6 +23,7 @@ help:
 	@echo "make cost-check fails where the cost of an example stand has risen"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
+	@echo "make explain-campaign  planted faults, and which of them judge --explain names: into docs/diagnosis.md; an hour"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
@@ -82,6 +83,9 @@ verify-campaign: setup
 
 math-campaign: setup
 	$(BIN)/python tools/math_campaign.py
+
+explain-campaign: setup
+	$(BIN)/python tools/explain_campaign.py --write
 
 flight: setup
 	$(BIN)/python tools/flight.py

@@ -88,10 +88,12 @@ class Search:
 
     def __init__(self, stand: Stand, evidence: Evidence, predictions: Predictions) -> None:
         self._stand = stand
-        self._evidence = evidence
         self._predictions = predictions
         answered = np.isfinite(evidence.e)
         self._asked = (answered[: evidence.first], answered)
+        self._e_first, self._e_whole = (evidence.e[: asked.size][asked] for asked in self._asked)
+        self._noise_first, self._noise_whole = (evidence.noise[: asked.size][asked] for asked in self._asked)
+        self._blocks = tuple(evidence.block[: asked.size][asked] for asked in self._asked)
 
     def ranked(self, freely: bool = True) -> list[Finding]:
         """Suspects, the best first: wider and wider, until one is exact. `freely`: parts and pairs as well."""
@@ -170,25 +172,19 @@ class Search:
         return Finding(suspect, a, match(self._e(whole), a * self._predicted(suspect, whole), noise, block))
 
     def _e(self, whole: bool) -> Array:
-        return self._of_sheet(self._evidence.e, whole)
+        return self._e_whole if whole else self._e_first
 
     def _predicted(self, suspect: Suspect, whole: bool) -> Array:
         return self._predictions.of(suspect, whole)[self._asked[whole]]
 
     def _rounding(self, whole: bool) -> tuple[Array, Numbers]:
         """Noise and quantity of each number that the program has answered."""
-        asked = self._asked[whole]
-        return self._of_sheet(self._evidence.noise, whole), self._evidence.block[: asked.size][asked]
-
-    def _of_sheet(self, numbers: Array, whole: bool) -> Array:
-        """Those that the program has answered, of the whole sheet or of its first requests."""
-        asked = self._asked[whole]
-        return numbers[: asked.size][asked]
+        return self._noise_whole if whole else self._noise_first, self._blocks[whole]
 
     def _visible(self, suspect: Suspect) -> bool:
-        return bool(self._spoiled(self._predicted(suspect, False)))
+        return not np.all(np.abs(self._predicted(suspect, False)) <= self._noise_first)
 
     def _spoiled(self, error: Array) -> set[int]:
         """Quantities that an error of the first states is in."""
         noise, block = self._rounding(False)
-        return {int(i) for i in block[~(np.abs(error) <= noise)]}
+        return set(np.unique(block[~(np.abs(error) <= noise)]).tolist())
