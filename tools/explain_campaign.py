@@ -83,8 +83,9 @@ def of_dictionary(stand: Stand, rng: np.random.Generator, some: int) -> Iterator
     for k in rng.choice(len(turning), min(some, len(turning)), replace=False):
         wheel = stand.flywheels[int(rng.integers(len(stand.flywheels)))].name
         yield Plant(turning[k].name, ALONE, Faulty(stand, (Part(turning[k], wheel),)).answer)
-    for k in rng.choice(len(DICTIONARY), some, replace=False):
-        yield Plant(DICTIONARY[k].name, ROUNDED, rounded(Faulty(stand, (Part(DICTIONARY[k]),)).answer))
+    seen = [fault for fault in DICTIONARY if visible(stand, fault)]  # of the others nothing but rounding is there
+    for k in rng.choice(len(seen), some, replace=False):
+        yield Plant(seen[k].name, ROUNDED, rounded(Faulty(stand, (Part(seen[k]),)).answer))
 
 
 def freer(stand: Stand, rng: np.random.Generator, some: int) -> Iterator[tuple[list[str], str, Answers]]:
@@ -121,6 +122,8 @@ def rounded(answers: Answers) -> Answers:
     def to_float(value: Any) -> Any:
         if isinstance(value, Mapping):
             return {name: to_float(each) for name, each in value.items()}
+        if isinstance(value, str):  # a status
+            return value
         return np.asarray(value, dtype=np.float32).astype(np.float64)
 
     return lambda request: to_float(answers(request))
