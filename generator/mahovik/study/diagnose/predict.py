@@ -88,10 +88,6 @@ class Predictions:
         """Numbers after the first requests; none there."""
         return self._rest.filled(Faulty(self._stand, suspect).answer)
 
-    def known(self) -> list[tuple[Suspect, bool]]:
-        """What has been predicted so far: suspects, and whether on the whole sheet."""
-        return list(self._known)
-
 
 def singles(faults: Sequence[type[Fault]]) -> list[Suspect]:
     """Each fault for itself, in all bodies that it concerns."""

@@ -33,6 +33,12 @@ PENALTY = 0.05
 LEAST_SHARE, LARGEST_SHARE = 0.02, 50.0
 """Parts of a fault that are looked for; smaller ones are what rounding looks like."""
 
+WHOLE = 1e-3
+"""A share that is as near to 1 is the whole."""
+
+ALIKE = 0.5
+"""Of the quantities that are wrong, a fault of one flywheel must spoil so many where all flywheels have it."""
+
 SHORT_LIST = 5
 """So many suspects are examined at all states."""
 
@@ -89,6 +95,7 @@ class Search:
     def __init__(self, stand: Stand, evidence: Evidence, predictions: Predictions) -> None:
         self._stand = stand
         self._predictions = predictions
+        self._tried: list[Suspect] = []  # single ones, so far
         answered = np.isfinite(evidence.e)
         self._asked = (answered[: evidence.first], answered)
         self._e_first, self._e_whole = (evidence.e[: asked.size][asked] for asked in self._asked)
@@ -120,32 +127,40 @@ class Search:
 
     def _of_all(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Every fault in all bodies that it concerns."""
-        yield from (self._examined(each, False) for each in singles(DICTIONARY) if self._visible(each))
+        for each in singles(DICTIONARY):
+            if self._visible(each):
+                self._tried.append(each)
+                yield self._examined(each, False)
 
     def _of_one(self, found: Sequence[Finding]) -> Iterator[Finding]:
-        """Every fault of flywheels that spoils the same quantities, in one flywheel alone."""
+        """Every fault of flywheels that spoils much the same quantities, in one flywheel alone.
+
+        Not all of them: what flywheels do together may cancel where they mirror one another.
+        """
         if len(self._stand.flywheels) < 2:
             return
         spoiled = self._spoiled(self._e(False))
         for (part,) in singles([fault for fault in DICTIONARY if fault.of_flywheels]):
-            if self._visible((part,)) and spoiled <= self._spoiled(self._predicted((part,), False)):
+            like = self._spoiled(self._predicted((part,), False))
+            if len(spoiled & like) >= ALIKE * len(spoiled):
                 for wheel in self._stand.flywheels:
-                    yield self._examined((Part(part.fault, wheel.name),), False)
+                    self._tried.append((Part(part.fault, wheel.name),))
+                    yield self._examined(self._tried[-1], False)
 
     def _parts(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Shares of the faults tried so far."""
         e = self._e(False)
         noise, _ = self._rounding(False)
-        for each in list(self._tried()):
+        for each in list(self._tried):
             a = share(e, self._predicted(each, False), noise)
-            if LEAST_SHARE <= abs(a) <= LARGEST_SHARE:
+            if LEAST_SHARE <= abs(a) <= LARGEST_SHARE and abs(a - 1.0) > WHOLE:
                 yield self._examined(each, False, a)
 
     def _pairs(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Two at once: those whose errors add up to what was found, then as one program that has both."""
         e = self._e(False)
         noise, block = self._rounding(False)
-        alone = [(self._examined(each, False).match.rest, each) for each in self._tried()]
+        alone = [(self._examined(each, False).match.rest, each) for each in self._tried]
         alone.sort(key=lambda pair: pair[0])
         likely = [each for rest, each in alone[:PAIRED] if rest < 1.0]
         sums = []
@@ -155,10 +170,6 @@ class Search:
                 sums.append((match(e, p, noise, block).score, (*a, *b)))
         sums.sort(key=lambda pair: pair[0])
         yield from (self._examined(both, False) for _, both in sums[:SHORT_LIST])
-
-    def _tried(self) -> Iterator[Suspect]:
-        """Single suspects examined so far."""
-        return (suspect for suspect, whole in self._predictions.known() if not whole and len(suspect) == 1)
 
     def _confirmed(self, found: Sequence[Finding]) -> list[Finding]:
         """The best of them at all states, then the best first."""
