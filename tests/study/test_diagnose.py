@@ -12,8 +12,10 @@ import pytest
 
 from mahovik.errors import StateError
 from mahovik.second import Second
+from mahovik.stand import load
 from mahovik.stand.model import Stand
 from mahovik.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
+from mahovik.stands import path
 from mahovik.study.diagnose.diagnosis import Clinic, Diagnosis
 from mahovik.study.diagnose.equations import Equations
 from mahovik.study.diagnose.fault import Fault
@@ -120,7 +122,14 @@ def test_no_two_faults_are_the_same() -> None:
 # ---- what is planted is found ----
 
 
-@pytest.mark.parametrize("fault", DICTIONARY[::6], ids=lambda fault: fault.name)
+FEW = DICTIONARY[::12]
+
+
+@pytest.mark.parametrize(
+    "fault",
+    [*FEW, *(pytest.param(each, marks=pytest.mark.slow) for each in DICTIONARY if each not in FEW)],
+    ids=lambda fault: fault.name,
+)
 def test_a_single_fault_is_named_first(fault: type[Fault]) -> None:
     found = planted(Part(fault))
     if found.outcome == "equal":
@@ -136,6 +145,14 @@ def test_the_flywheel_that_has_it_is_named(name: str) -> None:
     found = planted(Part(BY_NAME[name], "w2"))
     assert names(found)[0] == {(name, "w2")}
     assert "in w2 alone" in " ".join(sentences(found))
+
+
+def test_of_two_flywheels_that_mirror_one_another_one_is_named() -> None:
+    """What both do together cancels in some quantities; what one does alone does not."""
+    shaker = load(path("shaker2"))
+    wrong = Faulty(shaker, (Part(BY_NAME["phase, sign"], "left"),))
+    found = Clinic(shaker, wants=("matrices", "forward", "torque")).diagnose(wrong.answer)
+    assert names(found)[0] == {("phase, sign", "left")}
 
 
 def test_the_file_read_wrongly_is_found() -> None:
@@ -221,6 +238,19 @@ def test_a_program_without_answers() -> None:
     assert clinic().diagnose(lambda _: {}).outcome == "nothing"
     garbage = clinic().diagnose(lambda _: {"V_dot": "many", "tau": [[1]], "K": None})
     assert garbage.outcome == "nothing"
+
+
+@pytest.mark.parametrize("number", [0.0, 1e308, -1e308, float("inf"), 10**400, True])
+def test_numbers_that_make_no_sense_have_no_fault(number: Any) -> None:
+    found = clinic().diagnose(lambda _: {"V_dot": [number] * 6})
+    assert (found.outcome, found.causes) in (("unknown", ()), ("nothing", ()))
+
+
+def test_a_rigid_body() -> None:
+    """A stand without flywheels."""
+    rigid = random_stand(np.random.default_rng(1), 0, EVERYTHING)
+    found = Clinic(rigid, wants=("forward",)).diagnose(Faulty(rigid, (Part(BY_NAME["legs, sign"]),)).answer)
+    assert names(found)[0] == {("legs, sign", None)}
 
 
 def test_what_a_stand_cannot_tell_apart_is_named_together() -> None:

@@ -21,6 +21,9 @@ from mahovik.verify.states import Request
 
 Outcome = Literal["equal", "rounding", "named", "unknown", "nothing"]
 
+FARTHEST = 1e100
+"""A larger error, over the scale, counts as this one: its square is still a number."""
+
 Answers = Callable[[Request], Mapping[str, Any]]
 """What a program said to a request: empty where it refused."""
 
@@ -105,7 +108,7 @@ class Clinic:
 
     def _evidence(self, found: Array, real: str) -> Evidence:
         with np.errstate(all="ignore"):
-            e = (found - self.whole.expected) / self.whole.scale
+            e = np.clip((found - self.whole.expected) / self.whole.scale, -FARTHEST, FARTHEST)
         return Evidence(e, self.whole.noise(BOUNDS[real]), self.whole.block, self._first)
 
     def _wrong(self, evidence: Evidence) -> tuple[str, ...]:
