@@ -184,7 +184,7 @@ def test_a_part_of_a_fault() -> None:
 def test_two_at_once() -> None:
     found = planted(Part(BY_NAME["K* missing"]), Part(BY_NAME["buoyancy, sign"]))
     assert names(found)[0] == {("K* missing", None), ("buoyancy, sign", None)}
-    assert sentences(found)[0] == "two faults found at once:"
+    assert sentences(found)[0] == "two faults at once found:"
 
 
 def test_a_fault_in_one_function_only() -> None:
@@ -284,6 +284,13 @@ def test_share_is_found_by_least_squares() -> None:
     p = np.array([1.0, -2.0, 1e-4, 0.0])
     assert share(0.3 * p, p, np.full(4, 1e-11)) == pytest.approx(0.3)
     assert share(np.ones(4), np.zeros(4), np.full(4, 1e-11)) == 0.0
+
+
+def test_a_guess_is_called_a_guess() -> None:
+    found = planted(Part(BY_NAME["gravity, sign"]))
+    assert sentences(found)[0] == "fault found:"
+    assert sentences(replace(found, confidence=0.1))[0] == "fault, perhaps:"
+    assert "confidence 10.0%" in " ".join(sentences(replace(found, confidence=0.1)))
 
 
 def test_a_diagnosis_as_data() -> None:

@@ -9,6 +9,9 @@ from mahovik.study.diagnose.faults import DICTIONARY
 from mahovik.study.diagnose.predict import Part
 from mahovik.study.diagnose.search import EXACT
 
+SURE = 0.5
+"""With less confidence a fault is no more than a guess, and called so."""
+
 SUREST = 0.999
 """No more is said: a fault that is not in the dictionary may look like one that is."""
 
@@ -40,7 +43,8 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
                 *_unseen(diagnosis),
             ]
     best, *twins = diagnosis.causes
-    lines = ["fault found:" if len(best.parts) == 1 else "two faults found at once:"]
+    sure = diagnosis.confidence >= SURE
+    lines = [("fault" if len(best.parts) == 1 else "two faults at once") + (" found:" if sure else ", perhaps:")]
     for part in best.parts:
         lines += _of_part(part)
     if best.share != 1.0:
