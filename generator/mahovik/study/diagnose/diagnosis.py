@@ -21,9 +21,6 @@ from mahovik.verify.states import Request
 
 Outcome = Literal["equal", "rounding", "named", "unknown", "nothing"]
 
-FARTHEST = 1e100
-"""A larger error, over the scale, counts as this one: its square is still a number."""
-
 Answers = Callable[[Request], Mapping[str, Any]]
 """What a program said to a request: empty where it refused."""
 
@@ -107,8 +104,7 @@ class Clinic:
         return max((double, single), key=lambda each: (each.outcome == "named", -_score(each)))
 
     def _evidence(self, found: Array, real: str) -> Evidence:
-        with np.errstate(all="ignore"):
-            e = np.clip((found - self.whole.expected) / self.whole.scale, -FARTHEST, FARTHEST)
+        e = self.whole.over_scale(found - self.whole.expected)
         return Evidence(e, self.whole.noise(BOUNDS[real]), self.whole.block, self._first)
 
     def _wrong(self, evidence: Evidence) -> tuple[str, ...]:

@@ -76,8 +76,7 @@ class Predictions:
         key = (suspect, whole)
         if key not in self._known:
             found = self._first.filled(Faulty(self._stand, suspect).answer) if not whole else self._completed(suspect)
-            with np.errstate(all="ignore"):
-                error = (found - self._right[: found.size]) / self._whole.scale[: found.size]
+            error = self._whole.over_scale(found - self._right[: found.size])
             if whole:
                 first = self.of(suspect, False)
                 error[: first.size] = first

@@ -17,6 +17,9 @@ from mahovik.verify.bounds import DOUBLE, Bounds
 from mahovik.verify.scales import scales
 from mahovik.verify.states import Request
 
+FARTHEST = 1e100
+"""A larger error over the scale, which may be zero, counts as this: its square is still a number."""
+
 NOT_COMPARED = ("status", "rank")
 
 Numbers = NDArray[np.int64]
@@ -51,6 +54,11 @@ class Sheet:
                 if numbers is not None:
                     found[start : start + numbers.size] = numbers.ravel()
         return found
+
+    def over_scale(self, error: Array) -> Array:
+        """An error of all numbers, or of the first ones, in units of their scale; none beyond FARTHEST."""
+        with np.errstate(all="ignore"):
+            return np.clip(error / self.scale[: error.size], -FARTHEST, FARTHEST)
 
     def head(self, count: int) -> Sheet:
         """The sheet of so many requests from the first: its numbers are the first ones of this."""
