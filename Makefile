@@ -23,7 +23,7 @@ help:
 	@echo "make cost-check fails where the cost of an example stand has risen"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
-	@echo "make explain-campaign  planted faults, and which of them judge --explain names: into docs/diagnosis.md; an hour"
+	@echo "make explain-campaign  planted faults, and which of them judge --explain names: into docs/diagnosis.md; minutes"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"

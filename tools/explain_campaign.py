@@ -1,6 +1,6 @@
 """Faults planted in programs of random stands, and what `judge --explain` says of them: writes docs/diagnosis.md.
 
-python tools/explain_campaign.py [--stands 8] [--jobs 2] [--write]
+python tools/explain_campaign.py [--stands 6] [--jobs 2] [--write]
 
 Exit status 1 where fewer than 95 % of single faults are named first, or a correct program is given a fault.
 """
@@ -236,7 +236,7 @@ def with_summary(page: str, text: str) -> str:
 def main() -> None:
     """Run it."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--stands", type=int, default=8)
+    parser.add_argument("--stands", type=int, default=6)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--write", action="store_true", help="the summary into docs/diagnosis.md as well")
     given = parser.parse_args()
