@@ -8,32 +8,7 @@ EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 
-.PHONY: bench
-.PHONY: bench-quick
-.PHONY: bench-full
-.PHONY: bench-gate
-.PHONY: help
-.PHONY: demo
-.PHONY: test
-.PHONY: test-slow
-.PHONY: setup
-.PHONY: generated
-.PHONY: targets
-.PHONY: verify-targets
-.PHONY: targets-table
-.PHONY: cost
-.PHONY: cost-check
-.PHONY: verify-campaign
-.PHONY: rigorous
-.PHONY: verify-time
-.PHONY: generation-time
-.PHONY: math-campaign
-.PHONY: fuzz
-.PHONY: fuzz-quick
-.PHONY: flight
-.PHONY: control-loop
-.PHONY: lint
-.PHONY: clean
+.PHONY: $(shell sed -n 's/^\([a-z-]*\):.*/\1/p' Makefile)
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -51,6 +26,7 @@ help:
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
 	@echo "make fuzz       ten million executions of the C on arbitrary arguments, every file reader on arbitrary files"
 	@echo "make fuzz-quick  the same in two minutes"
+	@echo "make explain-campaign  planted faults, and which of them judge --explain names: into docs/diagnosis.md; minutes"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
@@ -126,6 +102,9 @@ fuzz-quick: setup
 	tools/fuzz-packages.sh
 	$(BIN)/python tools/fuzz_campaign.py --quick
 	$(FUZZ_READERS)
+
+explain-campaign: setup
+	$(BIN)/python tools/explain_campaign.py --write
 
 flight: setup
 	$(BIN)/python tools/flight.py

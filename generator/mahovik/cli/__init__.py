@@ -16,6 +16,7 @@ from mahovik.cli.evaluate import evaluate
 from mahovik.cli.export import export
 from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
+from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
 from mahovik.cli.new import new
 from mahovik.cli.replay import replay
@@ -42,5 +43,5 @@ def main() -> None:
     """
 
 
-for command in (new, check, derive, generate, verify, cost, evaluate, rest, simulate, replay, judge_log, export):
+for command in (new, check, derive, generate, verify, judge, cost, evaluate, rest, simulate, replay, judge_log, export):
     main.add_command(command)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -98,7 +99,7 @@ def verify(
         found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
     else:
         found = _verify_c(stand, seed, states, against, real)
-    _finish(found, as_json, junit, worst)
+    finish(found, as_json, junit, worst)
 
 
 def read_wants(text: str | None) -> tuple[str, ...]:
@@ -135,14 +136,26 @@ def _verify_c(stand: Stand, seed: int, states: int, against: str | None, real: s
         )
 
 
-def _finish(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
-    """Print, and conclude."""
+def finish(
+    found: Report,
+    as_json: bool,
+    junit: str | None,
+    worst: str | None,
+    more: Mapping[str, Any] | None = None,
+    words: Sequence[str] = (),
+) -> None:
+    """Print, and conclude.
+
+    What is said beyond the table: `more` beside it in the JSON, `words` as lines below it.
+    """
     from mahovik.verify.report import as_json as json_text
 
     if as_json:
-        click.echo(json_text(found))
+        click.echo(json_text(found, more))
     else:
         _print(found)
+        for line in words:
+            click.echo(line)
     _conclude(found, as_json, junit, worst)
 
 

@@ -1,1 +1,1 @@
-"""Questions about a stand; so far where it rests."""
+"""Questions about a stand: where it rests, what its C costs, which fault a program of it has."""

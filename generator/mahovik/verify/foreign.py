@@ -43,14 +43,21 @@ def verify_program(
     """
     states = draw(stand, seed, count)
     requests = _requests(states, wants or WANTS)
-    lines = [state_line(request) for request in requests]
     try:
-        output = converse(_words(command, stand_file), lines, timeout)
-        found = read_results(output, requests)
+        found = ask(command, stand_file, requests, timeout)
     except CheckError as error:
         return report(stand, command, seed, len(states), tolerance, (), str(error))
     rows = _rows(stand, requests, found, tolerance, bool(wants))
     return report(stand, command, seed, len(states), tolerance, rows)
+
+
+def ask(command: str, stand_file: str, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
+    """What a program says to requests: a result for each, in order; `{stand}` in the command becomes the stand file.
+
+    Raises CheckError where it dies, hangs, drops lines or prints anything else; UsageError where it cannot be started.
+    """
+    output = converse(_words(command, stand_file), [state_line(request) for request in requests], timeout)
+    return read_results(output, requests)
 
 
 def _requests(states: Sequence[tuple[str, State]], wants: Sequence[str]) -> list[Request]:

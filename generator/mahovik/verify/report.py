@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -60,8 +61,11 @@ def one_bound(report: Report) -> bool:
     return len({bound for row in judged for bound in (row.tolerance, row.derivations or row.tolerance)}) <= 1
 
 
-def as_json(report: Report) -> str:
-    """The table for programs. A difference that is no number (missing, refused, not finite) is null."""
+def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:
+    """The table for programs, and what `more` is to stand beside it.
+
+    A difference that is no number (missing, refused, not finite) is null.
+    """
     rows = [
         {
             "want": row.want,
@@ -91,7 +95,7 @@ def as_json(report: Report) -> str:
         "conclusion": conclusion(report),
         "rows": rows,
     }
-    return json.dumps(found, indent=1, allow_nan=False)
+    return json.dumps(found | dict(more or {}), indent=1, allow_nan=False)
 
 
 def _finite(number: float | None) -> float | None:

@@ -1,0 +1,140 @@
+"""judge: a program that is right, one that is not and what it has, and every way in which one can fail."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import sys
+from pathlib import Path
+
+import pytest
+
+from cli.run import DEMO3, refused, run
+
+PYTHON = shlex.quote(sys.executable)
+EVAL = f"{PYTHON} -c 'from mahovik.cli import main; main()' eval {{stand}} --backend numpy"
+
+WRONG = """
+import json, subprocess, sys
+command = [sys.executable, "-c", "from mahovik.cli import main; main()", "eval", sys.argv[1], "--backend", "numpy"]
+given = [json.loads(line) for line in sys.stdin]
+for state in given:
+    CHANGE
+lines = "".join(json.dumps(state) + chr(10) for state in given)
+sys.stdout.write(subprocess.run(command, input=lines, capture_output=True, text=True).stdout)
+"""
+
+
+def wrong(change: str) -> str:
+    """The reference, asked something else than was given."""
+    return f"{PYTHON} -c {shlex.quote(WRONG.replace('CHANGE', change))} {{stand}}"
+
+
+PHASE = wrong('state["phi"] = [-phi for phi in state.get("phi", [])] or [0.0] * 3')
+
+
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Worst states are written where the command runs."""
+    monkeypatch.chdir(tmp_path)
+
+
+def test_a_program_that_agrees_has_no_fault(tmp_path: Path) -> None:
+    result = run("judge", DEMO3, "--with", EVAL, "--explain", "--states", "3")
+    assert result.exit_code == 0
+    assert "no fault" in result.stdout.splitlines()[-1]
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_program_that_differs_is_told_its_fault() -> None:
+    result = run("judge", DEMO3, "--with", PHASE, "--explain", "--states", "6")
+    assert result.exit_code == 1
+    assert "fault found:" in result.stdout
+    assert "The phase of the flywheels turns the wrong way" in result.stdout
+    assert "confidence 9" in result.stdout
+
+
+def test_the_diagnosis_as_json() -> None:
+    result = run("judge", DEMO3, "--with", PHASE, "--explain", "--states", "6", "--json", "--want", "forward,torque")
+    assert result.exit_code == 1
+    found = json.loads(result.stdout)
+    assert found["passed"] is False
+    diagnosis = found["diagnosis"]
+    assert diagnosis["outcome"] == "named"
+    assert diagnosis["causes"][0]["faults"][0]["name"] == "phase, sign"
+    assert set(diagnosis["wrong"]) == {"forward: V_dot"}  # the flywheels of demo3 are balanced: tau knows no phase
+
+
+def test_without_explain_it_is_verify_with() -> None:
+    result = run("judge", DEMO3, "--with", PHASE, "--states", "6", "--json")
+    assert result.exit_code == 1
+    assert "diagnosis" not in json.loads(result.stdout)
+
+
+def test_what_is_accepted_can_be_said() -> None:
+    """The reference in float differs, and says so; within what float can do it agrees."""
+    rounding = PHASE.replace("-phi for phi", "phi * (1 + 1e-9) for phi")
+    assert run("judge", DEMO3, "--with", rounding, "--states", "6", "--want", "forward").exit_code == 1
+    assert (
+        run("judge", DEMO3, "--with", rounding, "--states", "3", "--want", "forward", "--tolerance", "1e-5").exit_code
+        == 0
+    )
+
+
+ECHO = "import sys, json\nfor l in sys.stdin:\n    d = json.loads(l)\n    "
+
+BROKEN = {
+    "dies": ("1/0", "ZeroDivisionError"),
+    "prints garbage": (ECHO + 'print("hello")', "is no JSON: 'hello"),
+    "hangs": ("import time; time.sleep(60)", "gave no complete answer in 1 s"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_a_program_that_fails_is_one_line_and_status_1(name: str) -> None:
+    text, words = BROKEN[name]
+    command = f"{PYTHON} -c {shlex.quote(text)}"
+    timeout = "1" if name == "hangs" else "60"
+    result = run("judge", DEMO3, "--states", "3", "--with", command, "--explain", "--timeout", timeout)
+    assert result.exit_code == 1
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert words in line
+
+
+SECOND_TIME = """
+import json, os, sys
+if os.path.exists("been"):
+    sys.exit("no more")
+open("been", "w").close()
+for line in sys.stdin:
+    print(json.dumps({"id": json.loads(line)["id"], "V_dot": [0.0] * 6}))
+"""
+
+
+def test_a_program_that_dies_while_it_is_examined() -> None:
+    command = f"{PYTHON} -c {shlex.quote(SECOND_TIME)}"
+    result = run("judge", DEMO3, "--states", "3", "--with", command, "--explain", "--want", "forward")
+    assert result.exit_code == 1
+    assert "no more" in result.stderr
+
+
+def test_a_program_that_offers_nothing() -> None:
+    text = ECHO + 'print(json.dumps({"id": d["id"], "error": "no"}))'
+    command = f"{PYTHON} -c {shlex.quote(text)}"
+    result = run("judge", DEMO3, "--states", "2", "--with", command, "--explain")
+    assert result.exit_code == 1
+    assert "no diagnosis" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--explain",), "--with"),
+        (("--with", "no-such-program", "--explain"), "cannot be started"),
+        (("--with", "cat", "--want", "frward"), 'did you mean "forward"?'),
+        (("--with", "cat", "--tolerance", "0"), "--tolerance"),
+    ],
+)
+def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
+    assert words in refused("judge", DEMO3, *arguments)

@@ -1,0 +1,301 @@
+"""Diagnosis of a program: the terms are those of the reference, every fault is one, and what is planted is found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.errors import StateError
+from mahovik.second import Second
+from mahovik.stand import load
+from mahovik.stand.model import Stand
+from mahovik.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
+from mahovik.stands import path
+from mahovik.study.diagnose.diagnosis import Clinic, Diagnosis
+from mahovik.study.diagnose.equations import Equations
+from mahovik.study.diagnose.fault import Fault
+from mahovik.study.diagnose.faults import DICTIONARY
+from mahovik.study.diagnose.match import match, share
+from mahovik.study.diagnose.predict import Faulty, Part
+from mahovik.study.diagnose.sheet import sheet
+from mahovik.study.diagnose.states import FIRST, separating_states
+from mahovik.study.diagnose.words import as_object, sentences
+from mahovik.verify.backends import WANTS, NumpyBackend
+from mahovik.verify.harness import askable
+from mahovik.verify.states import Request
+
+BY_NAME = {fault.name: fault for fault in DICTIONARY}
+
+
+@cache
+def stand() -> Stand:
+    """Two flywheels, one of them on an instrument, in a stream and with every wrench."""
+    found = random_stand(np.random.default_rng(5), 2, replace(EVERYTHING, instruments=1, angles="aircraft"), "small")
+    first, second = found.flywheels
+    return replace(found, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
+
+
+@cache
+def clinic() -> Clinic:
+    return Clinic(stand())
+
+
+def planted(*parts: Part) -> Diagnosis:
+    return clinic().diagnose(Faulty(stand(), parts).answer)
+
+
+def names(found: Diagnosis) -> list[set[tuple[str, str | None]]]:
+    return [{(part.fault.name, part.wheel) for part in cause.parts} for cause in found.causes]
+
+
+def answers(evaluate: Callable[..., Mapping[str, Any]]) -> Callable[[Request], Mapping[str, Any]]:
+    def answer(request: Request) -> Mapping[str, Any]:
+        try:
+            return evaluate(request.state, request.want)
+        except StateError:
+            return {}
+
+    return answer
+
+
+# ---- the terms ----
+
+
+@pytest.mark.parametrize("angles", SEQUENCES)
+@pytest.mark.parametrize("flywheels", [0, 1, 7])
+def test_without_a_fault_the_terms_give_what_the_reference_gives(angles: Any, flywheels: int) -> None:
+    drawn = random_stand(np.random.default_rng(flywheels), flywheels, replace(EVERYTHING, angles=angles))
+    requests = [
+        Request(f"{name}, {want}", state, (want,))
+        for name, state in separating_states(drawn)[:FIRST]
+        for want in WANTS
+        if askable(state, want)
+    ]
+    asked = sheet(drawn, requests)
+    assert len(asked.requests) == len(requests)
+    found = asked.filled(Faulty(drawn).answer)
+    assert np.max(np.abs(found - asked.expected) / asked.scale) < 1e-13
+
+
+def test_the_dictionary_is_large_and_says_what_it_means() -> None:
+    assert len(DICTIONARY) >= 30
+    assert len(BY_NAME) == len(DICTIONARY)
+    for fault in DICTIONARY:
+        assert fault.__doc__, fault.name
+        assert fault.words() != Fault.words()
+        assert not fault.words().endswith(".")
+        assert fault.equation
+        assert fault.look
+
+
+def test_every_fault_replaces_a_term() -> None:
+    """A hook that is misspelt would change nothing, and never be found."""
+    for fault in DICTIONARY:
+        own = [name for name in vars(fault) if callable(getattr(fault, name)) and not name.startswith("_")]
+        assert own, fault.name
+        assert [name for name in own if not hasattr(Equations, name)] == [], fault.name
+
+
+SEEN_ELSEWHERE = {"sequence, aircraft", "flywheel damping without phi'", "axis of any length not normalised"}
+"""Faults that need another stand: another sequence, a damped flywheel, a mounting by axes."""
+
+
+def test_every_fault_can_be_seen() -> None:
+    found = planted(Part(BY_NAME["K* missing"]))
+    assert set(found.unseen) <= SEEN_ELSEWHERE
+
+
+def test_no_two_faults_are_the_same() -> None:
+    """Of a stand with everything, no two predict the same error."""
+    predicted = {fault.name: clinic().predictions.of((Part(fault),), False) for fault in DICTIONARY}
+    there = {name: p for name, p in predicted.items() if np.nanmax(np.abs(p)) > 1e-9}
+    for name, p in there.items():
+        same = [other for other, q in there.items() if other != name and np.allclose(p, q, rtol=1e-6, atol=1e-12)]
+        assert same == [], name
+
+
+# ---- what is planted is found ----
+
+
+FEW = DICTIONARY[::12]
+
+
+@pytest.mark.parametrize(
+    "fault",
+    [*FEW, *(pytest.param(each, marks=pytest.mark.slow) for each in DICTIONARY if each not in FEW)],
+    ids=lambda fault: fault.name,
+)
+def test_a_single_fault_is_named_first(fault: type[Fault]) -> None:
+    found = planted(Part(fault))
+    if found.outcome == "equal":
+        assert fault.name in SEEN_ELSEWHERE
+    else:
+        assert names(found)[0] == {(fault.name, None)}
+        assert found.confidence > 0.9
+        assert fault.words() in " ".join(sentences(found))
+
+
+@pytest.mark.parametrize("name", ["J22 - J33 missing", "phi' not squared", "weight at the hub"])
+def test_the_flywheel_that_has_it_is_named(name: str) -> None:
+    found = planted(Part(BY_NAME[name], "w2"))
+    assert names(found)[0] == {(name, "w2")}
+    assert "in w2 alone" in " ".join(sentences(found))
+
+
+def test_of_two_flywheels_that_mirror_one_another_one_is_named() -> None:
+    """What both do together cancels in some quantities; what one does alone does not."""
+    shaker = load(path("shaker2"))
+    wrong = Faulty(shaker, (Part(BY_NAME["phase, sign"], "left"),))
+    found = Clinic(shaker, wants=("matrices", "forward", "torque")).diagnose(wrong.answer)
+    assert names(found)[0] == {("phase, sign", "left")}
+
+
+def test_the_file_read_wrongly_is_found() -> None:
+    """Planted without the dictionary: the reference itself, on a stand whose instruments have no added mass."""
+    wrong = replace(stand(), instruments=tuple(replace(p, added_mass=None) for p in stand().instruments))
+    assert wrong != stand()
+    found = clinic().diagnose(answers(NumpyBackend(wrong).evaluate))
+    assert names(found)[0] == {("added mass of instruments missing", None)}
+
+
+def test_the_state_read_wrongly_is_found() -> None:
+    right = NumpyBackend(stand())
+
+    def negative(request: Request) -> Mapping[str, Any]:
+        state = replace(request.state, phi=tuple(-phi for phi in request.state.phi))
+        return right.evaluate(state, request.want)
+
+    assert names(clinic().diagnose(negative))[0] == {("phase, sign", None)}
+
+
+def test_a_part_of_a_fault() -> None:
+    half = replace(stand(), gravity=tuple(0.5 * x for x in stand().gravity))
+    found = clinic().diagnose(answers(NumpyBackend(half).evaluate))
+    assert names(found)[0] == {("gravity ignored", None)}
+    assert found.causes[0].share == pytest.approx(0.5)
+    assert "50% of what that would give" in " ".join(sentences(found))
+
+
+def test_two_at_once() -> None:
+    found = planted(Part(BY_NAME["K* missing"]), Part(BY_NAME["buoyancy, sign"]))
+    assert names(found)[0] == {("K* missing", None), ("buoyancy, sign", None)}
+    assert sentences(found)[0] == "two faults at once found:"
+
+
+def test_a_fault_in_one_function_only() -> None:
+    right, wrong = Faulty(stand()).answer, Faulty(stand(), (Part(BY_NAME["added mass missing in Phi K"]),)).answer
+    found = clinic().diagnose(lambda request: (wrong if request.want == ("forward",) else right)(request))
+    assert names(found)[0] == {("added mass missing in Phi K", None)}
+    assert found.causes[0].only_in == ("forward: V_dot",)
+
+
+# ---- what is not ----
+
+
+def test_correct_programs_have_no_fault() -> None:
+    assert clinic().diagnose(answers(NumpyBackend(stand()).evaluate)).outcome == "equal"
+    assert clinic().diagnose(answers(Second(stand()).evaluate)).outcome == "equal"
+
+
+def test_a_correct_program_in_float_has_no_fault() -> None:
+    found = clinic().diagnose(lambda request: as_float(Faulty(stand()).answer(request)))
+    assert (found.outcome, found.causes) == ("rounding", ())
+    assert "no fault" in sentences(found)[0]
+
+
+def as_float(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {name: as_float(each) for name, each in value.items()}
+    return np.asarray(value, dtype=np.float32).astype(np.float64)
+
+
+def test_a_faulty_program_in_float_has_its_fault() -> None:
+    wrong = Faulty(stand(), (Part(BY_NAME["phi'^2 terms, sign"]),)).answer
+    found = clinic().diagnose(lambda request: as_float(wrong(request)))
+    assert names(found)[0] == {("phi'^2 terms, sign", None)}
+
+
+def test_noise_has_no_fault() -> None:
+    """Errors of one percent that come from nowhere."""
+    rng = np.random.default_rng(1)
+
+    def noisy(value: Any) -> Any:
+        if isinstance(value, Mapping):
+            return {name: noisy(each) for name, each in value.items()}
+        return np.asarray(value) * (1.0 + 0.01 * rng.normal(size=np.shape(value)))
+
+    found = clinic().diagnose(lambda request: noisy(Faulty(stand()).answer(request)))
+    assert (found.outcome, found.causes, found.confidence) == ("unknown", (), 0.0)
+    assert "no fault named" in sentences(found)[0]
+
+
+def test_a_program_without_answers() -> None:
+    assert clinic().diagnose(lambda _: {}).outcome == "nothing"
+    garbage = clinic().diagnose(lambda _: {"V_dot": "many", "tau": [[1]], "K": None})
+    assert garbage.outcome == "nothing"
+
+
+@pytest.mark.parametrize("number", [0.0, 1e308, -1e308, float("inf"), 10**400, True])
+def test_numbers_that_make_no_sense_have_no_fault(number: Any) -> None:
+    found = clinic().diagnose(lambda _: {"V_dot": [number] * 6})
+    assert (found.outcome, found.causes) in (("unknown", ()), ("nothing", ()))
+
+
+def test_a_rigid_body() -> None:
+    """A stand without flywheels."""
+    rigid = random_stand(np.random.default_rng(1), 0, EVERYTHING)
+    found = Clinic(rigid, wants=("forward",)).diagnose(Faulty(rigid, (Part(BY_NAME["legs, sign"]),)).answer)
+    assert names(found)[0] == {("legs, sign", None)}
+
+
+def test_what_a_stand_cannot_tell_apart_is_named_together() -> None:
+    """Without gravity turned by anything, missing and reversed terms are alike; of one flywheel, all and it alone."""
+    level = replace(
+        random_stand(np.random.default_rng(3), 1, Features(fluid=False, suspension=False, legs=0, instruments=0)),
+        stream=None,
+    )
+    assert level.flywheels[0].inertia_about in ("origin", "center_of_mass")
+    own = Clinic(level, wants=("forward",))
+    found = own.diagnose(Faulty(level, (Part(BY_NAME["phi'' not used"]),)).answer)
+    assert {("phi'' not used", None)} in names(found)
+    assert {("I phi'' missing", None)} in names(found)
+    assert "not to be told apart" in " ".join(sentences(found))
+
+
+# ---- numbers ----
+
+
+def test_match_counts_small_terms_as_much_as_large_ones() -> None:
+    e, noise, block = np.array([1.0, 1e-6, 0.0]), np.full(3, 1e-11), np.array([0, 1, 2])
+    assert match(e, e, noise, block).score == pytest.approx(0.0)
+    assert match(e, np.array([1.0, 0.0, 0.0]), noise, block).score == pytest.approx(0.5, abs=1e-4)
+    absent = match(e, np.array([1.0, 1e-6, 1.0]), noise, block)
+    assert (absent.rest, absent.absent) == (pytest.approx(0.0), (2,))
+    assert 0.0 < absent.score < 0.1
+    assert match(e, np.array([np.nan, 1e-6, 0.0]), noise, block).rest == pytest.approx(0.5)
+
+
+def test_share_is_found_by_least_squares() -> None:
+    p = np.array([1.0, -2.0, 1e-4, 0.0])
+    assert share(0.3 * p, p, np.full(4, 1e-11)) == pytest.approx(0.3)
+    assert share(np.ones(4), np.zeros(4), np.full(4, 1e-11)) == 0.0
+
+
+def test_a_guess_is_called_a_guess() -> None:
+    found = planted(Part(BY_NAME["gravity, sign"]))
+    assert sentences(found)[0] == "fault found:"
+    assert sentences(replace(found, confidence=0.1))[0] == "fault, perhaps:"
+    assert "confidence 10.0%" in " ".join(sentences(replace(found, confidence=0.1)))
+
+
+def test_a_diagnosis_as_data() -> None:
+    data = as_object(planted(Part(BY_NAME["gravity, sign"])))
+    assert data["outcome"] == "named"
+    assert data["causes"][0]["faults"][0]["name"] == "gravity, sign"
+    assert data["dictionary"] == len(DICTIONARY)
+    assert 0.9 < data["confidence"] <= 1.0

@@ -1,0 +1,393 @@
+"""Programs with a known fault, made without the dictionary's own code: for tools/explain_campaign.py.
+
+Four ways: the literal reference on a stand with other numbers, edits of what it is asked and answers, the second
+derivation with a line of its text replaced, and the interpreted program of a derivation with one function replaced.
+"""
+
+from __future__ import annotations
+
+import importlib
+import math
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+import sympy as sp
+
+import mahovik.second
+from mahovik import reference
+from mahovik.derive import carrier, flywheel, wrench
+from mahovik.derive.symbols import vector
+from mahovik.emit.generate import Generated
+from mahovik.errors import StateError
+from mahovik.lower import forward, wrenches
+from mahovik.lower.layout import Layout
+from mahovik.lower.program import lower_layout
+from mahovik.lower.values import Values
+from mahovik.program.types import DOUBLE
+from mahovik.stand.model import Body, Flywheel, MountingAngles, Stand
+from mahovik.stand.state import State
+from mahovik.stand.structure import structure
+from mahovik.verify.backends import Backend
+from mahovik.verify.c_backend import InterpreterBackend
+from mahovik.verify.states import Request
+
+Answers = Callable[[Request], Mapping[str, Any]]
+
+
+@dataclass(frozen=True)
+class Plant:
+    """A program with a fault: which of the dictionary, how it was made, and its answers."""
+
+    fault: str
+    kind: str
+    answers: Answers
+
+
+def answers_of(backend: Backend) -> Answers:
+    """What a backend says to a request; nothing where it refuses."""
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        try:
+            return backend.evaluate(request.state, request.want)
+        except (StateError, np.linalg.LinAlgError, ArithmeticError):
+            return {}
+
+    return answer
+
+
+def literal(stand: Stand) -> Answers:
+    """The literal reference of a stand; the pieces of a state are kept for all that is wanted of it."""
+    last: dict[str, Any] = {}
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        try:
+            if last.get("state") is not request.state:
+                last.update(state=request.state, at=reference.pieces(stand, request.state))
+            return reference.evaluate(stand, request.state, request.want, last["at"])
+        except (StateError, np.linalg.LinAlgError, ArithmeticError):
+            return {}
+
+    return answer
+
+
+# ---- a stand with other numbers ----
+
+
+def bodies(change: Callable[[Any], Any], fixed: bool = True, wheels: bool = True) -> Callable[[Stand], Stand]:
+    """A change of every body of a stand, or of some."""
+
+    def changed(s: Stand) -> Stand:
+        return replace(
+            s,
+            carrier=change(s.carrier) if fixed else s.carrier,
+            instruments=tuple(map(change, s.instruments)) if fixed else s.instruments,
+            flywheels=tuple(map(change, s.flywheels)) if wheels else s.flywheels,
+        )
+
+    return changed
+
+
+def products_reversed(body: Body) -> Body:
+    J = body.inertia
+    return replace(
+        body,
+        inertia=tuple(tuple(J[i][j] if i == j else -J[i][j] for j in range(3)) for i in range(3)),  # type: ignore[arg-type]
+    )
+
+
+def floating_at(point: Callable[[Body], tuple[float, float, float]]) -> Callable[[Body], Body]:
+    def change(body: Body) -> Body:
+        return replace(body, buoyancy=replace(body.buoyancy, center=point(body))) if body.buoyancy else body
+
+    return change
+
+
+def damped(**parts: Any) -> Callable[[Body], Body]:
+    return lambda body: replace(body, damping=replace(body.damping, **parts)) if body.damping else body
+
+
+def from_zero(s: Flywheel) -> Flywheel:
+    return replace(s, mounting=replace(s.mounting, zero=0.0)) if isinstance(s.mounting, MountingAngles) else s
+
+
+def hung(**parts: Any) -> Callable[[Stand], Stand]:
+    return lambda s: replace(s, suspension=replace(s.suspension, **parts)) if s.suspension else s
+
+
+def legs(**parts: Any) -> Callable[[Stand], Stand]:
+    return lambda s: replace(s, legs=tuple(replace(leg, **parts) for leg in s.legs))
+
+
+def negative(a: tuple[float, ...] | None) -> Any:
+    return tuple(-x for x in a) if a is not None else None
+
+
+ZERO3, ZERO66 = (0.0,) * 3, ((0.0,) * 6,) * 6
+
+STANDS: dict[str, Callable[[Stand], Stand]] = {
+    "products of inertia, sign": bodies(products_reversed),
+    "products of inertia, sign, flywheels": bodies(products_reversed, fixed=False),
+    "products of inertia, sign, carrier": bodies(products_reversed, wheels=False),
+    "parallel axis theorem missing": bodies(lambda b: replace(b, inertia_about="origin")),
+    "inertia about the wrong point": bodies(lambda b: replace(b, inertia_about="center_of_mass")),
+    "carrier's centre of mass, sign": bodies(
+        lambda b: replace(b, center_of_mass=negative(b.center_of_mass)), wheels=False
+    ),
+    "gravity, sign": lambda s: replace(s, gravity=negative(s.gravity)),
+    "gravity ignored": lambda s: replace(s, gravity=ZERO3),
+    "stream, sign": lambda s: replace(s, stream=negative(s.stream)),
+    "stream ignored": lambda s: replace(s, stream=None),
+    "buoyancy missing": bodies(lambda b: replace(b, buoyancy=None)),
+    "buoyancy at O1": bodies(floating_at(lambda _: ZERO3)),
+    "buoyancy at the centre of mass": bodies(floating_at(lambda body: body.center_of_mass)),
+    "linear damping missing": bodies(damped(linear=None)),
+    "quadratic damping missing": bodies(damped(quadratic=None)),
+    "damping terms missing": bodies(damped(terms=())),
+    "added mass missing": bodies(lambda b: replace(b, added_mass=None), wheels=False),
+    "added mass of instruments missing": lambda s: replace(
+        s, instruments=tuple(replace(p, added_mass=None) for p in s.instruments)
+    ),
+    "mount ignored": bodies(lambda s: replace(s, mount="carrier"), fixed=False),
+    "flywheel position ignored": bodies(lambda s: replace(s, position=ZERO3), fixed=False),
+    "flywheel position, sign": bodies(lambda s: replace(s, position=negative(s.position)), fixed=False),
+    "phi0 ignored": bodies(from_zero, fixed=False),
+    "suspension damping missing": hung(damping=ZERO66),
+    "suspension stiffness missing": hung(stiffness=ZERO66),
+    "equilibrium attitude ignored": hung(angles=ZERO3),
+    "equilibrium position ignored": hung(position=ZERO3),
+    "legs missing": lambda s: replace(s, legs=()),
+    "leg damping missing": legs(damping=0.0),
+    "unstretched length ignored": legs(length=0.0),
+    "sequence, ship": lambda s: replace(s, angles="ship"),
+    "sequence, aircraft": lambda s: replace(s, angles="aircraft"),
+    "sequence, Euler": lambda s: replace(s, angles="euler"),
+}
+
+
+# ---- what is asked, and what is answered ----
+
+
+def wheels(key: str, change: Callable[[float], float]) -> Callable[[State], State]:
+    return lambda x: replace(x, **{key: tuple(change(each) for each in getattr(x, key))})
+
+
+def conjugated(x: State) -> State:
+    return x if x.quaternion is None else replace(x, quaternion=(x.quaternion[0], *negative(x.quaternion[1:])))
+
+
+def scalar_last(x: State) -> State:
+    return x if x.quaternion is None else replace(x, quaternion=(x.quaternion[3], *x.quaternion[:3]))
+
+
+ASKED: dict[str, Callable[[State], State]] = {
+    "phase, sign": wheels("phi", lambda phi: -phi),
+    "phase ignored": wheels("phi", lambda phi: 0.0),
+    "phase in degrees": wheels("phi", math.radians),
+    "zero of the phase, half a turn": wheels("phi", lambda phi: phi + math.pi),
+    "phi', sign": wheels("phi_dot", lambda rate: -rate),
+    "phi' in rpm": wheels("phi_dot", lambda rate: rate * 2 * math.pi / 60),
+    "phi' ignored": wheels("phi_dot", lambda rate: 0.0),
+    "phi'' not used": wheels("phi_ddot", lambda rate: 0.0),
+    "phi'', sign": wheels("phi_ddot", lambda rate: -rate),
+    "quaternion conjugated": conjugated,
+    "quaternion, scalar last": scalar_last,
+    "quaternion ignored": lambda x: replace(x, quaternion=None),
+    "attitude angles in degrees": lambda x: (
+        x if x.angles is None else replace(x, angles=tuple(map(math.radians, x.angles)))  # type: ignore[arg-type]
+    ),
+    "run-time wrench ignored": lambda x: replace(x, wrench={}),
+    "run-time wrench, sign": lambda x: replace(x, wrench={k: negative(P) for k, P in x.wrench.items()}),
+    "omega in degrees": lambda x: replace(x, V=(*x.V[:3], *map(math.radians, x.V[3:]))),  # type: ignore[arg-type]
+    "V with angular part first": lambda x: replace(x, V=(*x.V[3:], *x.V[:3])),
+    "position ignored": lambda x: replace(x, position=ZERO3),
+}
+
+ANSWERED: dict[str, Callable[[Request, dict[str, Any]], dict[str, Any]]] = {
+    "V* as the acceleration of O1": lambda request, found: (
+        found | {"V_dot": found["V_dot"] + np.append(np.cross(request.state.V[3:], request.state.V[:3]), ZERO3)}
+    ),
+    "V* with angular part first": lambda _, found: found | {"V_dot": [*found["V_dot"][3:], *found["V_dot"][:3]]},
+    "energy not halved": lambda _, found: found | {"energy": 2 * found["energy"]},
+    "mount wrench, sign": lambda _, found: found | {"mount_wrench": -np.array(found["mount_wrench"])},
+    "K* missing": lambda _, found: found | {"M": found["M"] - found["K_dot"], "K_dot": np.zeros((6, 6))},
+    "torque, sign": lambda _, found: found | {"tau": -found["tau"]},
+    "D missing": lambda _, found: found | {"D": np.zeros((6, 6))},
+}
+"""Faults put into one answer only, which holds the first word of its key below."""
+
+ANSWER_HAS = {
+    "V* as the acceleration of O1": "V_dot",
+    "V* with angular part first": "V_dot",
+    "energy not halved": "energy",
+    "mount wrench, sign": "mount_wrench",
+    "K* missing": "K_dot",
+    "torque, sign": "tau",
+    "D missing": "D",
+}
+
+
+def edited(stand: Stand) -> Iterator[Plant]:
+    """The literal reference, told a changed state or with changed answers."""
+    right = literal(stand)
+
+    def asked(change: Callable[[State], State]) -> Answers:
+        changed: dict[int, State] = {}
+
+        def answer(request: Request) -> Mapping[str, Any]:
+            state = changed.setdefault(id(request.state), change(request.state))
+            return right(replace(request, state=state))
+
+        return answer
+
+    def answered(name: str, change: Callable[[Request, dict[str, Any]], dict[str, Any]]) -> Answers:
+        def answer(request: Request) -> Mapping[str, Any]:
+            found = dict(right(request))
+            return change(request, found) if ANSWER_HAS[name] in found else found
+
+        return answer
+
+    for name, change in ASKED.items():
+        yield Plant(name, "states edited", asked(change))
+    for name, edit in ANSWERED.items():
+        yield Plant(name, "answers edited", answered(name, edit))
+
+
+def renumbered(stand: Stand) -> Iterator[Plant]:
+    """The literal reference on a stand with other numbers."""
+    for name, change in STANDS.items():
+        yield Plant(name, "stand edited", literal(change(stand)))
+
+
+# ---- the second derivation with a line replaced ----
+
+TURNED, STREAM = (
+    'self.inputs["C"].T @ ca.DM(stand.gravity)',
+    'self.inputs["C"].T @ ca.DM(stand.stream or (0.0, 0.0, 0.0))',
+)
+
+SECOND: dict[str, tuple[str, str, str]] = {
+    "gravity not turned into E1": ("system", TURNED, "ca.DM(stand.gravity)"),
+    "gravity turned by C": ("system", TURNED, TURNED.replace(".T", "")),
+    "stream not turned into E1": ("system", STREAM, "ca.DM(stand.stream or (0.0, 0.0, 0.0))"),
+    "stream, sign": ("system", STREAM, f"-({STREAM})"),
+    "stream ignored": ("system", STREAM, f"0 * ({STREAM})"),
+    "added mass missing before V*": ("system", "Z + fluid_Z, K + self.Lambda", "Z + fluid_Z, K"),
+    "added mass missing in Phi K": ("system", "carrier += lagrange", "carrier += 0 * lagrange"),
+    "run-time wrench, sign": ("system", 'ca.horzsplit(self.inputs["wrench"])', 'ca.horzsplit(-self.inputs["wrench"])'),
+    "buoyancy, sign": ("force", "weight - buoyancy", "weight + buoyancy"),
+    "buoyancy missing": ("force", "weight - buoyancy", "weight"),
+    "buoyancy at O1": ("force", "body.place(body.center)", "body.place(ca.SX.zeros(3))"),
+    "stream ignored in damping": ("force", "ca.SX.zeros(3))) - stream", "ca.SX.zeros(3)))"),
+    "leg damping missing": ("force", " - ca.gradient(rayleigh, chart.q_dot)", ""),
+    "leg damping, sign": ("force", " - ca.gradient(rayleigh, chart.q_dot)", " + ca.gradient(rayleigh, chart.q_dot)"),
+    "unstretched length ignored": ("force", "(distance - unstretched)", "distance"),
+    "linear damping missing": ("laws", "P -= ca.DM(damping.linear)", "P -= 0 * ca.DM(damping.linear)"),
+    "quadratic damping without |V|": ("laws", "(V_r * ca.fabs(V_r))", "(V_r * V_r)"),
+    "damping terms, sign": ("laws", "P += _unit", "P -= _unit"),
+    "suspension rotation, sign": ("laws", "equilibrium.T @ C", "C.T @ equilibrium"),
+    "suspension displacement in E0": ("laws", "C.T @ away", "away"),
+    "suspension damping missing": ("laws", " + ca.DM(law.damping) @ V)", ")"),
+    "equilibrium position ignored": ("laws", " - np.array(law.position)", ""),
+    "mount ignored": ("bodies", "found[s.mount]", "found['carrier']"),
+    "flywheel position, sign": ("bodies", "(np.array(s.position), mounting", "(-np.array(s.position), mounting"),
+    "inertia about the wrong point": ("bodies", '== "center_of_mass"', '!= ""'),
+    "parallel axis theorem missing": ("bodies", '== "center_of_mass"', '== ""'),
+    "phi0 ignored": ("rotation", "given.theta, given.zero", "given.theta, 0.0"),
+    "specific force, sign of gravity": ("points", "(acceleration - gravity)", "(acceleration + gravity)"),
+    "specific force without gravity": ("points", "(acceleration - gravity)", "(acceleration)"),
+    "torque without P_s": ("problems", "inertial - applied}", "inertial}"),
+    "P_s of torque, sign": ("problems", "inertial - applied}", "inertial + applied}"),
+    "torque, sign": ("problems", "applied + drive - still", "applied - drive - still"),
+    "Z0 about O1": ("problems", "motion[:3] + ca.cross(motion[3:], r)", "motion[:3]"),
+}
+
+
+def rewritten(stand: Stand) -> Iterator[Plant]:
+    """The second derivation, a copy with one place of its text replaced."""
+    source = Path(mahovik.second.__file__).parent
+    for number, (name, (module, there, instead)) in enumerate(SECOND.items()):
+        package = f"mutated_second_{number}"
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(source, Path(folder) / package, ignore=shutil.ignore_patterns("__pycache__"))
+            for path in (Path(folder) / package).glob("*.py"):
+                text = path.read_text(encoding="utf-8").replace("mahovik.second", package)
+                if path.stem == module:
+                    if text.count(there) != 1:
+                        raise SystemExit(f"{name}: {there!r} is not once in second/{module}.py")
+                    text = text.replace(there, instead)
+                path.write_text(text, encoding="utf-8")
+            sys.path.insert(0, folder)
+            try:
+                importlib.invalidate_caches()
+                found = importlib.import_module(package)
+            finally:
+                sys.path.remove(folder)
+        yield Plant(name, "second derivation rewritten", answers_of(found.Second(stand)))
+
+
+# ---- the interpreted program of a derivation with a function replaced ----
+
+
+def without_asymmetry(generic: Any, original: Callable[..., Any] = flywheel.spun_inertia) -> Any:
+    """J22 and J33 both their mean."""
+    J = vector("J", 6)
+    mean = {J[1]: (J[1] + J[2]) / 2, J[2]: (J[1] + J[2]) / 2}
+    return {k: replace(part, J=part.J.subs(mean, simultaneous=True)) for k, part in original(generic).items()}
+
+
+def hub_weight(*given: Any, original: Callable[..., None] = wrenches._weight) -> None:
+    """The weight along the constant part of the first moment."""
+    lib, body, stand, x, turns, _, g, F = given
+    original(lib, body, stand, x, turns, SimpleNamespace(mu=stand.first_moment), g, F)
+
+
+def no_lower_left(V: sp.Matrix, original: Callable[..., sp.Matrix] = carrier.Phi) -> sp.Matrix:
+    """Phi(V) without <v>."""
+    made = original(V)
+    made[3:, :3] = sp.zeros(3)
+    return made
+
+
+def leg_rate_reversed(original: Callable[..., Any] = wrench.leg) -> Any:
+    return replace(original(), rate=-original().rate)
+
+
+def no_place(original: Callable[..., sp.Matrix] = carrier.momentum_in_E0) -> sp.Matrix:
+    return original().subs(dict.fromkeys(vector("r"), 0))
+
+
+DERIVED: dict[str, tuple[Any, str, Any]] = {
+    "J22 - J33 missing": (flywheel, "spun_inertia", without_asymmetry),
+    "weight at the hub": (wrenches, "_weight", hub_weight),
+    "K* missing": (carrier, "mass_matrix_rate", lambda original=carrier.mass_matrix_rate: original() * 0),
+    "v x p missing": (carrier, "Phi", no_lower_left),
+    "leg damping, sign": (wrench, "leg", leg_rate_reversed),
+    "omega x u missing, drives too": (forward, "derived", SimpleNamespace(turning_velocity=lambda: sp.zeros(3, 1))),
+    "Z0 about O1": (carrier, "momentum_in_E0", no_place),
+}
+
+
+def interpreted(stand: Stand, values_of: Stand | None = None) -> InterpreterBackend:
+    """The program of a stand, run by the interpreter; with the numbers of another."""
+    layout = Layout(structure(stand), DOUBLE)
+    program = lower_layout(layout)
+    return InterpreterBackend(Generated(layout, program, Values(values_of or stand, layout, program), {}))
+
+
+def derived(stand: Stand) -> Iterator[Plant]:
+    """The interpreted program of a derivation with one function replaced; and of one with numbers replaced."""
+    for name, (module, function, instead) in DERIVED.items():
+        with ExitStack() as stack:
+            stack.enter_context(patch.object(module, function, instead))
+            yield Plant(name, "derivation rewritten", answers_of(interpreted(stand)))
+    for name in ("phi0 ignored", "stream, sign", "mount ignored", "unstretched length ignored"):
+        yield Plant(name, "numbers of the program", answers_of(interpreted(stand, STANDS[name](stand))))
