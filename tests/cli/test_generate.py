@@ -34,11 +34,11 @@ FILES = {
 def generated_once() -> Iterator[None]:
     """Each stand is generated once: what is tried here is what happens to the files."""
     original = delivery.delivery
-    known: dict[tuple[str, str], dict[str, str]] = {}
+    known: dict[tuple[str, str, int, bool], dict[str, str]] = {}
 
-    def once(stand: Stand, real: str = "double") -> dict[str, str]:
-        key = (stand.name, real)
-        known[key] = known.get(key) or original(stand, real)
+    def once(stand: Stand, real: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
+        key = (stand.name, real, lanes, fast)
+        known[key] = known.get(key) or original(stand, real, lanes, fast)
         return dict(known[key])
 
     with pytest.MonkeyPatch.context() as patch:
