@@ -8,7 +8,7 @@ EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 
-.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
+.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lanes-table lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -25,6 +25,7 @@ help:
 	@echo "make math-campaign  accuracy of sine, cosine, sqrt, atan2: proofs and samples, into docs/mathematics.md"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
+	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/lanes.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
@@ -88,6 +89,9 @@ flight: setup
 
 control-loop: setup
 	$(BIN)/python tools/control_loop.py
+
+lanes-table: setup
+	$(BIN)/python tools/lanes_table.py
 
 verify-time: setup
 	$(BIN)/python tools/verify_time.py
