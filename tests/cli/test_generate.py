@@ -84,7 +84,9 @@ def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
     found = identities(load(DEMO3))
     assert (manifest["stand"], manifest["real"]) == ("demo3", "double")
     assert (manifest["structure"], manifest["physics"]) == (found.structure, found.physics)
-    assert set(manifest) == {"format", "generator", "stand", "structure", "physics", "real", "files"}  # no date
+    assert manifest["lanes"] == 1
+    keys = {"format", "generator", "stand", "structure", "physics", "real", "lanes", "files"}
+    assert set(manifest) == keys  # no date
 
 
 def test_float_takes_the_place_of_double(folder: Path) -> None:
