@@ -29,6 +29,7 @@ help:
 	@echo "make explain-campaign  planted faults, and which of them judge --explain names: into docs/diagnosis.md; minutes"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
+	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/lanes.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make generation-time  generation cold and warm, start of commands, gcc: docs/generation.md"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
@@ -111,6 +112,9 @@ flight: setup
 
 control-loop: setup
 	$(BIN)/python tools/control_loop.py
+
+lanes-table: setup
+	$(BIN)/python tools/lanes_table.py
 
 verify-time: setup
 	$(BIN)/python tools/verify_time.py

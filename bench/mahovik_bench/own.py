@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from mahovik.emit.generate import host_lanes
 from mahovik_bench.build import NATIVE, Recipe, generated
 from mahovik_bench.cases import Case
 from mahovik_bench.peer import Peer
@@ -31,6 +32,8 @@ BUILDS = (
     Build("-O3 native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=1),
     Build("-O3 native fma", ("-O3", "-march=native", "-ffp-contract=fast"), lanes=1),
     *((LANES,) if HAS_LANES else ()),
+    Build("8 lanes native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=8),
+    Build("lanes native fma", ("-O3", "-march=native", "-ffp-contract=fast"), lanes=-1),
 )
 
 
@@ -38,7 +41,7 @@ def lanes(build: Build, N: int) -> int:
     """The argument of the generator; 0 where it has none."""
     if not HAS_LANES:
         return 0
-    return build.lanes if build.lanes >= 0 else 2 if N <= 4 else 8 if N % 8 == 0 else 4
+    return build.lanes if build.lanes >= 0 else host_lanes(N)
 
 
 def peers(case: Case) -> list[Peer]:

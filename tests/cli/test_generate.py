@@ -34,11 +34,11 @@ FILES = {
 def generated_once() -> Iterator[None]:
     """Each stand is generated once: what is tried here is what happens to the files."""
     original = delivery.delivery
-    known: dict[tuple[str, str], dict[str, str]] = {}
+    known: dict[tuple[str, str, int, bool], dict[str, str]] = {}
 
-    def once(stand: Stand, real: str = "double") -> dict[str, str]:
-        key = (stand.name, real)
-        known[key] = known.get(key) or original(stand, real)
+    def once(stand: Stand, real: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
+        key = (stand.name, real, lanes, fast)
+        known[key] = known.get(key) or original(stand, real, lanes, fast)
         return dict(known[key])
 
     with pytest.MonkeyPatch.context() as patch:
@@ -84,7 +84,9 @@ def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
     found = identities(load(DEMO3))
     assert (manifest["stand"], manifest["real"]) == ("demo3", "double")
     assert (manifest["structure"], manifest["physics"]) == (found.structure, found.physics)
-    assert set(manifest) == {"format", "generator", "stand", "structure", "physics", "real", "files"}  # no date
+    assert manifest["lanes"] == 1
+    keys = {"format", "generator", "stand", "structure", "physics", "real", "lanes", "files"}
+    assert set(manifest) == keys  # no date
 
 
 def test_float_takes_the_place_of_double(folder: Path) -> None:

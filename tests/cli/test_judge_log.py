@@ -24,17 +24,17 @@ FUNCTIONS = [f.name for f in made("demo3")[0].program.functions if f.public]
 def run_here_once() -> Iterator[None]:
     """The C of this machine is built and run once for each sweep."""
     original = judge_log._hashes
-    known: dict[tuple[str, int], Any] = {}
+    known: dict[tuple[str, int, int], Any] = {}
 
     def once(stand: Stand, made: Generated, sweep: int) -> Any:
-        key = (made.program.precision.name, sweep)
+        key = (made.program.precision.name, made.layout.lanes, sweep)
         if key not in known:
             known[key] = original(stand, made, sweep)
         return known[key]
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(judge_log, "_hashes", once)
-        patch.setattr(judge_log, "generate_all", lambda stand, real: made(stand.name, real)[0])
+        patch.setattr(judge_log, "generate_all", lambda stand, real, lanes: made(stand.name, real, lanes)[0])
         yield
 
 

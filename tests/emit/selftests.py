@@ -12,9 +12,9 @@ from toolchain.tools import compile_c
 
 
 @cache
-def made(name, real="double"):
+def made(name, real="double", lanes=1, fast=False):
     """Program and numbers of a stand, and its files with the self-test."""
-    generated = generate_all(stand(name), real)
+    generated = generate_all(stand(name), real, lanes, fast)
     return generated, {**generated.files, **selftest_files(stand(name), generated)}
 
 

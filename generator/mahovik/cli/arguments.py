@@ -16,6 +16,13 @@ stand_argument = click.argument("stand_file", metavar="STAND.toml", type=click.P
 real_option = click.option(
     "--real", type=click.Choice(["double", "float"]), default="double", show_default=True, help="Element type of the C."
 )
+lanes_option = click.option(
+    "--lanes",
+    type=click.Choice(["1", "2", "4", "8"]),
+    callback=lambda _context, _option, value: value and int(value),
+    help="Flywheels side by side, for vectors; default 1, with --fast what suits their number.",
+)
+fast_option = click.option("--fast", is_flag=True, help="For this desk's processor: bits are not reproducible.")
 
 
 def load_stand(stand_file: str) -> Stand:

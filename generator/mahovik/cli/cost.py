@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 @click.option("--check", is_flag=True, help="Write nothing; accepted figures must be there.")
 @click.option("--accept", is_flag=True, help="Accept the figures: what later ones are compared with.")
 def cost(stand_file: str, real: str | None, targets: str | None, output: str | None, check: bool, accept: bool) -> None:
-    """Measure the C of a stand on processors.
+    """Measure the C of a stand on processors, with as many lanes as the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
     COST.md beside the C; accepted figures into cost.json. Exit status 1, and nothing is written, where a figure is
@@ -43,7 +43,7 @@ def cost(stand_file: str, real: str | None, targets: str | None, output: str | N
     from mahovik.study.cost.measure import USUAL, asked
     from mahovik.study.cost.page import accepted, as_json, page
     from mahovik.verify.cost_files import COST, FIGURES
-    from mahovik.verify.delivery import accepted_figures, add_to_delivery, require_place_for_cost
+    from mahovik.verify.delivery import accepted_figures, add_to_delivery, delivered_lanes, require_place_for_cost
 
     pairs = asked(targets, real)
     usual = targets is None and real is None
@@ -54,8 +54,9 @@ def cost(stand_file: str, real: str | None, targets: str | None, output: str | N
     text = accepted_figures(folder, stand)
     if check and text is None:
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
-    before = accepted(text, str(folder / FIGURES)) if text is not None else None
-    found = _measured(stand, pairs)
+    lanes = delivered_lanes(folder)
+    before = accepted(text, str(folder / FIGURES), lanes) if text is not None else None
+    found = _measured(stand, pairs, lanes)
     if not usual and not check:
         click.echo(page(found))
     if before is not None and not accept:
@@ -83,7 +84,7 @@ def _compare(found: Costs, before: Sequence[Mapping[str, Any]], required: Sequen
     click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}")
 
 
-def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]]) -> Costs:
+def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int) -> Costs:
     from rich.console import Console
     from rich.progress import Progress
 
@@ -92,4 +93,4 @@ def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]]) -> Costs:
     err = Console(stderr=True)
     with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
         task = bar.add_task(f"cost of {stand.name}", total=len(pairs))
-        return measure(stand, pairs, lambda done, _: bar.update(task, completed=done))
+        return measure(stand, pairs, lambda done, _: bar.update(task, completed=done), lanes)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mahovik.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.cli.arguments import fast_option, lanes_option, load_stand, real_option, stand_argument
 
 if TYPE_CHECKING:
     from mahovik.stand.model import Stand
@@ -21,7 +21,11 @@ if TYPE_CHECKING:
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 where the folder differs.")
 @click.option("--no-cache", is_flag=True, help="Derive everything anew, and leave the cache of formulas as it is.")
 @real_option
-def generate(stand_file: str, output: str | None, check: bool, no_cache: bool, real: str) -> None:
+@lanes_option
+@fast_option
+def generate(
+    stand_file: str, output: str | None, check: bool, no_cache: bool, real: str, lanes: int | None, fast: bool
+) -> None:
     """Write the C of a stand.
 
     A folder that stands alone: header, source, self-test with golden vectors, README, and a manifest with the hash of
@@ -35,20 +39,25 @@ def generate(stand_file: str, output: str | None, check: bool, no_cache: bool, r
         without_cache()
     stand = load_stand(stand_file)
     from mahovik.emit.delivery import delivery
-    from mahovik.errors import CheckError
+    from mahovik.emit.generate import host_lanes
+    from mahovik.errors import CheckError, UsageError
     from mahovik.verify.delivery import deliver, differences
 
-    files = delivery(stand, real)
+    if lanes is None:
+        lanes = host_lanes(len(stand.flywheels)) if fast else 1
+    if lanes > 1 and not stand.flywheels:
+        raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels to lay side by side: leave it out")
+    files = delivery(stand, real, lanes, fast)
     folder = Path(output if output is not None else stand.name)
     if check:
-        found = differences(folder, stand, real, files)
+        found = differences(folder, stand, real, files, lanes, fast)
         if found:
             raise CheckError("\n".join(found))
         click.echo(f"{click.format_filename(folder)}   as the stand file gives it")
         return
     if real == "float":
         _warn(stand)
-    done = deliver(folder, stand, real, files)
+    done = deliver(folder, stand, real, files, lanes=lanes, fast=fast)
     for path in done.paths:
         click.echo(f"{click.format_filename(path)}   {path.read_text(encoding='utf-8').count(chr(10))} lines")
     for note in done.notes:

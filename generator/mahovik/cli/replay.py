@@ -64,7 +64,9 @@ def replay(
         replays.check_stand(stand, start, source)
         if start.real != starts[0].real:
             raise UsageError(f"{log}: begins with {starts[0].real}, at byte {start.offset} it has {start.real}")
-    machine = replays.machine(stand, starts[0].real, backend, Path(against) if against is not None else None)
+    folder = Path(against) if against is not None else None
+    lanes = 1 if folder is not None else replays.lanes_that_flew(stand, starts[0])
+    machine = replays.machine(stand, starts[0].real, backend, folder, lanes)
     session = _Session(stand, machine, starts[0], wanted, tested, Path(output) if output is not None else None)
     for found in replays.replay(machine, flight_log.records(data)):
         session.take(found)

@@ -15,7 +15,13 @@ if TYPE_CHECKING:
 
 
 def verify_on_targets(
-    stand: Stand, names: str, reals: tuple[str, ...] | None, states: int | None, as_json: bool, junit: str | None
+    stand: Stand,
+    names: str,
+    reals: tuple[str, ...] | None,
+    states: int | None,
+    as_json: bool,
+    junit: str | None,
+    lanes: int,
 ) -> None:
     """Runs the self-test on targets, prints the table, and ends with the verdict as exit status.
 
@@ -34,7 +40,7 @@ def verify_on_targets(
     err = Console(stderr=True)
     with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
         task = bar.add_task(f"verify {stand.name} on targets", total=len(pairs))
-        found = verify_targets(stand, pairs, states or SWEEP, lambda done, _: bar.update(task, completed=done))
+        found = verify_targets(stand, pairs, states or SWEEP, lambda done, _: bar.update(task, completed=done), lanes)
     click.echo(json_text(found)) if as_json else _print(found)
     if junit is not None:
         write(Path(junit), as_junit(found))

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mahovik.cli.arguments import console, given, load_stand, real_option, stand_argument, table
+from mahovik.cli.arguments import (
+    console,
+    fast_option,
+    given,
+    lanes_option,
+    load_stand,
+    real_option,
+    stand_argument,
+    table,
+)
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -38,6 +47,8 @@ if TYPE_CHECKING:
     "--targets", metavar="NAME,...", help="The same bits on processors: all, quick, m7,rv64gc,...; both element types."
 )
 @real_option
+@lanes_option
+@fast_option
 def verify(
     stand_file: str,
     states: int,
@@ -54,6 +65,8 @@ def verify(
     bare: bool,
     rigorous: bool,
     real: str,
+    lanes: int | None,
+    fast: bool,
 ) -> None:
     """Judge C or any program by the reference.
 
@@ -63,6 +76,10 @@ def verify(
     """
     if real == "float" and (judges or command is not None):
         raise UsageError("--real float: of the generated C, not with --judges, --with")
+    if (lanes is not None or fast) and (judges or command is not None):
+        raise UsageError("--lanes, --fast: of the generated C, not with --judges, --with")
+    if fast and targets is not None:
+        raise UsageError("--fast: its bits are not reproducible, so not with --targets, which compares them")
     if command is not None and against is not None:
         raise UsageError("--with, --against: one of them")
     if judges and (command is not None or against is not None):
@@ -79,7 +96,8 @@ def verify(
         from mahovik.cli.targets import verify_on_targets
 
         reals = (real,) if given("real") else None
-        verify_on_targets(load_stand(stand_file), targets, reals, states if given("states") else None, as_json, junit)
+        sweep = states if given("states") else None
+        verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
         return
     wants = read_wants(want)
     stand = load_stand(stand_file)
@@ -98,7 +116,7 @@ def verify(
 
         found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
     else:
-        found = _verify_c(stand, seed, states, against, real)
+        found = _verify_c(stand, seed, states, against, real, lanes, fast)
     finish(found, as_json, junit, worst)
 
 
@@ -116,7 +134,9 @@ def read_wants(text: str | None) -> tuple[str, ...]:
     return names
 
 
-def _verify_c(stand: Stand, seed: int, states: int, against: str | None, real: str) -> Report:
+def _verify_c(
+    stand: Stand, seed: int, states: int, against: str | None, real: str, lanes: int | None, fast: bool
+) -> Report:
     """With a line of progress on a terminal."""
     from rich.console import Console
     from rich.progress import Progress
@@ -132,6 +152,8 @@ def _verify_c(stand: Stand, seed: int, states: int, against: str | None, real: s
             count=states,
             against=None if against is None else Path(against),
             real=real,
+            lanes=lanes,
+            fast=fast,
             progress=lambda done, _: bar.update(task, completed=done),
         )
 

@@ -14,15 +14,19 @@ from mahovik.stand.model import Stand
 def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     """The self-test of generated C: `<stand>_selftest.c`, to be compiled beside its header and source."""
     vectors = golden(generated.program, generated.values)
-    return {f"{stand.name}_selftest.c": selftest(generated.program, vectors, identities(stand))}
+    text = selftest(generated.program, vectors, identities(stand), generated.layout.lanes, generated.fast)
+    return {f"{stand.name}_selftest.c": text}
 
 
-def delivery(stand: Stand, precision_name: str = "double") -> dict[str, str]:
-    """All files of the folder but its manifest. Raises UsageError, StandError."""
-    generated = generate_all(stand, precision_name)
+def delivery(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
+    """All files of the folder but its manifest; `fast`: without the recorder, whose logs want equal bits.
+
+    Raises UsageError, StandError.
+    """
+    generated = generate_all(stand, precision_name, lanes, fast)
     return {
         **generated.files,
         **selftest_files(stand, generated),
-        **recorder_files(stand, generated),
+        **({} if fast else recorder_files(stand, generated)),
         "README.md": readme(stand, generated),
     }

@@ -40,23 +40,29 @@ LANES = (1, 2, 4, 8)
 """Flywheels side by side that `generate` offers."""
 
 
+def host_lanes(flywheels: int) -> int:
+    """The number of lanes that suits a desk's processor: docs/lanes.md measures it. Firmware has 1."""
+    return 1 if flywheels < 2 else 2 if flywheels <= 4 else 4
+
+
 @dataclass(frozen=True)
 class Generated:
-    """A stand's program with its numbers and C text by file name."""
+    """A stand's program with its numbers and C text by file name; `fast`: its bits need not be the same everywhere."""
 
     layout: Layout
     program: Program
     values: Values
     files: dict[str, str]
+    fast: bool = False
 
 
-def generate(stand: Stand, precision_name: str = "double", lanes: int = 1) -> dict[str, str]:
+def generate(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
     """C of a stand: file name to text, header first. Raises UsageError, StandError."""
-    return generate_all(stand, precision_name, lanes).files
+    return generate_all(stand, precision_name, lanes, fast).files
 
 
-def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1) -> Generated:
-    """As `generate`, with the program and the numbers it was printed from."""
+def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> Generated:
+    """As `generate`, with the program and the numbers it was printed from. `fast` changes what the header says."""
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     if lanes not in LANES:
@@ -64,16 +70,17 @@ def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1) -
     layout = Layout(structure(stand), PRECISIONS[precision_name], lanes if stand.flywheels else 1)
     program = lower_layout(layout)
     values = Values(stand, layout, program)
-    printer = _Printer(stand, layout, program, values)
+    printer = _Printer(stand, layout, program, values, fast)
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
-    return Generated(layout, program, values, files)
+    return Generated(layout, program, values, files, fast)
 
 
 class _Printer:
     """Collects the parts that the templates put in order."""
 
-    def __init__(self, stand: Stand, layout: Layout, program: Program, values: Values) -> None:
+    def __init__(self, stand: Stand, layout: Layout, program: Program, values: Values, fast: bool) -> None:
         self._stand = stand
+        self._fast = fast
         self._layout = layout
         self._program = program
         self._values = values
@@ -124,6 +131,8 @@ class _Printer:
             "real": self._program.precision.name,
             "width": self._program.precision.width,
             "bodies": described(stand),
+            "lanes": self._layout.lanes,
+            "fast": self._fast,
         }
 
     def _limits(self) -> list[tuple[str, str, str]]:
@@ -141,14 +150,14 @@ class _Printer:
         """Enumerators of flywheels and of run-time wrenches."""
         layout = self._layout
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
-        taken |= {"STRUCTURE", "PHYSICS", "H", "CODE", "CONST"} | RESERVED
+        taken |= {"STRUCTURE", "PHYSICS", "LANES", "FAST", "H", "CODE", "CONST"} | RESERVED
         found = []
         if layout.flywheels:
             names = list(layout.structure.flywheels)
             entries = self._names.enumerators(names, taken)
             taken |= {entry.removeprefix(self._names.constant("")) for entry in entries}
             found.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
-        for count in layout.lane_counts:
+        for count in layout.lane_counts[1:]:  # their own number is a macro, so that the source can refuse another
             text = f"enum {{ {self._names.constant(count.name)} = {int(count)} }};  /* {count.comment} */"
             found.append([text])
         if layout.inputs:

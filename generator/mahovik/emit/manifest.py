@@ -23,7 +23,9 @@ def digest(content: str | bytes) -> str:
     return hashlib.sha256(content.encode("utf-8") if isinstance(content, str) else content).hexdigest()
 
 
-def manifest(stand: Stand, real: str, files: Mapping[str, str], project: str = "") -> str:
+def manifest(
+    stand: Stand, real: str, files: Mapping[str, str], project: str = "", lanes: int = 1, fast: bool = False
+) -> str:
     """Text of the manifest of files, name to content; `project`: the target whose exported project they are."""
     found = identities(stand)
     return as_text(
@@ -34,6 +36,8 @@ def manifest(stand: Stand, real: str, files: Mapping[str, str], project: str = "
             "structure": found.structure,
             "physics": found.physics,
             "real": real,
+            "lanes": lanes,
+            **({"fast": True} if fast else {}),
             **({"project": project} if project else {}),
             "files": {name: digest(files[name]) for name in sorted(files)},
         }

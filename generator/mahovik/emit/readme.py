@@ -23,6 +23,7 @@ def readme(stand: Stand, generated: Generated) -> str:
     program = generated.program
     names = Names(program.name)
     found = identities(stand)
+    lanes = generated.layout.lanes
     forward = program.function("forward")
     zeroed = [a for a in forward.arguments if a.direction == "in" and not isinstance(a.type, Struct)]
     return template("delivery.md.j2").render(
@@ -31,6 +32,9 @@ def readme(stand: Stand, generated: Generated) -> str:
         bodies=described(stand),
         real=program.precision.name,
         option="" if program.precision.name == "double" else f" --real {program.precision.name}",
+        made_by=f"{f' --lanes {lanes}' if lanes > 1 or generated.fast else ''}{' --fast' if generated.fast else ''}",
+        lanes=lanes,
+        fast=generated.fast,
         generator=f"mahovik {__version__}",
         structure=found.structure,
         physics=found.physics,

@@ -59,6 +59,7 @@ def _values(stand: Stand, generated: Generated) -> dict[str, Any]:
         "version": __version__,
         "structure": found.structure,
         "physics": found.physics,
+        "lanes": layout.lanes,
         "width": width,
         "real_bytes": size,
         "source": f"{source_hash(generated.files, name):08x}",

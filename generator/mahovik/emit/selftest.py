@@ -15,15 +15,15 @@ from mahovik.emit.statement import dimensions
 from mahovik.emit.templates import template
 from mahovik.lower import drawn
 from mahovik.lower.drawn import Input, Rule
-from mahovik.lower.golden import CASES, FAR, LISTED, SWEPT, Golden, tested
+from mahovik.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested
 from mahovik.program.function import Argument, Function, Program
 from mahovik.program.types import Kind, Struct
 from mahovik.stand.identity import Identities
 
 
-def selftest(program: Program, golden: Golden, identities: Identities) -> str:
-    """Text of `<stand>_selftest.c`."""
-    return _SelfTest(program, golden).text(identities)
+def selftest(program: Program, golden: Golden, identities: Identities, lanes: int = 1, fast: bool = False) -> str:
+    """Text of `<stand>_selftest.c`; `fast`: for C whose bits may differ, compared within ACCEPTED units."""
+    return _SelfTest(program, golden).text(identities, lanes, fast)
 
 
 class _SelfTest:
@@ -37,7 +37,7 @@ class _SelfTest:
         self._public = tested(program)
         self._structs = {s.name: s for s in program.structs}
 
-    def text(self, identities: Identities) -> str:
+    def text(self, identities: Identities, lanes: int, fast: bool) -> str:
         """The whole file."""
         parts: dict[str, Any] = {
             "members": [f"{self._declared(a.name, a.type, a.shape)};" for a in drawn.inputs(self._program)],
@@ -62,6 +62,15 @@ class _SelfTest:
             structure=identities.structure,
             physics=identities.physics,
             real=precision.name,
+            lanes=lanes,
+            fast=fast,
+            kind=f"{f' lanes {lanes}' if lanes > 1 else ''}{' fast' if fast else ''}",
+            unit="units" if fast else "ulp",
+            judged=len(CASES) + (0 if fast else 1),
+            accepted=ACCEPTED,
+            zero=self._real(0.0),
+            greatest=self._real(precision.largest),
+            epsilon=self._real(2.0 ** -(53 if precision.width == 64 else 24)),
             width=precision.width,
             cases=CASES,
             far=FAR,
@@ -72,7 +81,7 @@ class _SelfTest:
             bytes=precision.width // 8,
             fast_every=drawn.FAST_EVERY,
             fast_last=drawn.FAST_EVERY - 1,
-            fast=self._real(drawn.FAST),
+            fast_factor=self._real(drawn.FAST),
             refused_every=drawn.REFUSED_EVERY,
             refused_last=drawn.REFUSED_EVERY - 1,
             one=self._real(1.0),

@@ -30,6 +30,10 @@ SWEPT = 1
 FAR = 1_000_000
 """ulp; the self-test says of a distance above it only that it is `more than` that: such numbers are not neighbours."""
 
+ACCEPTED = 65536
+"""Units of a fast self-test: half the last place of the largest number of an answer. Solving for flywheels of bad
+condition (`inverse_fast`) makes a thousand of them out of rounding; what is wrong is farther off."""
+
 CASES = ("ordinary", "fast flywheels, large phases", "out of range")
 """What the golden inputs are."""
 

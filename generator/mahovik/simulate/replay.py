@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from mahovik.emit.generate import Generated, generate_all
+from mahovik.emit.generate import LANES, Generated, generate_all
 from mahovik.emit.log_format import fnv1a, state_hash, table_bytes, table_from_bytes
 from mahovik.emit.recorder import source_hash
 from mahovik.errors import CheckError, UsageError
@@ -19,7 +19,7 @@ from mahovik.simulate.flight_log import Damage, Reals, Start, Step
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.verify.c_backend import CBackend
-from mahovik.verify.delivery import element_type
+from mahovik.verify.header import read_header
 from mahovik.verify.program_backend import STATUS_NAMES
 
 Members = dict[str, Reals]
@@ -70,8 +70,8 @@ class Machine(Protocol):
 class CMachine:
     """The C of the stand, freshly generated, or with `folder` what lies there. Raises as CBackend."""
 
-    def __init__(self, stand: Stand, real: str, folder: Path | None = None) -> None:
-        self._c = _compiled(stand, real) if folder is None else CBackend(stand, real, folder)
+    def __init__(self, stand: Stand, real: str, folder: Path | None = None, lanes: int = 1) -> None:
+        self._c = _compiled(stand, real, lanes) if folder is None else CBackend(stand, real, folder)
         self.generated = self._c.generated
         self.source = source_hash(self.generated.files if folder is None else _texts(folder, stand.name), stand.name)
         self._ffi = self._c.library.ffi
@@ -122,16 +122,16 @@ class CMachine:
 
 
 @lru_cache(maxsize=4)
-def _compiled(stand: Stand, real: str) -> CBackend:
+def _compiled(stand: Stand, real: str, lanes: int) -> CBackend:
     """The compiled C of a stand; of the last few it is kept, so that many logs of one stand compile once."""
-    return CBackend(stand, real)
+    return CBackend(stand, real, lanes=lanes)
 
 
 class InterpreterMachine:
     """The interpreter of the program: needs no compiler, and is a thousand times slower."""
 
-    def __init__(self, stand: Stand, real: str) -> None:
-        self.generated = generate_all(stand, real)
+    def __init__(self, stand: Stand, real: str, lanes: int = 1) -> None:
+        self.generated = generate_all(stand, real, lanes)
         self.source = source_hash(self.generated.files, stand.name)
         self._interpreter = Interpreter(self.generated.program)
         self._x: Any = None
@@ -253,13 +253,23 @@ def status_name(status: int) -> str:
     return STATUS_NAMES.get(status, str(status))
 
 
-def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machine:
-    """What replays: "c" or "interpreter". Raises UsageError, ToolchainError, CheckError."""
+def lanes_that_flew(stand: Stand, start: Start) -> int:
+    """The number of lanes whose C has the source hash of a log; 1 where another text flew."""
+    for lanes in LANES if stand.flywheels else ():
+        if source_hash(generate_all(stand, start.real, lanes).files, stand.name) == start.source:
+            return lanes
+    return 1
+
+
+def machine(stand: Stand, real: str, backend: str, folder: Path | None, lanes: int = 1) -> Machine:
+    """What replays: "c" or "interpreter"; `lanes` of fresh C. Raises UsageError, ToolchainError, CheckError."""
     if backend == "c":
-        there = None if folder is None else element_type(folder, stand)
-        if there is not None and there != real:
-            raise UsageError(f"--against {folder}: its C is {there}, the log {real}: give the folder that flew")
-        return CMachine(stand, real, folder)
+        there = None if folder is None else read_header(folder, stand.name)
+        if there is not None and there.real is not None and there.real != real:
+            raise UsageError(f"--against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
+        if there is not None and there.fast:
+            raise UsageError(f"--against {folder}: its C is for speed (--fast), its bits are not reproducible")
+        return CMachine(stand, real, folder, lanes)
     if folder is not None:
         raise UsageError("--against DIR: the interpreter runs no C; leave it out, or use --backend c")
-    return InterpreterMachine(stand, real)
+    return InterpreterMachine(stand, real, lanes)

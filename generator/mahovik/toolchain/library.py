@@ -11,21 +11,21 @@ import cffi
 from mahovik.errors import ToolchainError
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind, Struct
-from mahovik.toolchain.compiler import build_shared, preprocess
+from mahovik.toolchain.compiler import build_fast, build_shared, preprocess
 
 _PATTERN = b"\xa5"
 """What results hold before a call that must not write them; no number that a stand has is made of it."""
 
 
 class Library:
-    """One stand's C, built into `scratch` from a header and a source that lie side by side.
+    """One stand's C, built into `scratch` from a header and a source that lie side by side; `fast`: for speed.
 
     The declarations come from the header itself, through the compiler's preprocessor.
     """
 
-    def __init__(self, header: Path, source: Path, scratch: Path, prefix: str) -> None:
+    def __init__(self, header: Path, source: Path, scratch: Path, prefix: str, fast: bool = False) -> None:
         target = scratch / f"{source.stem}.so"
-        build_shared(source, target)
+        (build_fast if fast else build_shared)(source, target)
         self._prefix = prefix
         self._ffi = cffi.FFI()
         try:

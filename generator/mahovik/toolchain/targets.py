@@ -160,9 +160,9 @@ _AARCH64 = Target(
 )
 
 
-_UNFUSED = "-fno-tree-vectorize"
+_UNFUSED = "-fno-tree-slp-vectorize"
 """gcc 12 makes `vfmaddsub` of neighbouring sums and differences of products, in spite of -ffp-contract=off, where it
-vectorises for an x86-64 with FMA: two roundings become one."""
+vectorises straight code for an x86-64 with FMA: two roundings become one. Loops over lanes it leaves as they are."""
 
 
 def _host(name: str, title: str, command: str, optimisation: str, march: str = "", needs: str = "") -> Target:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -10,14 +9,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from mahovik.emit.generate import PRECISIONS, Generated, generate_all
+from mahovik.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
 from mahovik.errors import CheckError, UsageError
 from mahovik.program.interpret import Interpreter
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.toolchain.library import Library
-from mahovik.verify.delivery import element_type
+from mahovik.verify.header import read_header
 from mahovik.verify.program_backend import ProgramBackend
 
 
@@ -50,24 +49,36 @@ class InterpreterBackend(ProgramBackend):
 class CBackend(ProgramBackend):
     """Compiled C of a stand: freshly generated, or with `folder` what lies there as <name>.h and <name>.c.
 
+    `lanes`: None for those of the C that lies there, of fresh C 1, or what suits the host where it is `fast`. C that
+    lies there is compiled for speed where its header says so.
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
     Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
     """
 
-    def __init__(self, stand: Stand, precision_name: str = "double", folder: Path | None = None) -> None:
+    def __init__(
+        self,
+        stand: Stand,
+        precision_name: str = "double",
+        folder: Path | None = None,
+        lanes: int | None = None,
+        fast: bool = False,
+    ) -> None:
         self._stand = stand
         self._precision_name = precision_name
         self._folder = folder
-        self.generated = generate_all(stand, precision_name)
+        says_fast = fast
+        if folder is not None:
+            lanes, says_fast = _given(folder, stand, precision_name, lanes)
+        elif lanes is None:
+            lanes = host_lanes(len(stand.flywheels)) if fast else 1
+        self.fast = fast or says_fast
+        self.generated = generate_all(stand, precision_name, lanes, says_fast)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-            place = (
-                _given(folder, stand, precision_name)
-                if folder is not None
-                else _written(self.generated.files, Path(scratch))
-            )
-            self.library = Library(place / f"{stand.name}.h", place / f"{stand.name}.c", Path(scratch), stand.name)
+            place = folder if folder is not None else _written(self.generated.files, Path(scratch))
+            header, source = place / f"{stand.name}.h", place / f"{stand.name}.c"
+            self.library = Library(header, source, Path(scratch), stand.name, self.fast)
         program = self.generated.program
 
         def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
@@ -89,7 +100,11 @@ class CBackend(ProgramBackend):
     def full(self) -> CBackend:
         """The C of the same stand with a run-time wrench on every body."""
         stand = with_all_inputs(self._stand)
-        return self if stand == self._stand else CBackend(stand, self._precision_name)
+        return (
+            self
+            if stand == self._stand
+            else CBackend(stand, self._precision_name, lanes=self.layout.lanes, fast=self.fast)
+        )
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of stand.md. Raises StateError."""
@@ -114,21 +129,28 @@ def _written(files: Mapping[str, str], scratch: Path) -> Path:
     return scratch
 
 
-def _given(folder: Path, stand: Stand, real: str) -> Path:
-    """The folder, where it holds the C of this stand and element type. Raises UsageError, CheckError."""
-    header = folder / f"{stand.name}.h"
-    for path in (header, folder / f"{stand.name}.c"):
-        if not path.is_file():
-            raise UsageError(f"{path}: no such file; --against wants the folder with {stand.name}.h and {stand.name}.c")
-    text = header.read_text(encoding="utf-8", errors="replace")
+def _given(folder: Path, stand: Stand, real: str, lanes: int | None) -> tuple[int, bool]:
+    """Lanes of the C in the folder, and whether it is for speed. Raises UsageError, CheckError where it is other C."""
+    path = folder / f"{stand.name}.h"
+    header = read_header(folder, stand.name)
+    if header is None or not path.with_suffix(".c").is_file():
+        missing = path if header is None else path.with_suffix(".c")
+        raise UsageError(f"{missing}: no such file; --against wants the folder with {stand.name}.h and {stand.name}.c")
     expected = identities(stand)
-    for kind, want in (("structure", expected.structure), ("physics", expected.physics)):
-        found = re.search(rf"#define {stand.name.upper()}_{kind.upper()} +0x([0-9a-f]+)u", text)
-        have = found[1] if found else "none"
+    pairs = (
+        ("structure", header.structure, expected.structure),
+        ("physics", header.physics, expected.physics),
+    )
+    for kind, have, want in pairs:
         if have != want:
-            raise CheckError(f"{header}: its {kind} is {have}, that of the stand file {want}: generate it again")
-    there = element_type(folder, stand)
-    if there != real:
-        remedy = f"give --real {there}" if there in PRECISIONS else "generate it again"
-        raise UsageError(f"{header}: its C is {there or 'of no known element type'}, asked was for {real}: {remedy}")
-    return folder
+            raise CheckError(
+                f"{path}: its {kind} is {have or 'none'}, that of the stand file {want}: generate it again"
+            )
+    if header.real != real:
+        remedy = f"give --real {header.real}" if header.real in PRECISIONS else "generate it again"
+        raise UsageError(
+            f"{path}: its C is {header.real or 'of no known element type'}, asked was for {real}: {remedy}"
+        )
+    if lanes is not None and header.lanes != lanes:
+        raise UsageError(f"{path}: its C has lanes {header.lanes}, asked was for {lanes}: leave --lanes out")
+    return header.lanes, header.fast

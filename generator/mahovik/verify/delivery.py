@@ -13,13 +13,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mahovik.emit.generate import PRECISIONS, generate
+from mahovik.emit.generate import LANES, PRECISIONS, generate
 from mahovik.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.errors import UsageError
 from mahovik.stand.content import content
 from mahovik.stand.model import Stand
 from mahovik.verify.cost_files import COST, FIGURES, is_figures, is_page, speaks_of
 from mahovik.verify.files import write_all
+from mahovik.verify.header import read_header
 
 _MARK = "Generated: change the stand file instead."
 
@@ -32,7 +33,15 @@ class Delivered:
     notes: tuple[str, ...]
 
 
-def deliver(folder: Path, stand: Stand, real: str, files: Mapping[str, str], project: str = "") -> Delivered:
+def deliver(
+    folder: Path,
+    stand: Stand,
+    real: str,
+    files: Mapping[str, str],
+    project: str = "",
+    lanes: int = 1,
+    fast: bool = False,
+) -> Delivered:
     """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
 
     Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
@@ -50,7 +59,7 @@ def deliver(folder: Path, stand: Stand, real: str, files: Mapping[str, str], pro
     stale = [n for n in _unchanged(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST)
-    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project)})
+    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast)})
     notes = []
     for name in stale:
         (folder / name).unlink(missing_ok=True)
@@ -59,23 +68,25 @@ def deliver(folder: Path, stand: Stand, real: str, files: Mapping[str, str], pro
     return Delivered(paths, tuple(notes))
 
 
-def element_type(folder: Path, stand: Stand) -> str | None:
-    """What the header of a stand in a folder says that its reals are; None where it does not say."""
-    header = folder / f"{stand.name}.h"
-    if not header.is_file():
-        return None
-    found = re.search(rf"^typedef (\w+) {stand.name}_real;", header.read_text(errors="replace"), re.MULTILINE)
-    return found[1] if found else None
-
-
-def differences(folder: Path, stand: Stand, real: str, files: Mapping[str, str]) -> list[str]:
+def differences(
+    folder: Path, stand: Stand, real: str, files: Mapping[str, str], lanes: int = 1, fast: bool = False
+) -> list[str]:
     """What in the folder is not as `deliver` would leave it, a line each; none: it is what the stand file gives.
 
-    A folder of the other element type differs in every file: that is said in one line.
+    A folder of the other element type, of another number of lanes, or fast where that was not asked for, differs in
+    every file: that is said in one line.
     """
-    there = element_type(folder, stand)
-    if there is not None and there != real:
+    header = read_header(folder, stand.name)
+    if header is not None and header.real is not None and header.real != real:
+        there = header.real
         return [f"{folder}: its C is {there}, asked was for {real}: give --real {there}, or generate it again"]
+    if header is not None and header.fast != fast:
+        words = ("fast", "not") if header.fast else ("not fast", "for fast")
+        remedy = "give --fast" if header.fast else "leave --fast out"
+        return [f"{folder}: its C is {words[0]}, asked was {words[1]}: {remedy}, or generate it again"]
+    if header is not None and header.lanes != lanes:
+        remedy = f"give --lanes {header.lanes}, or generate it again"
+        return [f"{folder}: its C has lanes {header.lanes}, asked was for {lanes}: {remedy}"]
     found = []
     for name, text in files.items():
         path = folder / name
@@ -90,8 +101,10 @@ def differences(folder: Path, stand: Stand, real: str, files: Mapping[str, str])
     path = folder / NAME
     if not path.is_file():
         found.append(f"{path}: is missing")
-    elif (there := path.read_text(encoding="utf-8", errors="replace")) != manifest(stand, real, {**files, **kept}):
-        unlisted = [name for name, text in kept.items() if f'"{name}": "{digest(text)}"' not in there]
+    elif (listed := path.read_text(encoding="utf-8", errors="replace")) != manifest(
+        stand, real, {**files, **kept}, lanes=lanes, fast=fast
+    ):
+        unlisted = [name for name, text in kept.items() if f'"{name}": "{digest(text)}"' not in listed]
         found += [f"{folder / name}: is not what {NAME} lists" for name in unlisted]
         found.append(f"{path}: does not list these files")
     return found
@@ -115,7 +128,12 @@ def require_place_for_cost(folder: Path, stand: Stand) -> None:
     old = _manifest(folder)
     if old is not None:
         _refuse_stand(folder, stand, old)
-        if _text(folder, f"{stand.name}.c") != generate(stand, old["real"])[f"{stand.name}.c"]:
+        if old.get("fast"):
+            raise UsageError(
+                f"{folder}: holds C of --fast, for the host alone: `mahovik generate` without it first, "
+                "nothing was written"
+            )
+        if _text(folder, f"{stand.name}.c") != generate(stand, old["real"], lanes_of(old))[f"{stand.name}.c"]:
             raise UsageError(
                 f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
             )
@@ -145,6 +163,17 @@ def accepted_figures(folder: Path, stand: Stand) -> str | None:
     return text
 
 
+def delivered_lanes(folder: Path) -> int:
+    """The lanes of the C in a folder, by its manifest; 1 where there is none. Raises UsageError."""
+    found = _manifest(folder)
+    return 1 if found is None else lanes_of(found)
+
+
+def lanes_of(found: Mapping[str, Any]) -> int:
+    """The lanes that a manifest tells; 1 where it was written before there were any."""
+    return int(found.get("lanes", 1))
+
+
 def _manifest(folder: Path) -> dict[str, Any] | None:
     """The manifest of a folder; None where there is none. Raises UsageError where it is not ours."""
     path = folder / NAME
@@ -154,6 +183,7 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
         found = json.loads(content(path).decode("utf-8"))
         known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
         known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
+        known = known and found.get("lanes", 1) in LANES
         if known and isinstance(found["files"], dict):
             return dict(found)
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

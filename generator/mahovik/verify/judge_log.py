@@ -48,14 +48,14 @@ def judge_log(text: str, where: str, stand: Stand | None = None) -> LogVerdict:
         unchecked.append("identities, the list of functions, and the sweep: give the stand file")
         return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
     expected = identities(stand)
-    here: dict[tuple[str, int], tuple[Mapping[str, str], str] | None] = {}
+    here: dict[tuple[str, int, int], tuple[Mapping[str, str], str] | None] = {}
     for number, one in enumerate(runs):
         lines = identity_problems(one, stand.name, expected.structure, expected.physics)
         if not lines:
-            made = generate_all(stand, one.real)
+            made = generate_all(stand, one.real, one.lanes)
             lines = problems(one, [f.name for f in tested(made.program)])
             if one.sweep is not None and one.sweep <= MOST:
-                key = (one.real, one.sweep)
+                key = (one.real, one.lanes, one.sweep)
                 if key not in here:
                     here[key] = _hashes(stand, made, one.sweep)
                     what = f"sweep of {one.sweep} states, {one.real}"
@@ -81,7 +81,7 @@ def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str
     target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing()), None)
     if target is not None:
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-            sources = selftest_sources(stand, real, sweep)
+            sources = selftest_sources(stand, real, sweep, made.layout.lanes)
             program = build(target, sources, Path(scratch), extra=selftest_flags(stand.name))
             printed = run(target, program, TIMEOUT)
         return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"

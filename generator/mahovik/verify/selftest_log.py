@@ -22,7 +22,8 @@ MOST = 1_000_000
 """States of a sweep that are judged at most: minutes on a desk. More is a damaged line, or a test of another kind."""
 
 _HEAD = re.compile(
-    r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)\s*$",
+    r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)"
+    r"(?: lanes ([1-9]))?( fast)?\s*$",
 )
 _GENERATOR = re.compile(r"generator mahovik (\S+)\s*$")
 _FUNCTION = re.compile(
@@ -60,6 +61,7 @@ class SelfTestLog:
     physics: str
     real: str
     generator: str | None = None
+    lanes: int = 1
     functions: dict[str, FunctionLine] = field(default_factory=dict)
     sweep: int | None = None
     hashes: dict[str, str] = field(default_factory=dict)
@@ -73,7 +75,11 @@ def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
     runs: list[SelfTestLog] = []
     for line in re.split(r"\r\n|\r|\n", text):
         if head := _HEAD.search(line):
-            runs.append(SelfTestLog(head[1], head[2], head[3], head[4]))
+            if head[6]:
+                raise UsageError(
+                    f"{where}: of C for speed (--fast): its bits are not reproducible, its own verdict counts"
+                )
+            runs.append(SelfTestLog(head[1], head[2], head[3], head[4], lanes=int(head[5] or 1)))
         elif runs and runs[-1].failures is None:
             _read_line(runs[-1], line)
     if not runs:

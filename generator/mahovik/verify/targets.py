@@ -112,6 +112,7 @@ def verify_targets(
     pairs: Sequence[tuple[Target, str]],
     sweep: int = SWEEP,
     progress: Callable[[int, int], None] | None = None,
+    lanes: int = 1,
 ) -> TargetsReport:
     """Builds and runs the self-test for each target and element type; compares the text with the host's.
 
@@ -119,8 +120,8 @@ def verify_targets(
     Raises ToolchainError where the host itself has no gcc or cannot run the test.
     """
     names = identities(stand)
-    sources = {real: selftest_sources(stand, real, sweep) for real in dict.fromkeys(real for _, real in pairs)}
-    programs = {real: generate_all(stand, real).program for real in sources}
+    sources = {real: selftest_sources(stand, real, sweep, lanes) for real in dict.fromkeys(real for _, real in pairs)}
+    programs = {real: generate_all(stand, real, lanes).program for real in sources}
     expected = {real: _printed(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
@@ -132,9 +133,9 @@ def verify_targets(
     return TargetsReport(stand.name, names.structure, names.physics, sweep, tuple(rows))
 
 
-def selftest_sources(stand: Stand, real: str, sweep: int) -> dict[str, str]:
+def selftest_sources(stand: Stand, real: str, sweep: int, lanes: int = 1) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name."""
-    files = delivery(stand, real)
+    files = delivery(stand, real, lanes)
     files.pop("README.md")
     return {**files, "main.c": selftest_main(stand.name, sweep)}
 

@@ -76,6 +76,7 @@ class Costs:
     structure: str
     physics: str
     flywheels: int
+    lanes: int
     targets: tuple[TargetCost, ...]
 
 
@@ -96,7 +97,10 @@ def asked(names: str | None, real: str | None) -> list[tuple[Target, str]]:
 
 
 def measure(
-    stand: Stand, pairs: Sequence[tuple[Target, str]], progress: Callable[[int, int], None] | None = None
+    stand: Stand,
+    pairs: Sequence[tuple[Target, str]],
+    progress: Callable[[int, int], None] | None = None,
+    lanes: int = 1,
 ) -> Costs:
     """Builds and runs the measuring program on each target.
 
@@ -104,7 +108,7 @@ def measure(
     """
     for target, _ in pairs:
         require(target)
-    made = {real: generate_all(stand, real) for real in dict.fromkeys(real for _, real in pairs)}
+    made = {real: generate_all(stand, real, lanes) for real in dict.fromkeys(real for _, real in pairs)}
     names = identities(stand)
     found = []
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
@@ -113,7 +117,7 @@ def measure(
             found.append(task.result())
             if progress is not None:
                 progress(done + 1, len(pairs))
-    return Costs(stand.name, names.structure, names.physics, len(stand.flywheels), tuple(found))
+    return Costs(stand.name, names.structure, names.physics, len(stand.flywheels), lanes, tuple(found))
 
 
 def _one(stand: Stand, made: Generated, target: Target, real: str) -> TargetCost:
@@ -168,9 +172,12 @@ def _flywheel(made: Generated, width: int) -> dict[str, int]:
     found = {}
     for struct in made.program.structs:
         if struct.name in tables and made.layout.flywheels:
-            count = sum(
-                _numbers(f.type, f.shape[1:]) for f in struct.fields if f.shape and f.shape[0] is made.layout.count
-            )
+            count = 0
+            for f in struct.fields:
+                if f.shape and f.shape[0] is made.layout.count:
+                    count += _numbers(f.type, f.shape[1:])
+                elif f.name == "block":  # of several flywheels
+                    count += _numbers(f.type, f.shape[1:]) // made.layout.lanes
             found[tables[struct.name]] = count * width
     return dict(sorted(found.items()))
 

@@ -20,7 +20,8 @@ def page(costs: Costs) -> str:
     sources = "".join(f"\n{real}: {source}" for real, source in sorted({(t.real, t.source) for t in costs.targets}))
     text = (
         f"# Cost of {costs.stand}\n\n"
-        f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}.\n"
+        f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}"
+        f"{f'; lanes {costs.lanes}' if costs.lanes > 1 else ''}.\n"
         f"Of one call, arguments passed; the dearest of {STATES} ordinary states. **Instructions, not cycles**: they "
         "show what grows;\ntime on silicon depends on memory and pipeline as well.\n\n"
         "*Stack* is the deepest chain of calls by the compiler's own frames; *painted* is what a call was seen to use "
@@ -95,10 +96,11 @@ def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:
     return json.dumps({**asdict(costs), "targets": list((kept | new).values())}, indent=1) + "\n"
 
 
-def accepted(text: str, where: str) -> list[dict[str, Any]]:
-    """The targets of a JSON of `as_json`. Raises UsageError."""
+def accepted(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]:
+    """The targets of a JSON of `as_json`; none where they are of C with other lanes. Raises UsageError."""
     try:
-        found = json.loads(text)["targets"]
+        whole = json.loads(text)
+        found = whole["targets"] if whole.get("lanes", 1) == lanes else []
         good = all(_is_target(target) for target in found)
     except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
         good = False

@@ -1,0 +1,84 @@
+"""C for speed: its self-test accepts rounding and nothing else; what it delivers says that bits differ."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from emit.selftests import in_function, made, run_selftest
+from emit.stands import stand
+from mahovik.emit.delivery import delivery
+from mahovik.emit.manifest import manifest
+from mahovik.errors import UsageError
+from mahovik.lower.golden import ACCEPTED
+from mahovik.toolchain.compiler import FAST
+from mahovik.verify.selftest_log import read_log
+from toolchain.tools import require
+
+_WORST = re.compile(r"^(\w+) (PASS|FAIL) cases 3(?: wrong \d)? worst (more than )?(\d+) units$", re.MULTILINE)
+
+
+def built(files: dict[str, str], name: str, folder: Path, compiler: str = "gcc") -> tuple[int, str]:
+    """Compiled as the header says, and run."""
+    require(compiler, compiler)
+    return run_selftest(files, name, folder, compiler, *FAST)
+
+
+@pytest.mark.parametrize(
+    ("name", "real", "lanes"), [("demo3", "double", 2), ("demo3", "float", 2), ("everything6", "double", 4)]
+)
+def test_rounding_is_accepted_with_room(name: str, real: str, lanes: int, tmp_path: Path) -> None:
+    """A self-test that just passes would fail on the next processor."""
+    status, printed = built(made(name, real, lanes, True)[1], name, tmp_path)
+    found = _WORST.findall(printed)
+    assert status == 0, printed
+    assert len(found) >= 15
+    assert all(verdict == "PASS" and not far and int(worst) < ACCEPTED / 4 for _, verdict, far, worst in found), printed
+
+
+@pytest.mark.parametrize("change", [r"\1 * 1.0000001", "0.0 / 0.0"])
+def test_a_wrong_number_is_found(change: str, tmp_path: Path) -> None:
+    files = dict(made("demo3", "double", 2, True)[1])
+    files["demo3.c"] = in_function(files["demo3.c"], "demo3", "momentum", r"(?<=energy = )([^;]+)(?=;)", change)
+    status, printed = built(files, "demo3", tmp_path)
+    assert status == 1
+    assert [name for name, verdict, _, _ in _WORST.findall(printed) if verdict == "FAIL"] == ["momentum"]
+
+
+def test_its_log_is_not_judged_by_bits(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match=r"^board.log: of C for speed \(--fast\): its bits are not reproducible"):
+        read_log("mahovik selftest demo3 structure 00000000 physics 00000000 real double lanes 2 fast\n", "board.log")
+
+
+def test_the_delivery_says_so() -> None:
+    files = delivery(stand("demo3"), "double", 2, True)
+    assert set(files) == {"demo3.h", "demo3.c", "demo3_selftest.c", "README.md"}  # no recorder: replay wants bits
+    flags = " ".join(FAST)
+    assert "bits are NOT reproducible" in files["demo3.h"]
+    assert flags in files["demo3.h"]
+    assert "the bits are not reproducible" in files["README.md"]
+    assert files["README.md"].count(f"cc -std=c99 {flags} ") == 2
+    for text in files.values():
+        assert "-ffp-contract=off" not in text
+    told = json.loads(manifest(stand("demo3"), "double", files, lanes=2, fast=True))
+    assert (told["lanes"], told["fast"]) == (2, True)
+    assert "fast" not in json.loads(manifest(stand("demo3"), "double", files))
+
+
+def test_only_words_differ_from_c_with_the_same_bits() -> None:
+    """The programs are the same: so what is proved of the one is, but for rounding, true of the other."""
+    slow, fast = made("demo3", "double", 2)[1], made("demo3", "double", 2, True)[1]
+    assert slow["demo3.c"] == fast["demo3.c"]
+    code = {"".join(line for line in f["demo3.h"].splitlines(True) if line[:3] != " * ") for f in (slow, fast)}
+    assert (
+        len(
+            {
+                text.replace("#define DEMO3_FAST      1            /* speed before bits: see above */\n", "")
+                for text in code
+            }
+        )
+        == 1
+    )
