@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from mahovik.emit.eva import eva_files
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.readme import readme
 from mahovik.emit.recorder import recorder_files
@@ -24,5 +25,6 @@ def delivery(stand: Stand, precision_name: str = "double") -> dict[str, str]:
         **generated.files,
         **selftest_files(stand, generated),
         **recorder_files(stand, generated),
+        **eva_files(generated.program, identities(stand)),
         "README.md": readme(stand, generated),
     }
