@@ -8,7 +8,7 @@ EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 
-.PHONY: bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
+.PHONY: proofs proofs-quick static-checks bench bench-quick bench-full bench-gate help demo test test-slow setup generated targets verify-targets targets-table cost cost-check verify-campaign verify-time math-campaign flight control-loop lint clean
 
 help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
@@ -30,6 +30,9 @@ help:
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
 	@echo "make bench-gate fails where instructions, stack or code have risen; ACCEPT=--accept accepts that"
+	@echo "make proofs     Frama-C Eva on the C of the example stands, into docs/proofs.md, and the static checks"
+	@echo "make proofs-quick  Frama-C Eva on demo3, some minutes"
+	@echo "make static-checks  compilers, analyser, cppcheck with MISRA C:2012: fails at a new deviation"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -108,6 +111,17 @@ $(BENCH_READY): bench/requirements.txt bench/constraints.txt
 	$(PYTHON) -m venv $(BENCH)
 	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check -c bench/constraints.txt -r bench/requirements.txt
 	@touch $(BENCH_READY)
+
+proofs: setup static-checks
+	$(BIN)/python tools/proofs.py --page
+
+proofs-quick: setup
+	tools/proofs-packages.sh
+	$(BIN)/python tools/proofs.py --quick
+
+static-checks: setup
+	tools/proofs-packages.sh
+	$(BIN)/python tools/static_checks.py --page
 
 lint: setup
 	$(BIN)/ruff check generator tests tools bench

@@ -18,13 +18,21 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     return {f"{stand.name}_selftest.c": selftest(generated.program, vectors, identities(stand))}
 
 
+def firmware(stand: Stand, precision_name: str = "double") -> dict[str, str]:
+    """Of these files those that are compiled for a board, and the README. Raises UsageError, StandError."""
+    return _firmware(stand, generate_all(stand, precision_name))
+
+
 def delivery(stand: Stand, precision_name: str = "double") -> dict[str, str]:
     """All files of the folder but its manifest. Raises UsageError, StandError."""
     generated = generate_all(stand, precision_name)
+    return {**_firmware(stand, generated), **eva_files(generated.program, identities(stand))}
+
+
+def _firmware(stand: Stand, generated: Generated) -> dict[str, str]:
     return {
         **generated.files,
         **selftest_files(stand, generated),
         **recorder_files(stand, generated),
-        **eva_files(generated.program, identities(stand)),
         "README.md": readme(stand, generated),
     }

@@ -13,7 +13,7 @@ from mahovik.emit.names import Names
 from mahovik.emit.statement import dimensions
 from mahovik.emit.templates import template
 from mahovik.lower.limits import UNIT_SQUARE_MIN
-from mahovik.program.function import Argument, Function, Program
+from mahovik.program.function import Argument, Program
 from mahovik.program.types import Field, Kind, Struct
 from mahovik.stand.identity import Identities
 
@@ -21,6 +21,9 @@ NORMAL, ANY, BITS, ROUTINE = "normal", "any", "bits", "routine"
 """Sets of inputs; the last are drivers of the routines that work on bits."""
 
 ROUTINES = ("sincos", "sqrt", "atan2")
+
+_UNROLLED = 6
+"""Turns of a loop that are followed one by one even where Eva does not see how many there are: at least an array's."""
 
 _MERGED = ("move", "check_inertia")
 """Functions with a status whose branches need not be kept apart; those without a status are merged as well."""
@@ -34,8 +37,8 @@ CLAIMED = {
     "step": (NORMAL, BITS),
     "prepare": (NORMAL, BITS),
 }
-"""What must be without alarm. Of `step` and `prepare` numbers far out may overflow on the way, to be refused at the end:
-there anything means bits, where that is no alarm."""
+"""What must be without alarm. Far out, numbers inside `step` and `prepare` may overflow, to be refused at the end: there
+anything means bits, where that is no alarm."""
 
 _SIZES = {
     "position": 100.0,
@@ -108,6 +111,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         "real": program.precision.name,
         "suffix": "" if program.precision.name == "double" else "f",
         "atan2": any(f.name == "atan2" for f in program.functions),
+        "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
         "public": [f.name for f in program.functions if f.public],
         "checks": [f.name for f in program.functions if f.returns is Kind.STATUS and not f.public],
         "merged": [f.name for f in program.functions if f.returns is not Kind.STATUS or f.name in _MERGED],
@@ -248,9 +252,10 @@ class _Writer:
 
     def _of(self, what: str, place: str, f: Field) -> Iterator[str]:
         if isinstance(f.type, Struct):
-            for index in range(prod(int(n) for n in f.shape)) if f.shape else [None]:
+            places = [f"{place}[{k}]" for k in range(prod(int(n) for n in f.shape))] if f.shape else [place]
+            for each in places:
                 for member in f.type.fields:
-                    yield from self._of(what, f"{place}{'' if index is None else f'[{index}]'}.{member.name}", member)
+                    yield from self._of(what, f"{each}.{member.name}", member)
             return
         count = prod(int(n) for n in f.shape)
         if f.type is Kind.REAL:
@@ -265,4 +270,3 @@ class _Writer:
     def _count(self, n: Any) -> str:
         found = dimensions(self._names, (n,))[0]
         return found[1:-1]
-

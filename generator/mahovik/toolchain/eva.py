@@ -15,7 +15,9 @@ from mahovik.errors import ToolchainError
 PACKAGE = "frama-c-base"
 """Debian package that has the command."""
 
-_LINE = re.compile(r"(?P<set>[a-z]+)_(?P<function>\w+) alarms (?P<alarms>\d+|failed) unproved (?P<bad>\d+) seconds (?P<s>\d+)")
+_LINE = re.compile(
+    r"(?P<set>[a-z]+)_(?P<function>\w+) alarms (?P<alarms>\d+|failed) unproved (?P<bad>\d+) seconds (?P<s>\d+)"
+)
 
 
 @dataclass(frozen=True)
