@@ -37,7 +37,7 @@ CLAIMED = {
     "step": (NORMAL, BITS),
     "prepare": (NORMAL, BITS),
 }
-"""What must be without alarm. Far out, numbers inside `step` and `prepare` may overflow, to be refused at the end: there
+"""What must be without alarm. Far out, numbers inside `step` and `prepare` may overflow, to be refused later: there
 anything means bits, where that is no alarm."""
 
 _SIZES = {
@@ -218,26 +218,26 @@ class _Writer:
                 yield f"{'    ' * level}}}"
             return
         first = self._first(place, f.shape)
-        count = prod(int(n) for n in f.shape)
+        number = prod(int(n) for n in f.shape)
         if f.type is Kind.INT:
             low, high = _INTEGERS.get(f.name, _COUNTS) if kind == NORMAL else ("INT_MIN", "INT_MAX")
-            yield f"integers({first}, {count}, {low}, {high});"
+            yield f"integers({first}, {number}, {low}, {high});"
         elif middle:
-            yield f"about({first}, {self._first(middle, f.shape)}, {count});"
+            yield f"about({first}, {self._first(middle, f.shape)}, {number});"
         elif f.name == "attitude" and kind != BITS:
             size = self.real(2.0) if kind == NORMAL else self._names.constant("LARGEST")
             yield f"quaternion({place}, {size});"
         elif kind == BITS and not f.shape:
             yield f"one_of_all(&{place});"
         elif kind == BITS:
-            yield f"all_bits({first}, {count});"
+            yield f"all_bits({first}, {number});"
         elif f.name == "dt" and kind == NORMAL:
             yield f"{place} = real_in({self.real(_STEP[0])}, {self.real(_STEP[1])});"
         else:
             size = self._names.constant("LARGEST")
             if kind == NORMAL:
                 size = self.real(_SIZES.get(f.name, 1.0))
-            yield f"reals({first}, {count}, {size});"
+            yield f"reals({first}, {number}, {size});"
 
     def _passed(self, a: Argument) -> str:
         default = self._default(a)
