@@ -84,6 +84,8 @@ def page(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...
 
     def rows(claimed: bool) -> list[list[str]]:
         wanted = dict.fromkeys(d for key in columns for d in every[key] if d.claimed == claimed)
+        if not claimed:
+            wanted = {d: None for d in wanted if any((*key, d) in found for key in columns)}
         order = sorted(wanted, key=lambda d: list(CLAIMED).index(d.function) if d.function in CLAIMED else 99)
         return [
             [
