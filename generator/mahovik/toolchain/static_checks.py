@@ -70,6 +70,7 @@ DEVIATIONS = {
 KNOWN = {
     "incorrectLogicOperator": "`a > 0 || a <= 0` is false of NaN, and that is what is asked",
     "oppositeExpression": "the same line",
+    "variableScope": "a local array that stands before the branch which alone reads it",
 }
 """Findings of cppcheck itself that stay, with the reason."""
 
