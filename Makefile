@@ -36,6 +36,9 @@ help:
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
 	@echo "make bench-gate fails where instructions, stack or code have risen; ACCEPT=--accept accepts that"
+	@echo "make proofs     Frama-C Eva on the C of the example stands, into docs/proofs.md, and the static checks"
+	@echo "make proofs-quick  Frama-C Eva on demo3, some minutes"
+	@echo "make static-checks  compilers, analyser, cppcheck with MISRA C:2012: fails at a new deviation"
 	@echo "make lint       format, lint and type checks"
 	@echo "make clean      remove what the other targets made"
 
@@ -138,6 +141,17 @@ $(BENCH_READY): bench/requirements.txt bench/constraints.txt
 	$(PYTHON) -m venv $(BENCH)
 	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check -c bench/constraints.txt -r bench/requirements.txt
 	@touch $(BENCH_READY)
+
+proofs: setup static-checks
+	$(BIN)/python tools/proofs.py --page
+
+proofs-quick: setup
+	tools/proofs-packages.sh
+	$(BIN)/python tools/proofs.py --quick
+
+static-checks: setup
+	tools/proofs-packages.sh
+	$(BIN)/python tools/static_checks.py --page
 
 lint: setup
 	$(BIN)/ruff check generator tests tools bench

@@ -6,7 +6,7 @@ from functools import cache
 
 import pytest
 
-from mahovik.emit.delivery import delivery
+from mahovik.emit.delivery import firmware
 from mahovik.export import target as project
 from mahovik.stand import load
 from mahovik.stand.model import Stand
@@ -16,7 +16,7 @@ from mahovik.verify import targets
 
 @cache
 def _delivered(name: str, real: str) -> dict[str, str]:
-    return delivery(load(path(name)), real)
+    return firmware(load(path(name)), real)
 
 
 @pytest.fixture(autouse=True)
@@ -26,5 +26,5 @@ def delivered_once(monkeypatch: pytest.MonkeyPatch) -> None:
     def once(stand: Stand, real: str) -> dict[str, str]:
         return dict(_delivered(stand.name, real))
 
-    monkeypatch.setattr(targets, "delivery", once)
-    monkeypatch.setattr(project, "delivery", once)
+    monkeypatch.setattr(targets, "firmware", once)
+    monkeypatch.setattr(project, "firmware", once)

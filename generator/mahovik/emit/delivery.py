@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from mahovik.emit.eva import eva_files
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.readme import readme
 from mahovik.emit.recorder import recorder_files
@@ -18,15 +19,26 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     return {f"{stand.name}_selftest.c": text}
 
 
-def delivery(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
-    """All files of the folder but its manifest; `fast`: without the recorder, whose logs want equal bits.
+def firmware(stand: Stand, precision_name: str = "double", lanes: int = 1) -> dict[str, str]:
+    """Of these files those that are compiled for a board, and the README. Raises UsageError, StandError."""
+    return _firmware(stand, generate_all(stand, precision_name, lanes))
 
-    Raises UsageError, StandError.
+
+def delivery(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
+    """All files of the folder but its manifest.
+
+    `fast`: without the recorder, whose logs want equal bits, and without the drivers of Frama-C, whose arithmetic has
+    no contraction. Raises UsageError, StandError.
     """
     generated = generate_all(stand, precision_name, lanes, fast)
+    proofs = {} if fast else eva_files(generated.program, identities(stand))
+    return {**_firmware(stand, generated), **proofs}
+
+
+def _firmware(stand: Stand, generated: Generated) -> dict[str, str]:
     return {
         **generated.files,
         **selftest_files(stand, generated),
-        **({} if fast else recorder_files(stand, generated)),
+        **({} if generated.fast else recorder_files(stand, generated)),
         "README.md": readme(stand, generated),
     }

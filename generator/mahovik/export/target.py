@@ -6,7 +6,7 @@ import shlex
 from pathlib import Path
 
 from mahovik import __version__
-from mahovik.emit.delivery import delivery
+from mahovik.emit.delivery import firmware
 from mahovik.emit.templates import template
 from mahovik.errors import UsageError
 from mahovik.stand.model import Stand
@@ -33,7 +33,7 @@ def exportable(name: str) -> Target:
 
 def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
     """The project's files, text by file name. Raises StandError."""
-    delivered = delivery(stand, real)
+    delivered = firmware(stand, real)
     known = {"README.md", *(f"{stand.name}{end}" for end in (".h", ".c", "_selftest.c"))}
     files = {**delivered, **board_files(target), "main.c": selftest_main(stand.name, SWEEP)}
     hosted = target.family == "hosted"

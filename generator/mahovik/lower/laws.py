@@ -60,11 +60,14 @@ def rotation_vector(lib: Library) -> Function:
     side = body.let("side", select(w < 0, real(-1), real(1)), "q and -q are the same rotation: take the shorter way")
     square = body.let("square", u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
     ratio = body.local("ratio", comment="angle over the length of the vector part")
+    body.set(ratio, real(2))
     with body.when(square > lib.thresholds.small_square):
         length = body.let("length", call(lib["sqrt"], square))
         body.set(ratio, 2 * call(lib["atan2"], length, side * w) / length)
     with body.otherwise():
-        body.set(ratio, 2 / (side * w))
+        body.note("as it must be; the test keeps zero out of the division whatever q is")
+        with body.when(side * w > 0.5):
+            body.set(ratio, 2 / (side * w))
     for target, component in zip(r.place, u, strict=True):
         body.set(target, side * ratio * component)
     return Function(

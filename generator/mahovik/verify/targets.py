@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from mahovik.emit.delivery import delivery
+from mahovik.emit.delivery import firmware
 from mahovik.emit.generate import generate_all
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.program.function import Program
@@ -135,7 +135,7 @@ def verify_targets(
 
 def selftest_sources(stand: Stand, real: str, sweep: int, lanes: int = 1) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name."""
-    files = delivery(stand, real, lanes)
+    files = firmware(stand, real, lanes)
     files.pop("README.md")
     return {**files, "main.c": selftest_main(stand.name, sweep)}
 

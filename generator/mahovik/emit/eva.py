@@ -1,0 +1,272 @@
+"""Drivers of Frama-C Eva for a stand's C, and the script that runs them: what a reviewer repeats."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import prod, sqrt
+from typing import Any
+
+from mahovik import __version__
+from mahovik.emit.literal import real_literal
+from mahovik.emit.names import Names
+from mahovik.emit.statement import dimensions
+from mahovik.emit.templates import template
+from mahovik.lower.limits import UNIT_SQUARE_MIN
+from mahovik.program.function import Argument, Program
+from mahovik.program.types import Field, Kind, Struct
+from mahovik.stand.identity import Identities
+
+NORMAL, ANY, BITS, ROUTINE = "normal", "any", "bits", "routine"
+"""Sets of inputs; the last are drivers of the routines that work on bits."""
+
+ROUTINES = ("sincos", "sqrt", "atan2")
+
+_UNROLLED = 6
+"""Turns of a loop that are followed one by one even where Eva does not see how many there are: at least an array's."""
+
+_MERGED = ("move", "check_inertia")
+"""Functions with a status whose branches need not be kept apart; those without a status are merged as well."""
+
+CLAIMED = {
+    "forward": (NORMAL, ANY, BITS),
+    "coupled": (NORMAL, ANY),
+    "torque": (NORMAL, ANY),
+    "momentum": (NORMAL, ANY),
+    "wrap": (NORMAL, ANY, BITS),
+    "step": (NORMAL, BITS),
+    "prepare": (NORMAL, BITS),
+}
+"""What must be without alarm. Far out, numbers inside `step` and `prepare` may overflow, to be refused later: there
+anything means bits, where that is no alarm."""
+
+_SIZES = {
+    "position": 100.0,
+    "V": 20.0,
+    "phi": 100.0,
+    "phi_dot": 1000.0,
+    "phi_ddot": 1e4,
+    "V_dot": 1e3,
+    "tau": 100.0,
+    "wrench": 1e3,
+    "angles": 7.0,
+    "q_dot": 20.0,
+    "q_ddot": 1e3,
+    "stream": 10.0,
+    "zero": 1000.0,
+}
+"""Ordinary magnitudes by name, SI; others: 1."""
+
+_STEP = (1e-6, 1e-3)
+"""s: ordinary time steps."""
+
+_INTEGERS = {"locked": (0, 1), "order": (2, 4), "bits": (0, 32), "per_turn": (-100000, 100000)}
+_COUNTS = (-(1 << 20), 1 << 20)
+"""Ordinary integers by name; and of counts."""
+
+_CONSTANTS = {"parameters": "default_parameters", "inverse_options": "default_options"}
+
+
+@dataclass(frozen=True)
+class Driver:
+    """One run of Eva: a function, or a routine, on a set of inputs."""
+
+    function: str
+    set: str
+
+    @property
+    def entry(self) -> str:
+        """Name of its C function, without the stand's prefix."""
+        return f"eva_{self.set}_{self.function}"
+
+    @property
+    def claimed(self) -> bool:
+        """Must it be without alarm? Others are tried."""
+        return self.set == ROUTINE or self.set in CLAIMED.get(self.function, ())
+
+    @property
+    def finite(self) -> bool:
+        """Are infinities and NaN on the way alarms?"""
+        return self.set in (NORMAL, ANY)
+
+
+def drivers(program: Program) -> tuple[Driver, ...]:
+    """All drivers of a stand: of each public function on each set, then of the routines."""
+    public = [f.name for f in program.functions if f.public]
+    known = {f.name for f in program.functions}
+    found = [Driver(name, kind) for name in public for kind in (NORMAL, ANY, BITS)]
+    return (*found, *(Driver(name, ROUTINE) for name in ROUTINES if name in known))
+
+
+def eva_files(program: Program, identities: Identities) -> dict[str, str]:
+    """`<stand>_eva.c` and `<stand>_eva.sh`."""
+    writer = _Writer(program)
+    every = drivers(program)
+    words: dict[str, Any] = {
+        "name": program.name,
+        "NAME": program.name.upper(),
+        "version": __version__,
+        "structure": identities.structure,
+        "physics": identities.physics,
+        "real": program.precision.name,
+        "suffix": "" if program.precision.name == "double" else "f",
+        "atan2": any(f.name == "atan2" for f in program.functions),
+        "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
+        "public": [f.name for f in program.functions if f.public],
+        "checks": [f.name for f in program.functions if f.returns is Kind.STATUS and not f.public],
+        "merged": [f.name for f in program.functions if f.returns is not Kind.STATUS or f.name in _MERGED],
+    }
+    source = template("eva.c.j2").render(
+        **words,
+        drivers=["\n".join(writer.driver(each)) for each in every],
+        square_min=writer.real(UNIT_SQUARE_MIN),
+        least=writer.real(round(sqrt(UNIT_SQUARE_MIN) / 2 - 5e-4, 3)),
+        below=writer.real(0.99),
+        above=writer.real(1.01),
+        zero=writer.real(0.0),
+        max_phase=f"{program.precision.max_phase:.1f}",
+        one=writer.real(1.0),
+    )
+    script = template("eva.sh.j2").render(**words, drivers=every)
+    return {f"{program.name}_eva.c": source, f"{program.name}_eva.sh": script}
+
+
+class _Writer:
+    """Prints drivers."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._names = Names(program.name)
+
+    def real(self, value: float) -> str:
+        return real_literal(value, self._program.precision)
+
+    def driver(self, driver: Driver) -> Iterator[str]:
+        """Lines of one driver."""
+        function = self._program.function(driver.function)
+        name = self._names.function(driver.entry)
+        yield f"void {name}(void);"
+        yield f"void {name}(void)"
+        yield "{"
+        kind = BITS if driver.set == ROUTINE else driver.set
+        for a in function.arguments:
+            yield from (f"    {line}" for line in self._given(a, kind))
+        call = f"{self._names.function(function.name)}({', '.join(self._passed(a) for a in function.arguments)})"
+        if function.returns is not Kind.STATUS:
+            yield f"    {'(void)' if function.returns else ''}{call};"
+            yield "    Frama_C_show_each_returned(0);"
+            yield "}"
+            return
+        results = [a for a in function.arguments if a.direction == "out"]
+        yield f"    const {self._names.type(Kind.STATUS)} status = {call};"
+        yield "    if (status < 0) {"
+        for a in results:
+            yield from (f"        {line}" for line in self._asserted("untouched", a))
+        yield "    } else {"
+        yield "        Frama_C_show_each_returned(status);"
+        for a in function.arguments:
+            if a.direction != "in":
+                what = "initialised" if kind == BITS else "written"
+                yield from (f"        {line}" for line in self._asserted(what, a))
+        yield "    }"
+        yield "}"
+
+    # ---- inputs ----
+
+    def _given(self, a: Argument, kind: str) -> Iterator[str]:
+        """Declares an argument and fills it, where it is read."""
+        type_ = self._names.type(a.type)
+        if isinstance(a.type, Struct) and a.type.name == "table" and (a.direction == "inout" or a.type.field("stream")):
+            yield f"{type_} {a.name} = {self._names.function('default')};"
+            if a.type.field("stream"):
+                yield from self._filled(f"{a.name}.stream", Field("stream", Kind.REAL, (3,)), kind)
+            return
+        if self._default(a):
+            return
+        yield f"{type_} {a.name}{''.join(dimensions(self._names, a.shape))};"
+        if a.direction == "out":
+            return
+        if isinstance(a.type, Struct) and a.type.name == "mount_table":
+            given = self._names.function("default_parameters")
+            yield f"(void){self._names.function('prepare_mounts')}(&{given}, &{a.name});"
+        else:
+            yield from self._filled(a.name, Field(a.name, a.type, a.shape), kind)
+
+    def _default(self, a: Argument) -> str:
+        """The constant that an argument is, or nothing."""
+        if not isinstance(a.type, Struct) or a.direction != "in":
+            return ""
+        if a.type.name == "table" and not a.type.field("stream"):
+            return self._names.function("default")
+        return ""
+
+    def _filled(self, place: str, f: Field, kind: str, middle: str = "") -> Iterator[str]:
+        """Fills a place with all values of a set."""
+        if isinstance(f.type, Struct):
+            if f.type.name in ("parameters", "inverse_options") and kind == NORMAL:
+                middle = self._names.function(_CONSTANTS[f.type.name])
+            counts = [self._count(n) for n in f.shape]
+            for level, count in enumerate(counts):
+                index = "ijk"[level]
+                yield f"{'    ' * level}for (int {index} = 0; {index} < {count}; ++{index}) {{"
+            inner = "".join(f"[{'ijk'[level]}]" for level in range(len(counts)))
+            for member in f.type.fields:
+                own = f"{middle}{inner}.{member.name}" if middle else ""
+                for line in self._filled(f"{place}{inner}.{member.name}", member, kind, own):
+                    yield "    " * len(counts) + line
+            for level in reversed(range(len(counts))):
+                yield f"{'    ' * level}}}"
+            return
+        first = self._first(place, f.shape)
+        number = prod(int(n) for n in f.shape)
+        if f.type is Kind.INT:
+            low, high = _INTEGERS.get(f.name, _COUNTS) if kind == NORMAL else ("INT_MIN", "INT_MAX")
+            yield f"integers({first}, {number}, {low}, {high});"
+        elif middle:
+            yield f"about({first}, {self._first(middle, f.shape)}, {number});"
+        elif f.name == "attitude" and kind != BITS:
+            size = self.real(2.0) if kind == NORMAL else self._names.constant("LARGEST")
+            yield f"quaternion({place}, {size});"
+        elif kind == BITS and not f.shape:
+            yield f"one_of_all(&{place});"
+        elif kind == BITS:
+            yield f"all_bits({first}, {number});"
+        elif f.name == "dt" and kind == NORMAL:
+            yield f"{place} = real_in({self.real(_STEP[0])}, {self.real(_STEP[1])});"
+        else:
+            size = self._names.constant("LARGEST")
+            if kind == NORMAL:
+                size = self.real(_SIZES.get(f.name, 1.0))
+            yield f"reals({first}, {number}, {size});"
+
+    def _passed(self, a: Argument) -> str:
+        default = self._default(a)
+        if default:
+            return f"&{default}"
+        return f"&{a.name}" if a.variable.pointer else a.name
+
+    # ---- results ----
+
+    def _asserted(self, what: str, a: Argument) -> Iterator[str]:
+        yield from self._of(what, a.name, Field(a.name, a.type, a.shape))
+
+    def _of(self, what: str, place: str, f: Field) -> Iterator[str]:
+        if isinstance(f.type, Struct):
+            places = [f"{place}[{k}]" for k in range(prod(int(n) for n in f.shape))] if f.shape else [place]
+            for each in places:
+                for member in f.type.fields:
+                    yield from self._of(what, f"{each}.{member.name}", member)
+            return
+        count = prod(int(n) for n in f.shape)
+        if f.type is Kind.REAL:
+            yield f"{what}({self._first(place, f.shape)}, {count});"
+        elif what != "untouched":
+            yield f"/*@ check \\initialized(&{self._first(place, f.shape)[1:]}); */"
+
+    def _first(self, place: str, shape: tuple[Any, ...]) -> str:
+        """Address of the first element."""
+        return f"&{place}{'[0]' * len(shape)}"
+
+    def _count(self, n: Any) -> str:
+        found = dimensions(self._names, (n,))[0]
+        return found[1:-1]

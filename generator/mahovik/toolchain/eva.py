@@ -1,0 +1,84 @@
+"""Frama-C Eva on emitted C: runs the delivered script and reads what it printed."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from mahovik.errors import ToolchainError
+
+PACKAGE = "frama-c-base"
+"""Debian package that has the command."""
+
+_LINE = re.compile(
+    r"(?P<set>[a-z]+)_(?P<function>\w+) alarms (?P<alarms>\d+|failed) unproved (?P<bad>\d+) seconds (?P<s>\d+)"
+)
+
+
+@dataclass(frozen=True)
+class Proof:
+    """One driver's outcome. `alarms`: operations not shown to be defined, None where the analysis did not end or never
+    came back from the function; `unproved`: properties of the results; `seconds` of wall clock."""
+
+    function: str
+    set: str
+    alarms: int | None
+    unproved: int
+    seconds: int
+
+    @property
+    def holds(self) -> bool:
+        return self.alarms == 0 and self.unproved == 0
+
+
+def version() -> str:
+    """`25.0-beta (Manganese)`. Raises ToolchainError where there is no frama-c."""
+    if shutil.which("frama-c") is None:
+        raise ToolchainError(f"no frama-c: install it, on Debian with `apt-get install {PACKAGE}`")
+    done = subprocess.run(["frama-c", "-version"], capture_output=True, text=True, check=False)
+    return done.stdout.strip()
+
+
+def prove(script: Path, wanted: Sequence[str] = (), limit: int | None = None, logs: Path | None = None) -> list[Proof]:
+    """Runs `<stand>_eva.sh` on drivers (default: all that is claimed); `limit`: seconds a driver.
+
+    Raises ToolchainError where the script cannot run.
+    """
+    return list(proved(script, wanted, limit, logs))
+
+
+def proved(
+    script: Path, wanted: Sequence[str] = (), limit: int | None = None, logs: Path | None = None
+) -> Iterator[Proof]:
+    """As `prove`, each driver as soon as it is through."""
+    version()
+    environment = dict(os.environ)
+    if limit is not None:
+        environment["EVA_LIMIT"] = str(limit)
+    if logs is not None:
+        logs.mkdir(parents=True, exist_ok=True)
+        environment["EVA_LOGS"] = str(logs.resolve())
+    command = ["sh", script.name, *wanted]
+    with subprocess.Popen(
+        command, cwd=script.parent, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as run:
+        assert run.stdout is not None and run.stderr is not None
+        for line in run.stdout:
+            yield parsed(line)
+        complaint = run.stderr.read().strip()
+    if run.returncode not in (0, 1):
+        raise ToolchainError(f"{script.name} ended with status {run.returncode}: {complaint or 'no message'}")
+
+
+def parsed(line: str) -> Proof:
+    """What a line of the script says. Raises ToolchainError for another line."""
+    found = _LINE.fullmatch(line.strip())
+    if found is None:
+        raise ToolchainError(f"_eva.sh printed {line.strip()!r}, expected `SET_FUNCTION alarms N unproved N seconds N`")
+    alarms = None if found["alarms"] == "failed" else int(found["alarms"])
+    return Proof(found["function"], found["set"], alarms, int(found["bad"]), int(found["s"]))

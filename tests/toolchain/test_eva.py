@@ -1,0 +1,65 @@
+"""Frama-C Eva: its script's lines are read, its drivers cover every public function, and it sees planted faults."""
+
+import pytest
+
+from emit.stands import stand, write
+from mahovik.emit.delivery import delivery
+from mahovik.emit.eva import CLAIMED, drivers
+from mahovik.emit.generate import generate_all
+from mahovik.errors import ToolchainError
+from mahovik.toolchain.eva import Proof, parsed, prove
+from toolchain.tools import require
+
+FAULTS = {
+    "index": ("any_torque", "for (int s = 0; s < DEMO3_N; ++s) {", "for (int s = 0; s <= DEMO3_N; ++s) {"),
+    "unwritten": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
+    "written on refusal": (
+        "any_forward",
+        "    status = demo3_accelerate(stand, x, phi_ddot, result);",
+        "    V_dot[0] = 0.0;\n    status = demo3_accelerate(stand, x, phi_ddot, result);",
+    ),
+    "unchecked": ("any_torque", "demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION)", "DEMO3_OK"),
+    "division": ("any_forward", "const demo3_real r1 = 1.0 / S[0]", "const demo3_real r1 = 1.0 / (S[0] - S[0])"),
+}
+"""Driver that must see it, what is replaced, by what."""
+
+
+def test_a_line_of_the_script_is_read():
+    assert parsed("any_forward alarms 0 unproved 2 seconds 7\n") == Proof("forward", "any", 0, 2, 7)
+    assert parsed("bits_step_driven alarms failed unproved 0 seconds 1") == Proof("step_driven", "bits", None, 0, 1)
+    assert not parsed("any_forward alarms 0 unproved 2 seconds 7").holds
+    with pytest.raises(ToolchainError, match="expected `SET_FUNCTION"):
+        parsed("[kernel] Parsing")
+
+
+@pytest.mark.parametrize("name", ["demo3", "everything6", "bare0"])
+def test_every_public_function_has_drivers(name):
+    program = generate_all(stand(name), "double").program
+    found = drivers(program)
+    public = {f.name for f in program.functions if f.public}
+    assert {d.function for d in found if d.set != "routine"} == public
+    assert {d.function for d in found if d.claimed and d.set != "routine"} == public & set(CLAIMED)
+    files = delivery(stand(name))
+    for driver in found:
+        assert f"void {name}_{driver.entry}(void)\n" in files[f"{name}_eva.c"]
+        assert f"{driver.set}_{driver.function}" in files[f"{name}_eva.sh"]
+
+
+@pytest.mark.slow
+def test_the_c_of_demo3_holds(tmp_path):
+    require("frama-c", "frama-c-base")
+    write(delivery(stand("demo3")), tmp_path)
+    found = prove(tmp_path / "demo3_eva.sh", ["any_forward", "any_torque"])
+    assert [proof.holds for proof in found] == [True, True]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_planted_fault_is_seen(fault, tmp_path):
+    require("frama-c", "frama-c-base")
+    driver, right, wrong = FAULTS[fault]
+    files = delivery(stand("demo3"))
+    assert right in files["demo3.c"]
+    write({**files, "demo3.c": files["demo3.c"].replace(right, wrong)}, tmp_path)
+    (proof,) = prove(tmp_path / "demo3_eva.sh", [driver])
+    assert not proof.holds

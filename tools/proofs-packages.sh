@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# What `make proofs` and `make static-checks` need: Debian packages, only what is missing.
+set -euo pipefail
+
+missing=()
+command -v frama-c >/dev/null || missing+=(frama-c-base)
+command -v gcc >/dev/null || missing+=(gcc)
+command -v clang >/dev/null || missing+=(clang)
+command -v cppcheck >/dev/null || missing+=(cppcheck)
+# clang's sanitizers and fuzzer are a package of their own
+echo 'int main(void) { return 0; }' | clang -fsanitize=undefined -x c -o /dev/null - 2>/dev/null \
+  || missing+=(libclang-rt-14-dev)
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+root=()
+[ "$(id -u)" -eq 0 ] || root=(sudo)
+"${root[@]}" apt-get update
+"${root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"

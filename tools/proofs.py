@@ -1,0 +1,164 @@
+"""What Frama-C Eva proves of the example stands' C: runs the delivered scripts, and writes the table of docs/proofs.md.
+
+python tools/proofs.py [--stands demo3,...] [--quick] [--tried] [--jobs 2] [--no-page]
+
+Outcomes are kept in build/proofs by the SHA-256 of C and drivers: a second run repeats only what has changed.
+Exit status 1 where anything that is claimed is not proved.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict
+from pathlib import Path
+
+from mahovik.emit.eva import CLAIMED, Driver, drivers, eva_files
+from mahovik.emit.generate import generate_all
+from mahovik.stand import load
+from mahovik.stand.identity import identities
+from mahovik.stands import names, path
+from mahovik.toolchain.eva import Proof, prove, version
+
+ROOT = Path(__file__).resolve().parents[1]
+KEPT = ROOT / "build" / "proofs"
+PAGE = ROOT / "docs" / "proofs.md"
+BEGIN, END = "<!-- proofs: tools/proofs.py -->", "<!-- end of proofs -->"
+REALS = ("double", "float")
+QUICK = {"demo3": ("any_forward", "any_torque", "normal_prepare", "any_wrap", "routine_sincos", "routine_sqrt")}
+"""What every change must pass: a stand, in both precisions."""
+LIMIT = 1800
+"""Seconds a driver may take."""
+
+Key = tuple[str, str, Driver]
+
+
+def written(stand: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
+    """Emits C, drivers and script of a stand into a folder of their own; the script, and all drivers."""
+    given = load(path(stand))
+    generated = generate_all(given, real)
+    files = {**generated.files, **eva_files(generated.program, identities(given))}
+    read = "".join(text for name, text in sorted(files.items()) if not name.endswith(".sh"))
+    digest = hashlib.sha256(read.encode()).hexdigest()[:16]
+    folder = KEPT / f"{stand}-{real}-{digest}"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder / f"{stand}_eva.sh", drivers(generated.program)
+
+
+def outcome(script: Path, driver: Driver) -> Proof:
+    """One driver's outcome, kept or new."""
+    name = f"{driver.set}_{driver.function}"
+    kept = script.parent / f"{name}.json"
+    if kept.exists():
+        return Proof(**json.loads(kept.read_text(encoding="utf-8")))
+    (proof,) = prove(script, [name], LIMIT, script.parent / "logs")
+    kept.write_text(json.dumps(asdict(proof)), encoding="utf-8")
+    print(f"{script.parent.name} {name}: {verdict(proof)}, {proof.seconds} s", flush=True)
+    return proof
+
+
+def verdict(proof: Proof | None) -> str:
+    """A cell: alarms, and unproved properties of results."""
+    if proof is None:
+        return "not run"
+    if proof.alarms is None:
+        return "no end"
+    return f"{proof.alarms}" if proof.unproved == 0 else f"{proof.alarms}, {proof.unproved} unproved"
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table."""
+    return "".join(f"| {' | '.join(line)} |\n" for line in [head, ["---"] * len(head), *rows])
+
+
+def page(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...]], stands: Sequence[str]) -> str:
+    """The tables: what is claimed, what is tried, how long it took."""
+    columns = [(stand, real) for stand in stands for real in REALS]
+    head = ["function", "set", *(f"{stand} {real}" for stand, real in columns)]
+
+    def rows(claimed: bool) -> list[list[str]]:
+        wanted = dict.fromkeys(d for key in columns for d in every[key] if d.claimed == claimed)
+        if not claimed:
+            wanted = {d: None for d in wanted if any((*key, d) in found for key in columns)}
+        order = sorted(wanted, key=lambda d: list(CLAIMED).index(d.function) if d.function in CLAIMED else 99)
+        return [
+            [
+                f"`{d.function}`",
+                d.set,
+                *(verdict(found.get((*key, d))) if d in every[key] else "" for key in columns),
+            ]
+            for d in order
+        ]
+
+    seconds = sum(proof.seconds for proof in found.values())
+    slowest = max(found.items(), key=lambda item: item[1].seconds)
+    (stand, real, driver), proof = slowest
+    return (
+        f"Frama-C {version()}; {len(found)} runs, {seconds} s in all on a busy machine of two cores, the longest "
+        f"{proof.seconds} s ({stand} {real}, {driver.set}_{driver.function}).\n\n"
+        f"Claimed: alarms\n\n{table(head, rows(True))}\n"
+        f"Tried, not claimed: alarms\n\n{table(head, rows(False))}"
+    )
+
+
+def main() -> int:
+    """Runs what is asked."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--stands", default=",".join(names()))
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--tried", action="store_true", help="the functions that are not claimed as well")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", default="", help="drivers, as in the script")
+    parser.add_argument("--page", action="store_true", help="write the table of all that has been run")
+    given = parser.parse_args()
+    stands = list(QUICK) if given.quick else given.stands.split(",")
+    scripts: dict[tuple[str, str], Path] = {}
+    every: dict[tuple[str, str], tuple[Driver, ...]] = {}
+    for stand in stands:
+        for real in REALS:
+            scripts[stand, real], every[stand, real] = written(stand, real)
+    only = [name for name in given.only.split(",") if name]
+
+    def asked(stand: str, driver: Driver) -> bool:
+        name = f"{driver.set}_{driver.function}"
+        if given.quick:
+            return name in QUICK[stand]
+        return name in only if only else driver.claimed or given.tried
+
+    work = [(*key, d) for key, all_ in every.items() for d in all_ if asked(key[0], d)]
+    if only:
+        work.sort(key=lambda item: only.index(f"{item[2].set}_{item[2].function}"))
+    with ThreadPoolExecutor(given.jobs) as pool:
+        proofs = list(pool.map(lambda item: outcome(scripts[item[0], item[1]], item[2]), work))
+    found = dict(zip(work, proofs, strict=True))
+    wrong = [key for key, proof in found.items() if key[2].claimed and not proof.holds]
+    for stand, real, driver in wrong:
+        print(f"not proved: {stand} {real} {driver.set}_{driver.function}", file=sys.stderr)
+    if given.page:
+        _write(scripts, every, stands)
+    return 1 if wrong else 0
+
+
+def _write(
+    scripts: dict[tuple[str, str], Path], every: dict[tuple[str, str], tuple[Driver, ...]], stands: Sequence[str]
+) -> None:
+    """Puts all kept outcomes into the page."""
+    found: dict[Key, Proof] = {}
+    for key, all_ in every.items():
+        for driver in all_:
+            kept = scripts[key].parent / f"{driver.set}_{driver.function}.json"
+            if kept.exists():
+                found[(*key, driver)] = Proof(**json.loads(kept.read_text(encoding="utf-8")))
+    text = PAGE.read_text(encoding="utf-8")
+    before, after = text.split(BEGIN)[0], text.split(END)[1]
+    PAGE.write_text(f"{before}{BEGIN}\n\n{page(found, every, stands)}\n{END}{after}", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
