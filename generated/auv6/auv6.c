@@ -8,6 +8,9 @@
 #if AUV6_STRUCTURE != 0x192ea446u || AUV6_PHYSICS != 0x002b2abcu
 #error "auv6.h and auv6.c are of different stands"
 #endif
+#if AUV6_LANES != 1
+#error "auv6.h and auv6.c were generated for different numbers of lanes"
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef AUV6_CODE
@@ -221,6 +224,66 @@ static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_re
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
 }
 
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+AUV6_CODE
+static void auv6_start_sums(const auv6_table *stand, auv6_sums *restrict sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* sines and cosines of all phases.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+AUV6_CODE
+static void auv6_sincos_each(const auv6_real x[AUV6_N], auv6_real sine[restrict AUV6_N],
+                             auv6_real cosine[restrict AUV6_N])
+{
+    for (int s = 0; s < AUV6_N; ++s) {
+        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        const auv6_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
+        const auv6_word quadrant = auv6_bits_of(shifted);  /* mod 4: its last two bits */
+        const auv6_real k = shifted - 6755399441055744.0;
+        /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+        const auv6_real rest = x[s] - k * 1.570796325802803;
+        const auv6_real second = k * 9.920935796805365e-10;
+        const auv6_real r_hi = rest - second;
+        /* rounding error of r_hi, and the third part */
+        const auv6_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+        const auv6_real z = r_hi * r_hi;
+        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        const auv6_real half_z = z * 0.5;
+        const auv6_real flat = 1.0 - half_z;
+        const auv6_real cos_fit = 0.0416666666666666
+            + z * (-0.001388888888887447 + z
+            * (2.4801587289666868e-5 + z * (-2.755731439924032e-7
+            + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+        const auv6_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+        /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+        const auv6_real sin_fit = 0.1666666666666663
+            + z * (-0.00833333333332184 + z * (0.00019841269829358541
+            + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+        const auv6_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+        /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+        const auv6_word sin_bits = auv6_bits_of(sin_r);
+        const auv6_word cos_bits = auv6_bits_of(cos_r);
+        const auv6_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+        const auv6_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+        const auv6_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+        sine[s] = auv6_real_of(sin_bits ^ exchange ^ sine_sign);
+        cosine[s] = auv6_real_of(cos_bits ^ exchange ^ cosine_sign);
+    }
+}
+
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 AUV6_CODE
 static void auv6_add_flywheel(const auv6_row *row, auv6_real s, auv6_real c, auv6_real phi_dot,
@@ -241,11 +304,20 @@ static void auv6_add_flywheel(const auv6_row *row, auv6_real s, auv6_real c, auv
     sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia and its rate: K_dot of (6) */
-    for (int i = 0; i < 6; ++i) {
-        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
-        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
-    }
+    /* inertia */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    /* its rate: K_dot of (6) */
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -257,23 +329,6 @@ static void auv6_add_flywheel(const auv6_row *row, auv6_real s, auv6_real c, auv
     sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
     sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
-}
-
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
-AUV6_CODE
-static void auv6_start_sums(const auv6_table *stand, auv6_sums *restrict sum)
-{
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
 /* adds the damping of one body to its wrench, both in the body's own frame, (7). */
@@ -428,6 +483,7 @@ static auv6_status auv6_solve_carrier(const auv6_table *stand, const auv6_sums *
  * (8). */
 AUV6_CODE
 static auv6_status auv6_accelerate(const auv6_table *stand, const auv6_state *x,
+                                   const auv6_real sine[AUV6_N], const auv6_real cosine[AUV6_N],
                                    const auv6_real phi_ddot[AUV6_N], auv6_real V_dot[restrict 6])
 {
     auv6_status status;
@@ -443,9 +499,7 @@ static auv6_status auv6_accelerate(const auv6_table *stand, const auv6_state *x,
     auv6_sums sum;
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     auv6_real F[6];  /* wrench (7); then what K V* must equal */
     auv6_real Z[6];  /* momentum screw (2) */
@@ -476,7 +530,10 @@ auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv
     status = auv6_within(phi_ddot, AUV6_N, AUV6_MAX_ACCELERATION);
     if (status != AUV6_OK) { return status; }
     auv6_real result[6];
-    status = auv6_accelerate(stand, x, phi_ddot, result);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    status = auv6_accelerate(stand, x, sine, cosine, phi_ddot, result);
     if (status != AUV6_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -502,11 +559,12 @@ auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real 
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, stand->gravity, g);
     auv6_sums sum;
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     auv6_real result[6];
     auv6_external(stand, &sum, V, g, result);
@@ -551,11 +609,12 @@ auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equ
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, stand->gravity, g);
     auv6_sums sum;
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     auv6_real F[6];
     auv6_external(stand, &sum, V, g, F);
@@ -602,8 +661,8 @@ auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equ
     auv6_real column[6];  /* I_s */
     auv6_real rate[6];  /* dI_s / dphi */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
+        const auv6_real s_phi = sine[s];
+        const auv6_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -655,18 +714,19 @@ auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_mom
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     auv6_sums sum;
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     auv6_real Z[6];  /* momentum screw (2) */
     auv6_momentum_screw(stand, &sum, V, Z);
     auv6_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
+        const auv6_real s_phi = sine[s];
+        const auv6_real c_phi = cosine[s];
         /* I_s . V */
         const auv6_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
             * V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * V[1]
@@ -724,15 +784,34 @@ static void auv6_couple(const auv6_row *row, auv6_real s, auv6_real c, const auv
     out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
-    auv6_real J_p[6];  /* dJ / dphi */
-    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
-    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
-    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
-    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
-    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
-    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
-    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
-        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+    /* dJ / dphi */
+    const auv6_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    const auv6_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    const auv6_real J_p3 = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    const auv6_real J_p4 = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    const auv6_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    const auv6_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
+        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+}
+
+/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+AUV6_CODE
+static void auv6_eliminate(const auv6_real I[6], auv6_real spin_inv, auv6_real rate, auv6_schur *restrict K,
+                           auv6_real F[restrict 6])
+{
+    auv6_real scaled[6];  /* I / Theta_ff */
+    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
+    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
+    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
+    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
+    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
+    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
+    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
+    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
+    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
+    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
+    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -759,6 +838,9 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, stand->gravity, g);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
     auv6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
     drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
@@ -775,33 +857,12 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     auv6_coupling drive;
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
+        auv6_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
         tau[s] = V_r_dot[0] * drive.I[0] + V_r_dot[1] * drive.I[1] + V_r_dot[2] * drive.I[2]
             + V_r_dot[3] * drive.I[3] + V_r_dot[4] * drive.I[4] + V_r_dot[5] * drive.I[5]
             + stand->flywheel[s].spin * phi_ddot[s] + drive.bias;
     }
     return AUV6_OK;
-}
-
-/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
-AUV6_CODE
-static void auv6_eliminate(const auv6_real I[6], auv6_real spin_inv, auv6_real rate, auv6_schur *restrict K,
-                           auv6_real F[restrict 6])
-{
-    auv6_real scaled[6];  /* I / Theta_ff */
-    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
-    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
-    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
-    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
-    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
-    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
-    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
-    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
-    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
-    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
-    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
 }
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
@@ -858,7 +919,8 @@ static auv6_status auv6_solve_schur(const auv6_schur *K, const auv6_real F[6], a
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 AUV6_CODE
-static auv6_status auv6_move(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
+static auv6_status auv6_move(const auv6_table *stand, const auv6_state *x, const auv6_real sine[AUV6_N],
+                             const auv6_real cosine[AUV6_N], const auv6_real tau[AUV6_N],
                              const int locked[AUV6_N], auv6_real V_dot[restrict 6],
                              auv6_real phi_ddot[restrict AUV6_N])
 {
@@ -873,20 +935,9 @@ static auv6_status auv6_move(const auv6_table *stand, const auv6_state *x, const
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, stand->gravity, g);
     auv6_sums sum;
-    auv6_coupling drive[AUV6_N];
-    auv6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    auv6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
-    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     auv6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     auv6_real Z[6];  /* momentum screw (2) */
@@ -901,8 +952,17 @@ static auv6_status auv6_move(const auv6_table *stand, const auv6_state *x, const
     K.B[6] = stand->G[6] - sum.mu[1];  K.B[7] = stand->G[7] + sum.mu[0];  K.B[8] = stand->G[8];
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    auv6_coupling drive[AUV6_N];
+    auv6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    auv6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     auv6_real rate[AUV6_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < AUV6_N; ++s) {
+        auv6_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
@@ -943,7 +1003,10 @@ auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv
     if (status != AUV6_OK) { return status; }
     auv6_real V_result[6];
     auv6_real phi_result[AUV6_N];
-    status = auv6_move(stand, x, tau, locked, V_result, phi_result);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    status = auv6_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != AUV6_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -1002,7 +1065,10 @@ static auv6_status auv6_rate(const auv6_table *stand, const auv6_state *x, const
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
-    status = auv6_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    status = auv6_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != AUV6_OK) { return status; }
     auv6_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1124,7 +1190,10 @@ static auv6_status auv6_rate_driven(const auv6_table *stand, const auv6_state *x
 {
     auv6_status status;
     auv6_real C[9];  /* attitude */
-    status = auv6_accelerate(stand, x, phi_ddot, rate->V);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    status = auv6_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
     if (status != AUV6_OK) { return status; }
     auv6_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1510,11 +1579,12 @@ auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, stand->gravity, g);
     auv6_sums sum;
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     auv6_real F[6];  /* what K V* must equal */
     auv6_real Z[6];  /* momentum screw (2) */
@@ -1581,8 +1651,8 @@ auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
     out->V_dot_V[2][3] -= u[1];  out->V_dot_V[2][4] += u[0];
     auv6_real change[12];  /* of the weights of a row */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
+        const auv6_real s_phi = sine[s];
+        const auv6_real c_phi = cosine[s];
         const auv6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const auv6_real s2 = 2.0 * c_phi * s_phi;
         const auv6_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1645,7 +1715,10 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     if (status != AUV6_OK) { return status; }
     auv6_real V_result[6];  /* V*, then V_r* */
     auv6_real phi_result[AUV6_N];  /* phi'' */
-    status = auv6_move(stand, x, tau, locked, V_result, phi_result);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    status = auv6_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != AUV6_OK) { return status; }
     auv6_real C[9];  /* attitude */
     auv6_rotation(x->attitude, C);
@@ -1659,9 +1732,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     auv6_sums sum;
     auv6_start_sums(stand, &sum);
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_result[s], &sum);
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     auv6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
@@ -1732,9 +1803,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
+        auv6_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         if (locked[s] == 0) {
             auv6_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1743,8 +1812,8 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     auv6_real J_p[6];  /* dJ / dphi */
     auv6_real turned[3];  /* J' omega */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
+        const auv6_real s_phi = sine[s];
+        const auv6_real c_phi = cosine[s];
         const auv6_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const auv6_real two_s2 = 4.0 * c_phi * s_phi;
         J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
@@ -1804,8 +1873,8 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
     out->V_dot_V[2][3] -= u[1];  out->V_dot_V[2][4] += u[0];
     auv6_real change[12];  /* of the weights of a row */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
+        const auv6_real s_phi = sine[s];
+        const auv6_real c_phi = cosine[s];
         const auv6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const auv6_real s2 = 2.0 * c_phi * s_phi;
         const auv6_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -2023,7 +2092,8 @@ static auv6_status auv6_factor(auv6_inverse_work *restrict work)
 
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 AUV6_CODE
-static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, const auv6_real sine[AUV6_N],
+                               const auv6_real cosine[AUV6_N], const auv6_real V_dot[6],
                                auv6_inverse_work *restrict work)
 {
     auv6_status status;
@@ -2045,11 +2115,13 @@ static auv6_status auv6_demand(const auv6_table *stand, const auv6_state *x, con
     V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
     V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
     auv6_start_sums(stand, &sum);
+    for (int s = 0; s < AUV6_N; ++s) {
+        auv6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
     auv6_real column[6];  /* I_s */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        const auv6_real s_phi = sine[s];
+        const auv6_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -2238,7 +2310,8 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
             int stopped = -1;
             for (int s = 0; s < AUV6_N; ++s) {
                 const auv6_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
                     const auv6_real room = options->limit[s] / work->scale[s]
                         - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
                     const auv6_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
@@ -2330,7 +2403,10 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
         if (options->limit[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
-    status = auv6_demand(stand, x, V_dot, &work);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    status = auv6_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != AUV6_OK) { return status; }
     auv6_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2473,7 +2549,10 @@ auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, cons
         if (!(options->weight[s] >= 1.0e-6)) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
-    status = auv6_demand(stand, x, V_dot, &work);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    status = auv6_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != AUV6_OK) { return status; }
     /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
     auv6_real gram[6][6];
@@ -3384,6 +3463,9 @@ auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mountin
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, stand->gravity, g);
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
     auv6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
     drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
@@ -3395,9 +3477,8 @@ auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mountin
     for (int s = 0; s < AUV6_N; ++s) {
         W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
         W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
-        auv6_real s_phi, c_phi;
-        auv6_sincos(x->phi[s], &s_phi, &c_phi);
-        auv6_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], V, V_r_dot, g, W);
+        auv6_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], V, V_r_dot,
+            g, W);
         for (int j = 0; j < 6; ++j) {
             loads[s * 6 + j] = W[j];
         }

@@ -20,6 +20,7 @@ extern "C" {
 
 #define AUV6_STRUCTURE 0x192ea446u  /* of the stand: names, counts, kinds of wrench */
 #define AUV6_PHYSICS   0x002b2abcu  /* of the stand: structure and all numbers */
+#define AUV6_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 
 typedef double auv6_real;
 
@@ -288,7 +289,7 @@ auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2817 operations on reals, 1 of them a division. */
+ * At most 2535 operations on reals, 1 of them a division. */
 auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equations *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -296,7 +297,7 @@ auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equ
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2286 operations on reals, 1 of them a division. */
+ * At most 2004 operations on reals, 1 of them a division. */
 auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_momenta *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -402,7 +403,7 @@ auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int pe
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12322 operations on reals, 76 of them divisions. */
+ * At most 12040 operations on reals, 76 of them divisions. */
 auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
                                   const auv6_real phi_ddot[AUV6_N], auv6_forward_slopes *out);
 
@@ -415,7 +416,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 21898 operations on reals, 102 of them divisions. */
+ * At most 20770 operations on reals, 102 of them divisions. */
 auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_slopes *out);
 
@@ -430,7 +431,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42619 operations on reals, 1180 of them divisions. */
+ * At most 42799 operations on reals, 1180 of them divisions. */
 auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -489,7 +490,7 @@ auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], 
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7020 operations on reals, 7 of them divisions. */
+ * At most 6738 operations on reals, 7 of them divisions. */
 auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const auv6_real angles[3],
                           const auv6_real phi_ddot[AUV6_N], auv6_generalized *out);
 

@@ -5,6 +5,9 @@
 #if AUV6_STRUCTURE != 0x192ea446u || AUV6_PHYSICS != 0x002b2abcu
 #error "auv6.h and auv6_recorder.c are of different stands"
 #endif
+#if AUV6_LANES != 1
+#error "auv6.h and auv6_recorder.c were generated for different numbers of lanes"
+#endif
 
 #ifndef AUV6_CODE
 #define AUV6_CODE

@@ -28,6 +28,9 @@
 #if AUV6_STRUCTURE != 0x192ea446u || AUV6_PHYSICS != 0x002b2abcu
 #error "auv6.h and auv6_selftest.c are of different stands"
 #endif
+#if AUV6_LANES != 1
+#error "auv6.h and auv6_selftest.c were generated for different numbers of lanes"
+#endif
 
 #ifndef AUV6_SELFTEST_SWEEP
 #define AUV6_SELFTEST_SWEEP 100ul  /* states of the sweep that main runs */

@@ -8,6 +8,9 @@
 #if BENCH8_STRUCTURE != 0x309d41a6u || BENCH8_PHYSICS != 0x139422e0u
 #error "bench8.h and bench8.c are of different stands"
 #endif
+#if BENCH8_LANES != 1
+#error "bench8.h and bench8.c were generated for different numbers of lanes"
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef BENCH8_CODE
@@ -261,6 +264,66 @@ static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], b
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
 }
 
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+BENCH8_CODE
+static void bench8_start_sums(const bench8_table *stand, bench8_sums *restrict sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* sines and cosines of all phases.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+BENCH8_CODE
+static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real sine[restrict BENCH8_N],
+                               bench8_real cosine[restrict BENCH8_N])
+{
+    for (int s = 0; s < BENCH8_N; ++s) {
+        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        const bench8_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
+        const bench8_word quadrant = bench8_bits_of(shifted);  /* mod 4: its last two bits */
+        const bench8_real k = shifted - 6755399441055744.0;
+        /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+        const bench8_real rest = x[s] - k * 1.570796325802803;
+        const bench8_real second = k * 9.920935796805365e-10;
+        const bench8_real r_hi = rest - second;
+        /* rounding error of r_hi, and the third part */
+        const bench8_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+        const bench8_real z = r_hi * r_hi;
+        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        const bench8_real half_z = z * 0.5;
+        const bench8_real flat = 1.0 - half_z;
+        const bench8_real cos_fit = 0.0416666666666666
+            + z * (-0.001388888888887447 + z
+            * (2.4801587289666868e-5 + z * (-2.755731439924032e-7
+            + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+        const bench8_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+        /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+        const bench8_real sin_fit = 0.1666666666666663
+            + z * (-0.00833333333332184 + z * (0.00019841269829358541
+            + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+        const bench8_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+        /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+        const bench8_word sin_bits = bench8_bits_of(sin_r);
+        const bench8_word cos_bits = bench8_bits_of(cos_r);
+        const bench8_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+        const bench8_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+        const bench8_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+        sine[s] = bench8_real_of(sin_bits ^ exchange ^ sine_sign);
+        cosine[s] = bench8_real_of(cos_bits ^ exchange ^ cosine_sign);
+    }
+}
+
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 BENCH8_CODE
 static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_real c, bench8_real phi_dot,
@@ -281,11 +344,20 @@ static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_rea
     sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia and its rate: K_dot of (6) */
-    for (int i = 0; i < 6; ++i) {
-        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
-        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
-    }
+    /* inertia */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    /* its rate: K_dot of (6) */
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -299,23 +371,6 @@ static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_rea
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
 }
 
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
-BENCH8_CODE
-static void bench8_start_sums(const bench8_table *stand, bench8_sums *restrict sum)
-{
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
-}
-
 /* rotation vector of a quaternion of about unit length; its length is at most pi. */
 BENCH8_CODE
 static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restrict 3])
@@ -323,10 +378,15 @@ static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restric
     /* q and -q are the same rotation: take the shorter way */
     const bench8_real side = (q[0] < 0.0) ? -1.0 : 1.0;
     const bench8_real square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    bench8_real ratio = 2.0 / (side * q[0]);  /* angle over the length of the vector part */
+    bench8_real ratio = 2.0;  /* angle over the length of the vector part */
     if (square > 1.0e-30) {
         const bench8_real length = bench8_sqrt(square);
         ratio = 2.0 * bench8_atan2(length, side * q[0]) / length;
+    } else {
+        /* as it must be; the test keeps zero out of the division whatever q is */
+        if (side * q[0] > 0.5) {
+            ratio = 2.0 / (side * q[0]);
+        }
     }
     r[0] = side * ratio * q[1];  r[1] = side * ratio * q[2];  r[2] = side * ratio * q[3];
 }
@@ -472,6 +532,7 @@ static bench8_status bench8_solve_carrier(const bench8_table *stand, const bench
  * (8). */
 BENCH8_CODE
 static bench8_status bench8_accelerate(const bench8_table *stand, const bench8_state *x,
+                                       const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
                                        const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[restrict 6])
 {
     bench8_status status;
@@ -482,9 +543,7 @@ static bench8_status bench8_accelerate(const bench8_table *stand, const bench8_s
     bench8_sums sum;
     bench8_start_sums(stand, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     bench8_real F[6];  /* wrench (7); then what K V* must equal */
     bench8_real Z[6];  /* momentum screw (2) */
@@ -507,7 +566,10 @@ bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
     if (status != BENCH8_OK) { return status; }
     bench8_real result[6];
-    status = bench8_accelerate(stand, x, phi_ddot, result);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    status = bench8_accelerate(stand, x, sine, cosine, phi_ddot, result);
     if (status != BENCH8_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -526,11 +588,12 @@ bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, be
     bench8_real g[3];  /* gravity in E1 */
     bench8_rotate_back(C, stand->gravity, g);
     bench8_sums sum;
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
     bench8_start_sums(stand, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real result[6];
     bench8_external(stand, x, &sum, C, g, result);
@@ -568,11 +631,12 @@ bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, 
     bench8_real g[3];  /* gravity in E1 */
     bench8_rotate_back(C, stand->gravity, g);
     bench8_sums sum;
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
     bench8_start_sums(stand, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real F[6];
     bench8_external(stand, x, &sum, C, g, F);
@@ -607,8 +671,8 @@ bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, 
     bench8_real column[6];  /* I_s */
     bench8_real rate[6];  /* dI_s / dphi */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real s_phi = sine[s];
+        const bench8_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -653,18 +717,19 @@ bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, 
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_sums sum;
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
     bench8_start_sums(stand, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_momentum_screw(stand, &sum, x->V, Z);
     bench8_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real s_phi = sine[s];
+        const bench8_real c_phi = cosine[s];
         /* I_s . V */
         const bench8_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
             * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
@@ -711,53 +776,21 @@ static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c, c
     out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
-    bench8_real J_p[6];  /* dJ / dphi */
-    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
-    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
-    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
-    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
-    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
-    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
-    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
-        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
-}
-
-/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
-BENCH8_CODE
-bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
-                            const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
-{
-    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
-        || tau == NULL) { return BENCH8_BAD_ARGUMENT; }
-    bench8_status status = bench8_check_state(x);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(V_dot, 6, BENCH8_MAX_ACCELERATION);
-    if (status != BENCH8_OK) { return status; }
-    bench8_real C[9];  /* attitude */
-    bench8_rotation(x->attitude, C);
-    bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
-    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    bench8_coupling drive;
-    for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
-        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
-            + drive.bias;
-    }
-    return BENCH8_OK;
+    /* dJ / dphi */
+    const bench8_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2
+        - row->J_c[0] * s;
+    const bench8_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2
+        - row->J_c[1] * s;
+    const bench8_real J_p3 = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2
+        - row->J_c[2] * s;
+    const bench8_real J_p4 = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2
+        - row->J_c[3] * s;
+    const bench8_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2
+        - row->J_c[4] * s;
+    const bench8_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
+        - row->J_c[5] * s;
+    out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
+        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
 }
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
@@ -777,6 +810,45 @@ static void bench8_eliminate(const bench8_real I[6], bench8_real spin_inv, bench
     K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
     F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
     F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+}
+
+/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+BENCH8_CODE
+bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
+                            const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
+{
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return BENCH8_BAD_ARGUMENT; }
+    bench8_status status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(V_dot, 6, BENCH8_MAX_ACCELERATION);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real C[9];  /* attitude */
+    bench8_rotation(x->attitude, C);
+    bench8_real g[3];  /* gravity in E1 */
+    bench8_rotate_back(C, stand->gravity, g);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    bench8_coupling drive;
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
+        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + drive.bias;
+    }
+    return BENCH8_OK;
 }
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
@@ -835,6 +907,7 @@ static bench8_status bench8_solve_schur(const bench8_schur *K, const bench8_real
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 BENCH8_CODE
 static bench8_status bench8_move(const bench8_table *stand, const bench8_state *x,
+                                 const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
                                  const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                  bench8_real V_dot[restrict 6], bench8_real phi_ddot[restrict BENCH8_N])
 {
@@ -844,22 +917,9 @@ static bench8_status bench8_move(const bench8_table *stand, const bench8_state *
     bench8_real g[3];  /* gravity in E1 */
     bench8_rotate_back(C, stand->gravity, g);
     bench8_sums sum;
-    bench8_coupling drive[BENCH8_N];
-    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     bench8_start_sums(stand, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     bench8_real Z[6];  /* momentum screw (2) */
@@ -874,8 +934,19 @@ static bench8_status bench8_move(const bench8_table *stand, const bench8_state *
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    bench8_coupling drive[BENCH8_N];
+    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     bench8_real rate[BENCH8_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
@@ -909,7 +980,10 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
     if (status != BENCH8_OK) { return status; }
     bench8_real V_result[6];
     bench8_real phi_result[BENCH8_N];
-    status = bench8_move(stand, x, tau, locked, V_result, phi_result);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    status = bench8_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != BENCH8_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -970,7 +1044,10 @@ static bench8_status bench8_rate(const bench8_table *stand, const bench8_state *
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
-    status = bench8_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    status = bench8_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != BENCH8_OK) { return status; }
     bench8_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1090,7 +1167,10 @@ static bench8_status bench8_rate_driven(const bench8_table *stand, const bench8_
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
-    status = bench8_accelerate(stand, x, phi_ddot, rate->V);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    status = bench8_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
     if (status != BENCH8_OK) { return status; }
     bench8_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1418,11 +1498,12 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
     bench8_real g[3];  /* gravity in E1 */
     bench8_rotate_back(C, stand->gravity, g);
     bench8_sums sum;
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
     bench8_start_sums(stand, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     bench8_real F[6];  /* what K V* must equal */
     bench8_real Z[6];  /* momentum screw (2) */
@@ -1473,8 +1554,8 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
     }
     bench8_real change[12];  /* of the weights of a row */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real s_phi = sine[s];
+        const bench8_real c_phi = cosine[s];
         const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const bench8_real s2 = 2.0 * c_phi * s_phi;
         const bench8_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1536,7 +1617,10 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     if (status != BENCH8_OK) { return status; }
     bench8_real V_result[6];  /* V*, then V_r* */
     bench8_real phi_result[BENCH8_N];  /* phi'' */
-    status = bench8_move(stand, x, tau, locked, V_result, phi_result);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    status = bench8_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
@@ -1545,9 +1629,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     bench8_sums sum;
     bench8_start_sums(stand, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_result[s], &sum);
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_momentum_screw(stand, &sum, x->V, Z);
@@ -1603,9 +1685,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
+        bench8_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         if (locked[s] == 0) {
             bench8_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1614,8 +1694,8 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     bench8_real J_p[6];  /* dJ / dphi */
     bench8_real turned[3];  /* J' omega */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real s_phi = sine[s];
+        const bench8_real c_phi = cosine[s];
         const bench8_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const bench8_real two_s2 = 4.0 * c_phi * s_phi;
         J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
@@ -1671,8 +1751,8 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     }
     bench8_real change[12];  /* of the weights of a row */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
+        const bench8_real s_phi = sine[s];
+        const bench8_real c_phi = cosine[s];
         const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const bench8_real s2 = 2.0 * c_phi * s_phi;
         const bench8_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1891,6 +1971,7 @@ static bench8_status bench8_factor(bench8_inverse_work *restrict work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 BENCH8_CODE
 static bench8_status bench8_demand(const bench8_table *stand, const bench8_state *x,
+                                   const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
                                    const bench8_real V_dot[6], bench8_inverse_work *restrict work)
 {
     bench8_status status;
@@ -1900,11 +1981,13 @@ static bench8_status bench8_demand(const bench8_table *stand, const bench8_state
     bench8_rotate_back(C, stand->gravity, g);
     bench8_sums sum;
     bench8_start_sums(stand, &sum);
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
     bench8_real column[6];  /* I_s */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        const bench8_real s_phi = sine[s];
+        const bench8_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -2079,7 +2162,8 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
             int stopped = -1;
             for (int s = 0; s < BENCH8_N; ++s) {
                 const bench8_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
                     const bench8_real room = options->limit[s] / work->scale[s]
                         - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
                     const bench8_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
@@ -2169,7 +2253,10 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
         if (options->limit[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
-    status = bench8_demand(stand, x, V_dot, &work);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    status = bench8_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
     bench8_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2312,7 +2399,10 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
         if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
-    status = bench8_demand(stand, x, V_dot, &work);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    status = bench8_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
     /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
     bench8_real gram[6][6];
@@ -2934,14 +3024,15 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
     bench8_rotate_back(C, stand->gravity, g);
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
     bench8_real W[6];
     for (int s = 0; s < BENCH8_N; ++s) {
         W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
         W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
-        bench8_real s_phi, c_phi;
-        bench8_sincos(x->phi[s], &s_phi, &c_phi);
-        bench8_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, g,
-            W);
+        bench8_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V,
+            V_dot, g, W);
         for (int j = 0; j < 6; ++j) {
             loads[s * 6 + j] = W[j];
         }

@@ -20,6 +20,7 @@ extern "C" {
 
 #define BENCH8_STRUCTURE 0x309d41a6u  /* of the stand: names, counts, kinds of wrench */
 #define BENCH8_PHYSICS   0x139422e0u  /* of the stand: structure and all numbers */
+#define BENCH8_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 
 typedef double bench8_real;
 
@@ -227,7 +228,7 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2609 operations on reals, 7 of them divisions. */
+ * At most 2607 operations on reals, 6 of them divisions. */
 bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
 
@@ -236,7 +237,7 @@ bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2366 operations on reals, 4 of them divisions. */
+ * At most 2364 operations on reals, 3 of them divisions. */
 bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, bench8_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -244,7 +245,7 @@ bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, be
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 3606 operations on reals, 4 of them divisions. */
+ * At most 3228 operations on reals, 3 of them divisions. */
 bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, bench8_equations *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -252,7 +253,7 @@ bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2816 operations on reals, 1 of them a division. */
+ * At most 2440 operations on reals, 1 of them a division. */
 bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, bench8_momenta *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -276,7 +277,7 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4028 operations on reals, 8 of them divisions. */
+ * At most 4026 operations on reals, 7 of them divisions. */
 bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N]);
@@ -292,7 +293,7 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 16900 operations on reals, 38 of them divisions. */
+ * At most 16892 operations on reals, 34 of them divisions. */
 bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
@@ -306,7 +307,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11224 operations on reals, 34 of them divisions. */
+ * At most 11216 operations on reals, 30 of them divisions. */
 bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
@@ -360,7 +361,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11051 operations on reals, 97 of them divisions. */
+ * At most 10673 operations on reals, 96 of them divisions. */
 bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out);
 
@@ -373,7 +374,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 27621 operations on reals, 129 of them divisions. */
+ * At most 26115 operations on reals, 128 of them divisions. */
 bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_slopes *out);
@@ -389,7 +390,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 52410 operations on reals, 1397 of them divisions. */
+ * At most 52696 operations on reals, 1396 of them divisions. */
 bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -405,7 +406,7 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4498 operations on reals, 116 of them divisions. */
+ * At most 4496 operations on reals, 115 of them divisions. */
 bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);
@@ -440,7 +441,7 @@ bench8_status bench8_target(const bench8_real position[3], const bench8_real ang
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 8008 operations on reals, 13 of them divisions. */
+ * At most 7628 operations on reals, 11 of them divisions. */
 bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, const bench8_real angles[3],
                               const bench8_real phi_ddot[BENCH8_N], bench8_generalized *out);
 

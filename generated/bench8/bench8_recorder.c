@@ -5,6 +5,9 @@
 #if BENCH8_STRUCTURE != 0x309d41a6u || BENCH8_PHYSICS != 0x139422e0u
 #error "bench8.h and bench8_recorder.c are of different stands"
 #endif
+#if BENCH8_LANES != 1
+#error "bench8.h and bench8_recorder.c were generated for different numbers of lanes"
+#endif
 
 #ifndef BENCH8_CODE
 #define BENCH8_CODE

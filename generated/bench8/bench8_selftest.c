@@ -28,6 +28,9 @@
 #if BENCH8_STRUCTURE != 0x309d41a6u || BENCH8_PHYSICS != 0x139422e0u
 #error "bench8.h and bench8_selftest.c are of different stands"
 #endif
+#if BENCH8_LANES != 1
+#error "bench8.h and bench8_selftest.c were generated for different numbers of lanes"
+#endif
 
 #ifndef BENCH8_SELFTEST_SWEEP
 #define BENCH8_SELFTEST_SWEEP 100ul  /* states of the sweep that main runs */

@@ -8,6 +8,9 @@
 #if DEMO3_STRUCTURE != 0x055bf547u || DEMO3_PHYSICS != 0xfdeb29e7u
 #error "demo3.h and demo3.c are of different stands"
 #endif
+#if DEMO3_LANES != 1
+#error "demo3.h and demo3.c were generated for different numbers of lanes"
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef DEMO3_CODE
@@ -212,6 +215,66 @@ static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
 }
 
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+DEMO3_CODE
+static void demo3_start_sums(const demo3_table *stand, demo3_sums *restrict sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* sines and cosines of all phases.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+DEMO3_CODE
+static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real sine[restrict DEMO3_N],
+                              demo3_real cosine[restrict DEMO3_N])
+{
+    for (int s = 0; s < DEMO3_N; ++s) {
+        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        const demo3_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
+        const demo3_word quadrant = demo3_bits_of(shifted);  /* mod 4: its last two bits */
+        const demo3_real k = shifted - 6755399441055744.0;
+        /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+        const demo3_real rest = x[s] - k * 1.570796325802803;
+        const demo3_real second = k * 9.920935796805365e-10;
+        const demo3_real r_hi = rest - second;
+        /* rounding error of r_hi, and the third part */
+        const demo3_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+        const demo3_real z = r_hi * r_hi;
+        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        const demo3_real half_z = z * 0.5;
+        const demo3_real flat = 1.0 - half_z;
+        const demo3_real cos_fit = 0.0416666666666666
+            + z * (-0.001388888888887447 + z
+            * (2.4801587289666868e-5 + z * (-2.755731439924032e-7
+            + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+        const demo3_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+        /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+        const demo3_real sin_fit = 0.1666666666666663
+            + z * (-0.00833333333332184 + z * (0.00019841269829358541
+            + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+        const demo3_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+        /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+        const demo3_word sin_bits = demo3_bits_of(sin_r);
+        const demo3_word cos_bits = demo3_bits_of(cos_r);
+        const demo3_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+        const demo3_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+        const demo3_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+        sine[s] = demo3_real_of(sin_bits ^ exchange ^ sine_sign);
+        cosine[s] = demo3_real_of(cos_bits ^ exchange ^ cosine_sign);
+    }
+}
+
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 DEMO3_CODE
 static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c, demo3_real phi_dot,
@@ -232,11 +295,20 @@ static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c,
     sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia and its rate: K_dot of (6) */
-    for (int i = 0; i < 6; ++i) {
-        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
-        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
-    }
+    /* inertia */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    /* its rate: K_dot of (6) */
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -248,23 +320,6 @@ static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c,
     sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
     sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
-}
-
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
-DEMO3_CODE
-static void demo3_start_sums(const demo3_table *stand, demo3_sums *restrict sum)
-{
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
@@ -361,15 +416,14 @@ static demo3_status demo3_solve_carrier(const demo3_table *stand, const demo3_su
  * (8). */
 DEMO3_CODE
 static demo3_status demo3_accelerate(const demo3_table *stand, const demo3_state *x,
+                                     const demo3_real sine[DEMO3_N], const demo3_real cosine[DEMO3_N],
                                      const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[restrict 6])
 {
     demo3_status status;
     demo3_sums sum;
     demo3_start_sums(stand, &sum);
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        demo3_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     demo3_real F[6];  /* wrench (7); then what K V* must equal */
     demo3_real Z[6];  /* momentum screw (2) */
@@ -393,7 +447,10 @@ demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x,
     status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
     demo3_real result[6];
-    status = demo3_accelerate(stand, x, phi_ddot, result);
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    status = demo3_accelerate(stand, x, sine, cosine, phi_ddot, result);
     if (status != DEMO3_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -425,11 +482,12 @@ demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     demo3_sums sum;
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
     demo3_start_sums(stand, &sum);
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        demo3_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     demo3_real F[6];
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
@@ -465,8 +523,8 @@ demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo
     demo3_real column[6];  /* I_s */
     demo3_real rate[6];  /* dI_s / dphi */
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        const demo3_real s_phi = sine[s];
+        const demo3_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -511,18 +569,19 @@ demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo
     demo3_real C[9];  /* attitude */
     demo3_rotation(x->attitude, C);
     demo3_sums sum;
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
     demo3_start_sums(stand, &sum);
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        demo3_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     demo3_real Z[6];  /* momentum screw (2) */
     demo3_momentum_screw(stand, &sum, x->V, Z);
     demo3_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        const demo3_real s_phi = sine[s];
+        const demo3_real c_phi = cosine[s];
         /* I_s . V */
         const demo3_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
             * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
@@ -569,49 +628,15 @@ static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c, const
     out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
-    demo3_real J_p[6];  /* dJ / dphi */
-    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
-    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
-    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
-    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
-    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
-    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
-    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
-        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
-}
-
-/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
-DEMO3_CODE
-demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
-                          const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N])
-{
-    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
-        || tau == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
-    if (status != DEMO3_OK) { return status; }
-    demo3_real swing[3];  /* omega x v */
-    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    demo3_coupling drive;
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
-        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
-            + drive.bias;
-    }
-    return DEMO3_OK;
+    /* dJ / dphi */
+    const demo3_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    const demo3_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    const demo3_real J_p3 = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    const demo3_real J_p4 = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    const demo3_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    const demo3_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
+        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
 }
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
@@ -631,6 +656,41 @@ static void demo3_eliminate(const demo3_real I[6], demo3_real spin_inv, demo3_re
     K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
     F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
     F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+}
+
+/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+DEMO3_CODE
+demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N])
+{
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return DEMO3_BAD_ARGUMENT; }
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    demo3_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    demo3_coupling drive;
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
+        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + drive.bias;
+    }
+    return DEMO3_OK;
 }
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
@@ -687,28 +747,16 @@ static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 DEMO3_CODE
-static demo3_status demo3_move(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
-                               const int locked[DEMO3_N], demo3_real V_dot[restrict 6],
-                               demo3_real phi_ddot[restrict DEMO3_N])
+static demo3_status demo3_move(const demo3_table *stand, const demo3_state *x,
+                               const demo3_real sine[DEMO3_N], const demo3_real cosine[DEMO3_N],
+                               const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
+                               demo3_real V_dot[restrict 6], demo3_real phi_ddot[restrict DEMO3_N])
 {
     demo3_status status;
     demo3_sums sum;
-    demo3_coupling drive[DEMO3_N];
-    demo3_real swing[3];  /* omega x v */
-    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     demo3_start_sums(stand, &sum);
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
-        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        demo3_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     demo3_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     demo3_real Z[6];  /* momentum screw (2) */
@@ -724,8 +772,19 @@ static demo3_status demo3_move(const demo3_table *stand, const demo3_state *x, c
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    demo3_coupling drive[DEMO3_N];
+    demo3_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     demo3_real rate[DEMO3_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
@@ -758,7 +817,10 @@ demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const
     if (status != DEMO3_OK) { return status; }
     demo3_real V_result[6];
     demo3_real phi_result[DEMO3_N];
-    status = demo3_move(stand, x, tau, locked, V_result, phi_result);
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    status = demo3_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != DEMO3_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -818,7 +880,10 @@ static demo3_status demo3_rate(const demo3_table *stand, const demo3_state *x, c
 {
     demo3_status status;
     demo3_real C[9];  /* attitude */
-    status = demo3_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    status = demo3_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != DEMO3_OK) { return status; }
     demo3_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -938,7 +1003,10 @@ static demo3_status demo3_rate_driven(const demo3_table *stand, const demo3_stat
 {
     demo3_status status;
     demo3_real C[9];  /* attitude */
-    status = demo3_accelerate(stand, x, phi_ddot, rate->V);
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    status = demo3_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
     if (status != DEMO3_OK) { return status; }
     demo3_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1256,11 +1324,12 @@ demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state 
     status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
     demo3_sums sum;
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
     demo3_start_sums(stand, &sum);
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        demo3_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     demo3_real F[6];  /* what K V* must equal */
     demo3_real Z[6];  /* momentum screw (2) */
@@ -1312,8 +1381,8 @@ demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state 
     }
     demo3_real change[12];  /* of the weights of a row */
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        const demo3_real s_phi = sine[s];
+        const demo3_real c_phi = cosine[s];
         const demo3_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const demo3_real s2 = 2.0 * c_phi * s_phi;
         const demo3_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1375,14 +1444,15 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
     if (status != DEMO3_OK) { return status; }
     demo3_real V_result[6];  /* V*, then V_r* */
     demo3_real phi_result[DEMO3_N];  /* phi'' */
-    status = demo3_move(stand, x, tau, locked, V_result, phi_result);
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    status = demo3_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != DEMO3_OK) { return status; }
     demo3_sums sum;
     demo3_start_sums(stand, &sum);
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_result[s], &sum);
+        demo3_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     demo3_real Z[6];  /* momentum screw (2) */
     demo3_momentum_screw(stand, &sum, x->V, Z);
@@ -1438,9 +1508,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
+        demo3_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         if (locked[s] == 0) {
             demo3_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1449,8 +1517,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
     demo3_real J_p[6];  /* dJ / dphi */
     demo3_real turned[3];  /* J' omega */
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        const demo3_real s_phi = sine[s];
+        const demo3_real c_phi = cosine[s];
         const demo3_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const demo3_real two_s2 = 4.0 * c_phi * s_phi;
         J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
@@ -1506,8 +1574,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
     }
     demo3_real change[12];  /* of the weights of a row */
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
+        const demo3_real s_phi = sine[s];
+        const demo3_real c_phi = cosine[s];
         const demo3_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const demo3_real s2 = 2.0 * c_phi * s_phi;
         const demo3_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1725,17 +1793,20 @@ static demo3_status demo3_factor(demo3_inverse_work *restrict work)
 
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 DEMO3_CODE
-static demo3_status demo3_demand(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
-                                 demo3_inverse_work *restrict work)
+static demo3_status demo3_demand(const demo3_table *stand, const demo3_state *x,
+                                 const demo3_real sine[DEMO3_N], const demo3_real cosine[DEMO3_N],
+                                 const demo3_real V_dot[6], demo3_inverse_work *restrict work)
 {
     demo3_status status;
     demo3_sums sum;
     demo3_start_sums(stand, &sum);
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
     demo3_real column[6];  /* I_s */
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        const demo3_real s_phi = sine[s];
+        const demo3_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -1911,7 +1982,8 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
             int stopped = -1;
             for (int s = 0; s < DEMO3_N; ++s) {
                 const demo3_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
                     const demo3_real room = options->limit[s] / work->scale[s]
                         - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
                     const demo3_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
@@ -2001,7 +2073,10 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
         if (options->limit[s] <= 0.0) { return DEMO3_BAD_ARGUMENT; }
     }
     demo3_inverse_work work;
-    status = demo3_demand(stand, x, V_dot, &work);
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    status = demo3_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != DEMO3_OK) { return status; }
     demo3_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2143,7 +2218,10 @@ demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, 
         if (!(options->weight[s] >= 1.0e-6)) { return DEMO3_BAD_ARGUMENT; }
     }
     demo3_inverse_work work;
-    status = demo3_demand(stand, x, V_dot, &work);
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    status = demo3_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != DEMO3_OK) { return status; }
     /* normal equations: W^T W y = W^T r */
     demo3_real gram[3][3];
@@ -2743,13 +2821,15 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
     demo3_real W[6];
     for (int s = 0; s < DEMO3_N; ++s) {
         W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
         W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
-        demo3_real s_phi, c_phi;
-        demo3_sincos(x->phi[s], &s_phi, &c_phi);
-        demo3_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, W);
+        demo3_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V,
+            V_dot, W);
         for (int j = 0; j < 6; ++j) {
             loads[s * 6 + j] = W[j];
         }

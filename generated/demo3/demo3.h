@@ -20,6 +20,7 @@ extern "C" {
 
 #define DEMO3_STRUCTURE 0x055bf547u  /* of the stand: names, counts, kinds of wrench */
 #define DEMO3_PHYSICS   0xfdeb29e7u  /* of the stand: structure and all numbers */
+#define DEMO3_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 
 typedef double demo3_real;
 
@@ -226,7 +227,7 @@ demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1393 operations on reals, no division. */
+ * At most 1252 operations on reals, no division. */
 demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo3_equations *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -234,7 +235,7 @@ demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1201 operations on reals, 1 of them a division. */
+ * At most 1060 operations on reals, 1 of them a division. */
 demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo3_momenta *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -341,7 +342,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4550 operations on reals, 48 of them divisions. */
+ * At most 4409 operations on reals, 48 of them divisions. */
 demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_slopes *out);
 
@@ -354,7 +355,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state 
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10137 operations on reals, 64 of them divisions. */
+ * At most 9573 operations on reals, 64 of them divisions. */
 demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_slopes *out);
@@ -370,7 +371,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 29672 operations on reals, 918 of them divisions. */
+ * At most 29735 operations on reals, 918 of them divisions. */
 demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -420,7 +421,7 @@ demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4202 operations on reals, 5 of them divisions. */
+ * At most 4061 operations on reals, 5 of them divisions. */
 demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, const demo3_real angles[3],
                             const demo3_real phi_ddot[DEMO3_N], demo3_generalized *out);
 

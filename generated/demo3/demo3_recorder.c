@@ -5,6 +5,9 @@
 #if DEMO3_STRUCTURE != 0x055bf547u || DEMO3_PHYSICS != 0xfdeb29e7u
 #error "demo3.h and demo3_recorder.c are of different stands"
 #endif
+#if DEMO3_LANES != 1
+#error "demo3.h and demo3_recorder.c were generated for different numbers of lanes"
+#endif
 
 #ifndef DEMO3_CODE
 #define DEMO3_CODE

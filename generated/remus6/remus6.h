@@ -20,6 +20,7 @@ extern "C" {
 
 #define REMUS6_STRUCTURE 0x3687deeeu  /* of the stand: names, counts, kinds of wrench */
 #define REMUS6_PHYSICS   0x5f25aea2u  /* of the stand: structure and all numbers */
+#define REMUS6_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 
 typedef double remus6_real;
 
@@ -306,7 +307,7 @@ remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, re
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2667 operations on reals, 1 of them a division. */
+ * At most 2385 operations on reals, 1 of them a division. */
 remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, remus6_equations *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -314,7 +315,7 @@ remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2286 operations on reals, 1 of them a division. */
+ * At most 2004 operations on reals, 1 of them a division. */
 remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, remus6_momenta *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -422,7 +423,7 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11176 operations on reals, 76 of them divisions. */
+ * At most 10894 operations on reals, 76 of them divisions. */
 remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out);
 
@@ -435,7 +436,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 20752 operations on reals, 102 of them divisions. */
+ * At most 19624 operations on reals, 102 of them divisions. */
 remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_slopes *out);
@@ -451,7 +452,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42469 operations on reals, 1180 of them divisions. */
+ * At most 42649 operations on reals, 1180 of them divisions. */
 remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -512,7 +513,7 @@ remus6_status remus6_target(const remus6_real position[3], const remus6_real ang
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6720 operations on reals, 7 of them divisions. */
+ * At most 6438 operations on reals, 7 of them divisions. */
 remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
                               const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out);
 

@@ -5,6 +5,9 @@
 #if REMUS6_STRUCTURE != 0x3687deeeu || REMUS6_PHYSICS != 0x5f25aea2u
 #error "remus6.h and remus6_recorder.c are of different stands"
 #endif
+#if REMUS6_LANES != 1
+#error "remus6.h and remus6_recorder.c were generated for different numbers of lanes"
+#endif
 
 #ifndef REMUS6_CODE
 #define REMUS6_CODE

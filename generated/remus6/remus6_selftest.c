@@ -28,6 +28,9 @@
 #if REMUS6_STRUCTURE != 0x3687deeeu || REMUS6_PHYSICS != 0x5f25aea2u
 #error "remus6.h and remus6_selftest.c are of different stands"
 #endif
+#if REMUS6_LANES != 1
+#error "remus6.h and remus6_selftest.c were generated for different numbers of lanes"
+#endif
 
 #ifndef REMUS6_SELFTEST_SWEEP
 #define REMUS6_SELFTEST_SWEEP 100ul  /* states of the sweep that main runs */

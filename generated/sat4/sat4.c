@@ -8,6 +8,9 @@
 #if SAT4_STRUCTURE != 0x60e5c883u || SAT4_PHYSICS != 0x347c0b3bu
 #error "sat4.h and sat4.c are of different stands"
 #endif
+#if SAT4_LANES != 1
+#error "sat4.h and sat4.c were generated for different numbers of lanes"
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef SAT4_CODE
@@ -212,6 +215,66 @@ static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
 }
 
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+SAT4_CODE
+static void sat4_start_sums(const sat4_table *stand, sat4_sums *restrict sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* sines and cosines of all phases.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+SAT4_CODE
+static void sat4_sincos_each(const sat4_real x[SAT4_N], sat4_real sine[restrict SAT4_N],
+                             sat4_real cosine[restrict SAT4_N])
+{
+    for (int s = 0; s < SAT4_N; ++s) {
+        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        const sat4_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
+        const sat4_word quadrant = sat4_bits_of(shifted);  /* mod 4: its last two bits */
+        const sat4_real k = shifted - 6755399441055744.0;
+        /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+        const sat4_real rest = x[s] - k * 1.570796325802803;
+        const sat4_real second = k * 9.920935796805365e-10;
+        const sat4_real r_hi = rest - second;
+        /* rounding error of r_hi, and the third part */
+        const sat4_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+        const sat4_real z = r_hi * r_hi;
+        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        const sat4_real half_z = z * 0.5;
+        const sat4_real flat = 1.0 - half_z;
+        const sat4_real cos_fit = 0.0416666666666666
+            + z * (-0.001388888888887447 + z
+            * (2.4801587289666868e-5 + z * (-2.755731439924032e-7
+            + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+        const sat4_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+        /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+        const sat4_real sin_fit = 0.1666666666666663
+            + z * (-0.00833333333332184 + z * (0.00019841269829358541
+            + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+        const sat4_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+        /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+        const sat4_word sin_bits = sat4_bits_of(sin_r);
+        const sat4_word cos_bits = sat4_bits_of(cos_r);
+        const sat4_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+        const sat4_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+        const sat4_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+        sine[s] = sat4_real_of(sin_bits ^ exchange ^ sine_sign);
+        cosine[s] = sat4_real_of(cos_bits ^ exchange ^ cosine_sign);
+    }
+}
+
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 SAT4_CODE
 static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat4_real phi_dot,
@@ -232,11 +295,20 @@ static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat
     sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia and its rate: K_dot of (6) */
-    for (int i = 0; i < 6; ++i) {
-        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
-        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
-    }
+    /* inertia */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    /* its rate: K_dot of (6) */
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -248,23 +320,6 @@ static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat
     sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
     sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
-}
-
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
-SAT4_CODE
-static void sat4_start_sums(const sat4_table *stand, sat4_sums *restrict sum)
-{
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
@@ -361,15 +416,14 @@ static sat4_status sat4_solve_carrier(const sat4_table *stand, const sat4_sums *
  * (8). */
 SAT4_CODE
 static sat4_status sat4_accelerate(const sat4_table *stand, const sat4_state *x,
+                                   const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
                                    const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[restrict 6])
 {
     sat4_status status;
     sat4_sums sum;
     sat4_start_sums(stand, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     sat4_real F[6];  /* wrench (7); then what K V* must equal */
     sat4_real Z[6];  /* momentum screw (2) */
@@ -393,7 +447,10 @@ sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
     sat4_real result[6];
-    status = sat4_accelerate(stand, x, phi_ddot, result);
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_accelerate(stand, x, sine, cosine, phi_ddot, result);
     if (status != SAT4_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -425,11 +482,12 @@ sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equ
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
     sat4_start_sums(stand, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     sat4_real F[6];
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
@@ -465,8 +523,8 @@ sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equ
     sat4_real column[6];  /* I_s */
     sat4_real rate[6];  /* dI_s / dphi */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -511,18 +569,19 @@ sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_mom
     sat4_real C[9];  /* attitude */
     sat4_rotation(x->attitude, C);
     sat4_sums sum;
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
     sat4_start_sums(stand, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     sat4_real Z[6];  /* momentum screw (2) */
     sat4_momentum_screw(stand, &sum, x->V, Z);
     sat4_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
         /* I_s . V */
         const sat4_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
             * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
@@ -569,49 +628,15 @@ static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c, const sat
     out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
-    sat4_real J_p[6];  /* dJ / dphi */
-    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
-    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
-    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
-    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
-    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
-    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
-    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
-        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
-}
-
-/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
-SAT4_CODE
-sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
-                        const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N])
-{
-    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
-        || tau == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
-    if (status != SAT4_OK) { return status; }
-    sat4_real swing[3];  /* omega x v */
-    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    sat4_coupling drive;
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
-        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
-            + drive.bias;
-    }
-    return SAT4_OK;
+    /* dJ / dphi */
+    const sat4_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    const sat4_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    const sat4_real J_p3 = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    const sat4_real J_p4 = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    const sat4_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    const sat4_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
+        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
 }
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
@@ -631,6 +656,41 @@ static void sat4_eliminate(const sat4_real I[6], sat4_real spin_inv, sat4_real r
     K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
     F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
     F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+}
+
+/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+SAT4_CODE
+sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+                        const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N])
+{
+    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || tau == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    sat4_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    sat4_coupling drive;
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
+        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + drive.bias;
+    }
+    return SAT4_OK;
 }
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
@@ -687,28 +747,16 @@ static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], s
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 SAT4_CODE
-static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const sat4_real sine[SAT4_N],
+                             const sat4_real cosine[SAT4_N], const sat4_real tau[SAT4_N],
                              const int locked[SAT4_N], sat4_real V_dot[restrict 6],
                              sat4_real phi_ddot[restrict SAT4_N])
 {
     sat4_status status;
     sat4_sums sum;
-    sat4_coupling drive[SAT4_N];
-    sat4_real swing[3];  /* omega x v */
-    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     sat4_start_sums(stand, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
-        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     sat4_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     sat4_real Z[6];  /* momentum screw (2) */
@@ -724,8 +772,19 @@ static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    sat4_coupling drive[SAT4_N];
+    sat4_real swing[3];  /* omega x v */
+    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     sat4_real rate[SAT4_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < SAT4_N; ++s) {
+        sat4_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
@@ -758,7 +817,10 @@ sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat
     if (status != SAT4_OK) { return status; }
     sat4_real V_result[6];
     sat4_real phi_result[SAT4_N];
-    status = sat4_move(stand, x, tau, locked, V_result, phi_result);
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SAT4_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -817,7 +879,10 @@ static sat4_status sat4_rate(const sat4_table *stand, const sat4_state *x, const
 {
     sat4_status status;
     sat4_real C[9];  /* attitude */
-    status = sat4_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != SAT4_OK) { return status; }
     sat4_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -937,7 +1002,10 @@ static sat4_status sat4_rate_driven(const sat4_table *stand, const sat4_state *x
 {
     sat4_status status;
     sat4_real C[9];  /* attitude */
-    status = sat4_accelerate(stand, x, phi_ddot, rate->V);
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
     if (status != SAT4_OK) { return status; }
     sat4_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1253,11 +1321,12 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
     sat4_start_sums(stand, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     sat4_real F[6];  /* what K V* must equal */
     sat4_real Z[6];  /* momentum screw (2) */
@@ -1309,8 +1378,8 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
     }
     sat4_real change[12];  /* of the weights of a row */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
         const sat4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const sat4_real s2 = 2.0 * c_phi * s_phi;
         const sat4_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1371,14 +1440,15 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
     if (status != SAT4_OK) { return status; }
     sat4_real V_result[6];  /* V*, then V_r* */
     sat4_real phi_result[SAT4_N];  /* phi'' */
-    status = sat4_move(stand, x, tau, locked, V_result, phi_result);
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
     sat4_start_sums(stand, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_result[s], &sum);
+        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     sat4_real Z[6];  /* momentum screw (2) */
     sat4_momentum_screw(stand, &sum, x->V, Z);
@@ -1434,9 +1504,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
+        sat4_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         if (locked[s] == 0) {
             sat4_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1445,8 +1513,8 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
     sat4_real J_p[6];  /* dJ / dphi */
     sat4_real turned[3];  /* J' omega */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
         const sat4_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const sat4_real two_s2 = 4.0 * c_phi * s_phi;
         J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
@@ -1502,8 +1570,8 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
     }
     sat4_real change[12];  /* of the weights of a row */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
         const sat4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const sat4_real s2 = 2.0 * c_phi * s_phi;
         const sat4_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1721,17 +1789,20 @@ static sat4_status sat4_factor(sat4_inverse_work *restrict work)
 
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SAT4_CODE
-static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, const sat4_real sine[SAT4_N],
+                               const sat4_real cosine[SAT4_N], const sat4_real V_dot[6],
                                sat4_inverse_work *restrict work)
 {
     sat4_status status;
     sat4_sums sum;
     sat4_start_sums(stand, &sum);
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
     sat4_real column[6];  /* I_s */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -1907,7 +1978,8 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
             int stopped = -1;
             for (int s = 0; s < SAT4_N; ++s) {
                 const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
                     const sat4_real room = options->limit[s] / work->scale[s]
                         - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
                     const sat4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
@@ -1997,7 +2069,10 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
         if (options->limit[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
-    status = sat4_demand(stand, x, V_dot, &work);
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != SAT4_OK) { return status; }
     sat4_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2138,7 +2213,10 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
         if (!(options->weight[s] >= 1.0e-6)) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
-    status = sat4_demand(stand, x, V_dot, &work);
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != SAT4_OK) { return status; }
     /* normal equations: W^T W y = W^T r */
     sat4_real gram[4][4];
@@ -2830,13 +2908,15 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
     sat4_real W[6];
     for (int s = 0; s < SAT4_N; ++s) {
         W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
         W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
-        sat4_real s_phi, c_phi;
-        sat4_sincos(x->phi[s], &s_phi, &c_phi);
-        sat4_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, W);
+        sat4_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V, V_dot,
+            W);
         for (int j = 0; j < 6; ++j) {
             loads[s * 6 + j] = W[j];
         }

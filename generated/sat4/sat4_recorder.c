@@ -5,6 +5,9 @@
 #if SAT4_STRUCTURE != 0x60e5c883u || SAT4_PHYSICS != 0x347c0b3bu
 #error "sat4.h and sat4_recorder.c are of different stands"
 #endif
+#if SAT4_LANES != 1
+#error "sat4.h and sat4_recorder.c were generated for different numbers of lanes"
+#endif
 
 #ifndef SAT4_CODE
 #define SAT4_CODE

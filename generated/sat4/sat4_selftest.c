@@ -28,6 +28,9 @@
 #if SAT4_STRUCTURE != 0x60e5c883u || SAT4_PHYSICS != 0x347c0b3bu
 #error "sat4.h and sat4_selftest.c are of different stands"
 #endif
+#if SAT4_LANES != 1
+#error "sat4.h and sat4_selftest.c were generated for different numbers of lanes"
+#endif
 
 #ifndef SAT4_SELFTEST_SWEEP
 #define SAT4_SELFTEST_SWEEP 100ul  /* states of the sweep that main runs */

@@ -8,6 +8,9 @@
 #if SHAKER2_STRUCTURE != 0x94a85f4au || SHAKER2_PHYSICS != 0x2591b2a4u
 #error "shaker2.h and shaker2.c are of different stands"
 #endif
+#if SHAKER2_LANES != 1
+#error "shaker2.h and shaker2.c were generated for different numbers of lanes"
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef SHAKER2_CODE
@@ -262,6 +265,66 @@ static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3]
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
 }
 
+/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+SHAKER2_CODE
+static void shaker2_start_sums(const shaker2_table *stand, shaker2_sums *restrict sum)
+{
+    sum->mu[0] = stand->first_moment[0];
+    sum->mu[1] = stand->first_moment[1];
+    sum->mu[2] = stand->first_moment[2];
+    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
+    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+}
+
+/* sines and cosines of all phases.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+SHAKER2_CODE
+static void shaker2_sincos_each(const shaker2_real x[SHAKER2_N], shaker2_real sine[restrict SHAKER2_N],
+                                shaker2_real cosine[restrict SHAKER2_N])
+{
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        const shaker2_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
+        const shaker2_word quadrant = shaker2_bits_of(shifted);  /* mod 4: its last two bits */
+        const shaker2_real k = shifted - 6755399441055744.0;
+        /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+        const shaker2_real rest = x[s] - k * 1.570796325802803;
+        const shaker2_real second = k * 9.920935796805365e-10;
+        const shaker2_real r_hi = rest - second;
+        /* rounding error of r_hi, and the third part */
+        const shaker2_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+        const shaker2_real z = r_hi * r_hi;
+        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        const shaker2_real half_z = z * 0.5;
+        const shaker2_real flat = 1.0 - half_z;
+        const shaker2_real cos_fit = 0.0416666666666666
+            + z * (-0.001388888888887447 + z
+            * (2.4801587289666868e-5 + z * (-2.755731439924032e-7
+            + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+        const shaker2_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+        /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+        const shaker2_real sin_fit = 0.1666666666666663
+            + z * (-0.00833333333332184 + z * (0.00019841269829358541
+            + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+        const shaker2_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+        /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+        const shaker2_word sin_bits = shaker2_bits_of(sin_r);
+        const shaker2_word cos_bits = shaker2_bits_of(cos_r);
+        const shaker2_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+        const shaker2_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+        const shaker2_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+        sine[s] = shaker2_real_of(sin_bits ^ exchange ^ sine_sign);
+        cosine[s] = shaker2_real_of(cos_bits ^ exchange ^ cosine_sign);
+    }
+}
+
 /* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
 SHAKER2_CODE
 static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2_real c,
@@ -282,11 +345,20 @@ static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2
     sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
     sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
     sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia and its rate: K_dot of (6) */
-    for (int i = 0; i < 6; ++i) {
-        sum->J[i] += row->J_2c[i] * c2 + row->J_2s[i] * s2 + row->J_c[i] * c + row->J_s[i] * s;
-        sum->J_dot[i] += row->J_2c[i] * dc2 + row->J_2s[i] * ds2 + row->J_c[i] * dc + row->J_s[i] * ds;
-    }
+    /* inertia */
+    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
+    /* its rate: K_dot of (6) */
+    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
     /* moment part of I phi' (its force part is mu_dot) */
     sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
     sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
@@ -300,23 +372,6 @@ static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
 }
 
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
-SHAKER2_CODE
-static void shaker2_start_sums(const shaker2_table *stand, shaker2_sums *restrict sum)
-{
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
-}
-
 /* rotation vector of a quaternion of about unit length; its length is at most pi. */
 SHAKER2_CODE
 static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[restrict 3])
@@ -324,10 +379,15 @@ static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[rest
     /* q and -q are the same rotation: take the shorter way */
     const shaker2_real side = (q[0] < 0.0) ? -1.0 : 1.0;
     const shaker2_real square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    shaker2_real ratio = 2.0 / (side * q[0]);  /* angle over the length of the vector part */
+    shaker2_real ratio = 2.0;  /* angle over the length of the vector part */
     if (square > 1.0e-30) {
         const shaker2_real length = shaker2_sqrt(square);
         ratio = 2.0 * shaker2_atan2(length, side * q[0]) / length;
+    } else {
+        /* as it must be; the test keeps zero out of the division whatever q is */
+        if (side * q[0] > 0.5) {
+            ratio = 2.0 / (side * q[0]);
+        }
     }
     r[0] = side * ratio * q[1];  r[1] = side * ratio * q[2];  r[2] = side * ratio * q[3];
 }
@@ -474,6 +534,8 @@ static shaker2_status shaker2_solve_carrier(const shaker2_table *stand, const sh
  * (8). */
 SHAKER2_CODE
 static shaker2_status shaker2_accelerate(const shaker2_table *stand, const shaker2_state *x,
+                                         const shaker2_real sine[SHAKER2_N],
+                                         const shaker2_real cosine[SHAKER2_N],
                                          const shaker2_real phi_ddot[SHAKER2_N],
                                          shaker2_real V_dot[restrict 6])
 {
@@ -485,9 +547,7 @@ static shaker2_status shaker2_accelerate(const shaker2_table *stand, const shake
     shaker2_sums sum;
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     shaker2_real F[6];  /* wrench (7); then what K V* must equal */
     shaker2_real Z[6];  /* momentum screw (2) */
@@ -510,7 +570,10 @@ shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real result[6];
-    status = shaker2_accelerate(stand, x, phi_ddot, result);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    status = shaker2_accelerate(stand, x, sine, cosine, phi_ddot, result);
     if (status != SHAKER2_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -529,11 +592,12 @@ shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, stand->gravity, g);
     shaker2_sums sum;
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real result[6];
     shaker2_external(stand, x, &sum, C, g, result);
@@ -571,11 +635,12 @@ shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state 
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, stand->gravity, g);
     shaker2_sums sum;
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real F[6];
     shaker2_external(stand, x, &sum, C, g, F);
@@ -610,8 +675,8 @@ shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state 
     shaker2_real column[6];  /* I_s */
     shaker2_real rate[6];  /* dI_s / dphi */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
+        const shaker2_real s_phi = sine[s];
+        const shaker2_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -656,18 +721,19 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_sums sum;
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_momentum_screw(stand, &sum, x->V, Z);
     shaker2_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
+        const shaker2_real s_phi = sine[s];
+        const shaker2_real c_phi = cosine[s];
         /* I_s . V */
         const shaker2_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
             * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
@@ -715,15 +781,40 @@ static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real 
     out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
     out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
     out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
-    shaker2_real J_p[6];  /* dJ / dphi */
-    J_p[0] = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
-    J_p[1] = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
-    J_p[2] = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
-    J_p[3] = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
-    J_p[4] = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
-    J_p[5] = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
-    out->bias = J_p[0] * spun[0] + J_p[1] * spun[1] + J_p[2] * spun[2] + J_p[3] * spun[3] + J_p[4] * spun[4]
-        + J_p[5] * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+    /* dJ / dphi */
+    const shaker2_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2
+        - row->J_c[0] * s;
+    const shaker2_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2
+        - row->J_c[1] * s;
+    const shaker2_real J_p3 = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2
+        - row->J_c[2] * s;
+    const shaker2_real J_p4 = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2
+        - row->J_c[3] * s;
+    const shaker2_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2
+        - row->J_c[4] * s;
+    const shaker2_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
+        - row->J_c[5] * s;
+    out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
+        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+}
+
+/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+SHAKER2_CODE
+static void shaker2_eliminate(const shaker2_real I[6], shaker2_real spin_inv, shaker2_real rate,
+                              shaker2_schur *restrict K, shaker2_real F[restrict 6])
+{
+    shaker2_real scaled[6];  /* I / Theta_ff */
+    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
+    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
+    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
+    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
+    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
+    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
+    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
+    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
+    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
+    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
+    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -744,6 +835,9 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
     shaker2_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
     swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
@@ -755,33 +849,12 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_coupling drive;
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive);
+        shaker2_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
         tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
             + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
             + drive.bias;
     }
     return SHAKER2_OK;
-}
-
-/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
-SHAKER2_CODE
-static void shaker2_eliminate(const shaker2_real I[6], shaker2_real spin_inv, shaker2_real rate,
-                              shaker2_schur *restrict K, shaker2_real F[restrict 6])
-{
-    shaker2_real scaled[6];  /* I / Theta_ff */
-    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
-    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
-    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
-    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
-    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
-    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
-    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
-    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
-    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
-    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
-    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
 }
 
 /* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
@@ -840,6 +913,7 @@ static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 SHAKER2_CODE
 static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_state *x,
+                                   const shaker2_real sine[SHAKER2_N], const shaker2_real cosine[SHAKER2_N],
                                    const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                    shaker2_real V_dot[restrict 6], shaker2_real phi_ddot[restrict SHAKER2_N])
 {
@@ -849,22 +923,9 @@ static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_sta
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, stand->gravity, g);
     shaker2_sums sum;
-    shaker2_coupling drive[SHAKER2_N];
-    shaker2_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
-    spun[0] = -0.5 * (x->V[3] * x->V[3]);
-    spun[1] = -0.5 * (x->V[4] * x->V[4]);
-    spun[2] = -0.5 * (x->V[5] * x->V[5]);
-    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     shaker2_real Z[6];  /* momentum screw (2) */
@@ -879,8 +940,19 @@ static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_sta
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    shaker2_coupling drive[SHAKER2_N];
+    shaker2_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
+    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_real rate[SHAKER2_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < SHAKER2_N; ++s) {
+        shaker2_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
@@ -914,7 +986,10 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
     if (status != SHAKER2_OK) { return status; }
     shaker2_real V_result[6];
     shaker2_real phi_result[SHAKER2_N];
-    status = shaker2_move(stand, x, tau, locked, V_result, phi_result);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    status = shaker2_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SHAKER2_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -975,7 +1050,10 @@ static shaker2_status shaker2_rate(const shaker2_table *stand, const shaker2_sta
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
-    status = shaker2_move(stand, x, tau, locked, rate->V, rate->phi_dot);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    status = shaker2_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != SHAKER2_OK) { return status; }
     shaker2_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1097,7 +1175,10 @@ static shaker2_status shaker2_rate_driven(const shaker2_table *stand, const shak
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
-    status = shaker2_accelerate(stand, x, phi_ddot, rate->V);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    status = shaker2_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
     if (status != SHAKER2_OK) { return status; }
     shaker2_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1426,11 +1507,12 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, stand->gravity, g);
     shaker2_sums sum;
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], &sum);
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     shaker2_real F[6];  /* what K V* must equal */
     shaker2_real Z[6];  /* momentum screw (2) */
@@ -1481,8 +1563,8 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
     }
     shaker2_real change[12];  /* of the weights of a row */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
+        const shaker2_real s_phi = sine[s];
+        const shaker2_real c_phi = cosine[s];
         const shaker2_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const shaker2_real s2 = 2.0 * c_phi * s_phi;
         const shaker2_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1544,7 +1626,10 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     if (status != SHAKER2_OK) { return status; }
     shaker2_real V_result[6];  /* V*, then V_r* */
     shaker2_real phi_result[SHAKER2_N];  /* phi'' */
-    status = shaker2_move(stand, x, tau, locked, V_result, phi_result);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    status = shaker2_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
@@ -1553,9 +1638,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     shaker2_sums sum;
     shaker2_start_sums(stand, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_result[s], &sum);
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_momentum_screw(stand, &sum, x->V, Z);
@@ -1611,9 +1694,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_couple(&stand->flywheel[s], s_phi, c_phi, swing, spun, &drive[s]);
+        shaker2_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
         if (locked[s] == 0) {
             shaker2_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
@@ -1622,8 +1703,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     shaker2_real J_p[6];  /* dJ / dphi */
     shaker2_real turned[3];  /* J' omega */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
+        const shaker2_real s_phi = sine[s];
+        const shaker2_real c_phi = cosine[s];
         const shaker2_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const shaker2_real two_s2 = 4.0 * c_phi * s_phi;
         J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
@@ -1679,8 +1760,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     }
     shaker2_real change[12];  /* of the weights of a row */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
+        const shaker2_real s_phi = sine[s];
+        const shaker2_real c_phi = cosine[s];
         const shaker2_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
         const shaker2_real s2 = 2.0 * c_phi * s_phi;
         const shaker2_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
@@ -1899,7 +1980,9 @@ static shaker2_status shaker2_factor(shaker2_inverse_work *restrict work)
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SHAKER2_CODE
 static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_state *x,
-                                     const shaker2_real V_dot[6], shaker2_inverse_work *restrict work)
+                                     const shaker2_real sine[SHAKER2_N],
+                                     const shaker2_real cosine[SHAKER2_N], const shaker2_real V_dot[6],
+                                     shaker2_inverse_work *restrict work)
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
@@ -1908,11 +1991,13 @@ static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_s
     shaker2_rotate_back(C, stand->gravity, g);
     shaker2_sums sum;
     shaker2_start_sums(stand, &sum);
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
     shaker2_real column[6];  /* I_s */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_add_flywheel(&stand->flywheel[s], s_phi, c_phi, x->phi_dot[s], 0.0, &sum);
+        const shaker2_real s_phi = sine[s];
+        const shaker2_real c_phi = cosine[s];
         column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
         column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
         column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
@@ -2089,7 +2174,8 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
             int stopped = -1;
             for (int s = 0; s < SHAKER2_N; ++s) {
                 const shaker2_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
-                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]) {
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
                     const shaker2_real room = options->limit[s] / work->scale[s]
                         - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
                     const shaker2_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
@@ -2180,7 +2266,10 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
         if (options->limit[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
-    status = shaker2_demand(stand, x, V_dot, &work);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    status = shaker2_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2323,7 +2412,10 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
         if (!(options->weight[s] >= 1.0e-6)) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
-    status = shaker2_demand(stand, x, V_dot, &work);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    status = shaker2_demand(stand, x, sine, cosine, V_dot, &work);
     if (status != SHAKER2_OK) { return status; }
     /* normal equations: W^T W y = W^T r */
     shaker2_real gram[2][2];
@@ -2944,14 +3036,15 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
     shaker2_real W[6];
     for (int s = 0; s < SHAKER2_N; ++s) {
         W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
         W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
-        shaker2_real s_phi, c_phi;
-        shaker2_sincos(x->phi[s], &s_phi, &c_phi);
-        shaker2_mount_wrench(&mounting->flywheel[s], s_phi, c_phi, x->phi_dot[s], phi_ddot[s], x->V, V_dot, g,
-            W);
+        shaker2_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V,
+            V_dot, g, W);
         for (int j = 0; j < 6; ++j) {
             loads[s * 6 + j] = W[j];
         }

@@ -20,6 +20,7 @@ extern "C" {
 
 #define SHAKER2_STRUCTURE 0x94a85f4au  /* of the stand: names, counts, kinds of wrench */
 #define SHAKER2_PHYSICS   0x2591b2a4u  /* of the stand: structure and all numbers */
+#define SHAKER2_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 
 typedef double shaker2_real;
 
@@ -227,7 +228,7 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1145 operations on reals, 7 of them divisions. */
+ * At most 1143 operations on reals, 6 of them divisions. */
 shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
@@ -236,7 +237,7 @@ shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 926 operations on reals, 4 of them divisions. */
+ * At most 924 operations on reals, 3 of them divisions. */
 shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x, shaker2_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -244,7 +245,7 @@ shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1398 operations on reals, 4 of them divisions. */
+ * At most 1302 operations on reals, 3 of them divisions. */
 shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state *x, shaker2_equations *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -252,7 +253,7 @@ shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 878 operations on reals, 1 of them a division. */
+ * At most 784 operations on reals, 1 of them a division. */
 shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state *x, shaker2_momenta *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -277,7 +278,7 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1604 operations on reals, 8 of them divisions. */
+ * At most 1602 operations on reals, 7 of them divisions. */
 shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
@@ -293,7 +294,7 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 6946 operations on reals, 38 of them divisions. */
+ * At most 6938 operations on reals, 34 of them divisions. */
 shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
@@ -308,7 +309,7 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
  * RANGE also where the new state would leave its ranges.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5110 operations on reals, 34 of them divisions. */
+ * At most 5102 operations on reals, 30 of them divisions. */
 shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
@@ -362,7 +363,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3827 operations on reals, 43 of them divisions. */
+ * At most 3731 operations on reals, 42 of them divisions. */
 shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N], shaker2_forward_slopes *out);
 
@@ -375,7 +376,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
  * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7767 operations on reals, 57 of them divisions. */
+ * At most 7389 operations on reals, 56 of them divisions. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_slopes *out);
@@ -391,7 +392,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
  * Positive statuses are bits that may come together.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 26412 operations on reals, 851 of them divisions. */
+ * At most 26446 operations on reals, 850 of them divisions. */
 shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -408,7 +409,7 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
  * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1828 operations on reals, 32 of them divisions. */
+ * At most 1826 operations on reals, 31 of them divisions. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
@@ -443,7 +444,7 @@ shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4336 operations on reals, 13 of them divisions. */
+ * At most 4238 operations on reals, 11 of them divisions. */
 shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state *x,
                                 const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                 shaker2_generalized *out);

@@ -5,6 +5,9 @@
 #if SHAKER2_STRUCTURE != 0x94a85f4au || SHAKER2_PHYSICS != 0x2591b2a4u
 #error "shaker2.h and shaker2_recorder.c are of different stands"
 #endif
+#if SHAKER2_LANES != 1
+#error "shaker2.h and shaker2_recorder.c were generated for different numbers of lanes"
+#endif
 
 #ifndef SHAKER2_CODE
 #define SHAKER2_CODE

@@ -28,6 +28,9 @@
 #if SHAKER2_STRUCTURE != 0x94a85f4au || SHAKER2_PHYSICS != 0x2591b2a4u
 #error "shaker2.h and shaker2_selftest.c are of different stands"
 #endif
+#if SHAKER2_LANES != 1
+#error "shaker2.h and shaker2_selftest.c were generated for different numbers of lanes"
+#endif
 
 #ifndef SHAKER2_SELFTEST_SWEEP
 #define SHAKER2_SELFTEST_SWEEP 100ul  /* states of the sweep that main runs */

@@ -1,0 +1,2729 @@
+/* remus6_eva.c: drivers of Frama-C Eva for the stand "remus6": what is proved of remus6.c. Run by remus6_eva.sh.
+ * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead.
+ *
+ * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ *   normal   magnitudes of ordinary use: the numbers in the driver
+ *   any      every finite number, every integer: what the checks of the function let through is all it computes with
+ *   bits     every bit pattern: NaN and infinities as well
+ * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
+ * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
+ * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include <limits.h>
+
+#include "__fc_builtin.h"
+#include "features.h"
+#include "remus6.h"
+
+/* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
+ * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
+ * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+
+/*@ requires -10000000.0 <= x <= 10000000.0;
+    assigns *sine, *cosine \from x;
+    ensures \initialized(sine) && \initialized(cosine);
+    ensures \is_finite(*sine) && \is_finite(*cosine);
+    ensures -1.0000002 <= *sine <= 1.0000002;
+    ensures -1.0000002 <= *cosine <= 1.0000002; */
+static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real *restrict cosine);
+
+__PUSH_FC_STDLIB
+/*@ requires x >= 0.0;
+    assigns \result \from x; */
+static remus6_real remus6_sqrt(remus6_real x);
+__POP_FC_STDLIB
+
+#include "remus6.c"
+
+/* ---- sets of numbers ---- */
+
+static remus6_real real_in(remus6_real low, remus6_real high)
+{
+    return Frama_C_double_interval(low, high);
+}
+
+static void reals(remus6_real *x, int count, remus6_real size)
+{
+    for (int i = 0; i < count; ++i) { x[i] = real_in(-size, size); }
+}
+
+static volatile remus6_real any_bits;  /* Eva: each read may give every bit pattern */
+
+static void all_bits(remus6_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) { x[i] = any_bits; }
+}
+
+static void not_finite(remus6_real *x)
+{
+    const remus6_real zero = 0.0;
+    switch (Frama_C_interval(0, 2)) {
+    case 0: *x = 1.0 / zero; break;
+    case 1: *x = -1.0 / zero; break;
+    default: *x = zero / zero; break;
+    }
+}
+
+/* One number of any bits, finite numbers apart from the others. */
+static void one_of_all(remus6_real *x)
+{
+    if (Frama_C_interval(0, 1) == 0) {
+        not_finite(x);
+    } else {
+        *x = real_in(-REMUS6_LARGEST, REMUS6_LARGEST);
+    }
+}
+
+static void integers(int *x, int count, int low, int high)
+{
+    for (int i = 0; i < count; ++i) { x[i] = Frama_C_interval(low, high); }
+}
+
+/* A number within one part in a hundred of another. */
+static remus6_real near(remus6_real x)
+{
+    const remus6_real a = x * 0.99;
+    const remus6_real b = x * 1.01;
+    return a <= b ? real_in(a, b) : real_in(b, a);
+}
+
+static void about(remus6_real *x, const remus6_real *middle, int count)
+{
+    for (int i = 0; i < count; ++i) { x[i] = near(middle[i]); }
+}
+
+/* A quaternion. Where the sum of four squares is at least 0.998001, one of them is at least a quarter of that: so one
+ * component is at least 0.499 in magnitude. Which, and its sign, are eight cases; all others are refused by
+ * the checks, which the case without a large component shows. */
+static void quaternion(remus6_real q[4], remus6_real size)
+{
+    const int large = Frama_C_interval(0, 8);
+    reals(q, 4, size);
+    switch (large) {
+    case 0: q[0] = real_in(0.499, size); break;
+    case 1: q[0] = real_in(-size, -0.499); break;
+    case 2: q[1] = real_in(0.499, size); break;
+    case 3: q[1] = real_in(-size, -0.499); break;
+    case 4: q[2] = real_in(0.499, size); break;
+    case 5: q[2] = real_in(-size, -0.499); break;
+    case 6: q[3] = real_in(0.499, size); break;
+    case 7: q[3] = real_in(-size, -0.499); break;
+    default: reals(q, 4, 0.499); break;
+    }
+}
+
+/* ---- what is asserted of results ---- */
+
+static void written(const remus6_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check \initialized(&x[i]) && \is_finite(x[i]); */
+    }
+}
+
+static void initialised(const remus6_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check \initialized(&x[i]); */
+    }
+}
+
+static void untouched(const remus6_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check !\initialized(&x[i]); */
+    }
+}
+
+/* ---- drivers: a function and a set each ---- */
+
+void remus6_eva_normal_forward(void);
+void remus6_eva_normal_forward(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_forward(&stand, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+    }
+}
+
+void remus6_eva_any_forward(void);
+void remus6_eva_any_forward(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_forward(&stand, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+    }
+}
+
+void remus6_eva_bits_forward(void);
+void remus6_eva_bits_forward(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real phi_ddot[REMUS6_N];
+    all_bits(&phi_ddot[0], 6);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_forward(&stand, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&V_dot[0], 6);
+    }
+}
+
+void remus6_eva_normal_wrench(void);
+void remus6_eva_normal_wrench(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real F[6];
+    const remus6_status status = remus6_wrench(&stand, &x, F);
+    if (status < 0) {
+        untouched(&F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&F[0], 6);
+    }
+}
+
+void remus6_eva_any_wrench(void);
+void remus6_eva_any_wrench(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real F[6];
+    const remus6_status status = remus6_wrench(&stand, &x, F);
+    if (status < 0) {
+        untouched(&F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&F[0], 6);
+    }
+}
+
+void remus6_eva_bits_wrench(void);
+void remus6_eva_bits_wrench(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real F[6];
+    const remus6_status status = remus6_wrench(&stand, &x, F);
+    if (status < 0) {
+        untouched(&F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&F[0], 6);
+    }
+}
+
+void remus6_eva_normal_matrices(void);
+void remus6_eva_normal_matrices(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_equations out;
+    const remus6_status status = remus6_matrices(&stand, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 36);
+        untouched(&out.J[0][0], 36);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.K[0][0], 36);
+        written(&out.K_dot[0][0], 36);
+        written(&out.M[0][0], 36);
+        written(&out.I[0][0], 36);
+        written(&out.J[0][0], 36);
+        written(&out.F[0], 6);
+    }
+}
+
+void remus6_eva_any_matrices(void);
+void remus6_eva_any_matrices(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_equations out;
+    const remus6_status status = remus6_matrices(&stand, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 36);
+        untouched(&out.J[0][0], 36);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.K[0][0], 36);
+        written(&out.K_dot[0][0], 36);
+        written(&out.M[0][0], 36);
+        written(&out.I[0][0], 36);
+        written(&out.J[0][0], 36);
+        written(&out.F[0], 6);
+    }
+}
+
+void remus6_eva_bits_matrices(void);
+void remus6_eva_bits_matrices(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_equations out;
+    const remus6_status status = remus6_matrices(&stand, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 36);
+        untouched(&out.J[0][0], 36);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.K[0][0], 36);
+        initialised(&out.K_dot[0][0], 36);
+        initialised(&out.M[0][0], 36);
+        initialised(&out.I[0][0], 36);
+        initialised(&out.J[0][0], 36);
+        initialised(&out.F[0], 6);
+    }
+}
+
+void remus6_eva_normal_momentum(void);
+void remus6_eva_normal_momentum(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_momenta out;
+    const remus6_status status = remus6_momentum(&stand, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.Z[0], 6);
+        written(&out.Z0[0], 6);
+        written(&out.energy, 1);
+        written(&out.center_of_mass[0], 3);
+    }
+}
+
+void remus6_eva_any_momentum(void);
+void remus6_eva_any_momentum(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_momenta out;
+    const remus6_status status = remus6_momentum(&stand, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.Z[0], 6);
+        written(&out.Z0[0], 6);
+        written(&out.energy, 1);
+        written(&out.center_of_mass[0], 3);
+    }
+}
+
+void remus6_eva_bits_momentum(void);
+void remus6_eva_bits_momentum(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_momenta out;
+    const remus6_status status = remus6_momentum(&stand, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.Z[0], 6);
+        initialised(&out.Z0[0], 6);
+        initialised(&out.energy, 1);
+        initialised(&out.center_of_mass[0], 3);
+    }
+}
+
+void remus6_eva_normal_torque(void);
+void remus6_eva_normal_torque(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    remus6_real tau[REMUS6_N];
+    const remus6_status status = remus6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&tau[0], 6);
+    }
+}
+
+void remus6_eva_any_torque(void);
+void remus6_eva_any_torque(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real tau[REMUS6_N];
+    const remus6_status status = remus6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&tau[0], 6);
+    }
+}
+
+void remus6_eva_bits_torque(void);
+void remus6_eva_bits_torque(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    remus6_real phi_ddot[REMUS6_N];
+    all_bits(&phi_ddot[0], 6);
+    remus6_real tau[REMUS6_N];
+    const remus6_status status = remus6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&tau[0], 6);
+    }
+}
+
+void remus6_eva_normal_coupled(void);
+void remus6_eva_normal_coupled(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, 100.0);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, 0, 1);
+    remus6_real V_dot[6];
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+        written(&phi_ddot[0], 6);
+    }
+}
+
+void remus6_eva_any_coupled(void);
+void remus6_eva_any_coupled(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_real V_dot[6];
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+        written(&phi_ddot[0], 6);
+    }
+}
+
+void remus6_eva_bits_coupled(void);
+void remus6_eva_bits_coupled(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real tau[REMUS6_N];
+    all_bits(&tau[0], 6);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_real V_dot[6];
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&V_dot[0], 6);
+        initialised(&phi_ddot[0], 6);
+    }
+}
+
+void remus6_eva_normal_step(void);
+void remus6_eva_normal_step(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, 100.0);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, 0, 1);
+    remus6_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    remus6_state next;
+    const remus6_status status = remus6_step(&stand, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 6);
+        untouched(&next.phi_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 6);
+        written(&next.phi_dot[0], 6);
+    }
+}
+
+void remus6_eva_any_step(void);
+void remus6_eva_any_step(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_state next;
+    const remus6_status status = remus6_step(&stand, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 6);
+        untouched(&next.phi_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 6);
+        written(&next.phi_dot[0], 6);
+    }
+}
+
+void remus6_eva_bits_step(void);
+void remus6_eva_bits_step(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real tau[REMUS6_N];
+    all_bits(&tau[0], 6);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_state next;
+    const remus6_status status = remus6_step(&stand, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 6);
+        untouched(&next.phi_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&next.position[0], 3);
+        initialised(&next.attitude[0], 4);
+        initialised(&next.V[0], 6);
+        initialised(&next.phi[0], 6);
+        initialised(&next.phi_dot[0], 6);
+    }
+}
+
+void remus6_eva_normal_step_driven(void);
+void remus6_eva_normal_step_driven(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    remus6_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 6);
+        untouched(&next.phi_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 6);
+        written(&next.phi_dot[0], 6);
+    }
+}
+
+void remus6_eva_any_step_driven(void);
+void remus6_eva_any_step_driven(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 6);
+        untouched(&next.phi_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 6);
+        written(&next.phi_dot[0], 6);
+    }
+}
+
+void remus6_eva_bits_step_driven(void);
+void remus6_eva_bits_step_driven(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real phi_ddot[REMUS6_N];
+    all_bits(&phi_ddot[0], 6);
+    remus6_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 6);
+        untouched(&next.phi_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&next.position[0], 3);
+        initialised(&next.attitude[0], 4);
+        initialised(&next.V[0], 6);
+        initialised(&next.phi[0], 6);
+        initialised(&next.phi_dot[0], 6);
+    }
+}
+
+void remus6_eva_normal_wrap(void);
+void remus6_eva_normal_wrap(void)
+{
+    remus6_real phi;
+    reals(&phi, 1, 100.0);
+    remus6_real wrapped;
+    const remus6_status status = remus6_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&wrapped, 1);
+    }
+}
+
+void remus6_eva_any_wrap(void);
+void remus6_eva_any_wrap(void)
+{
+    remus6_real phi;
+    reals(&phi, 1, REMUS6_LARGEST);
+    remus6_real wrapped;
+    const remus6_status status = remus6_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&wrapped, 1);
+    }
+}
+
+void remus6_eva_bits_wrap(void);
+void remus6_eva_bits_wrap(void)
+{
+    remus6_real phi;
+    one_of_all(&phi);
+    remus6_real wrapped;
+    const remus6_status status = remus6_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&wrapped, 1);
+    }
+}
+
+void remus6_eva_normal_phase_of_counts(void);
+void remus6_eva_normal_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, -1048576, 1048576);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    remus6_real zero;
+    reals(&zero, 1, 1.0e3);
+    remus6_real phi;
+    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi, 1);
+    }
+}
+
+void remus6_eva_any_phase_of_counts(void);
+void remus6_eva_any_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    remus6_real zero;
+    reals(&zero, 1, REMUS6_LARGEST);
+    remus6_real phi;
+    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi, 1);
+    }
+}
+
+void remus6_eva_bits_phase_of_counts(void);
+void remus6_eva_bits_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    remus6_real zero;
+    one_of_all(&zero);
+    remus6_real phi;
+    const remus6_status status = remus6_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi, 1);
+    }
+}
+
+void remus6_eva_normal_speed_of_counts(void);
+void remus6_eva_normal_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, -1048576, 1048576);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    remus6_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    remus6_real phi_dot;
+    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_dot, 1);
+    }
+}
+
+void remus6_eva_any_speed_of_counts(void);
+void remus6_eva_any_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
+    remus6_real phi_dot;
+    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_dot, 1);
+    }
+}
+
+void remus6_eva_bits_speed_of_counts(void);
+void remus6_eva_bits_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    remus6_real dt;
+    one_of_all(&dt);
+    remus6_real phi_dot;
+    const remus6_status status = remus6_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi_dot, 1);
+    }
+}
+
+void remus6_eva_normal_accumulate(void);
+void remus6_eva_normal_accumulate(void)
+{
+    remus6_encoder encoder;
+    integers(&encoder.counter, 1, -1048576, 1048576);
+    integers(&encoder.place, 1, -1048576, 1048576);
+    integers(&encoder.moved, 1, -1048576, 1048576);
+    int counter;
+    integers(&counter, 1, -1048576, 1048576);
+    int bits;
+    integers(&bits, 1, 0, 32);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void remus6_eva_any_accumulate(void);
+void remus6_eva_any_accumulate(void)
+{
+    remus6_encoder encoder;
+    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
+    integers(&encoder.place, 1, INT_MIN, INT_MAX);
+    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    int counter;
+    integers(&counter, 1, INT_MIN, INT_MAX);
+    int bits;
+    integers(&bits, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void remus6_eva_bits_accumulate(void);
+void remus6_eva_bits_accumulate(void)
+{
+    remus6_encoder encoder;
+    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
+    integers(&encoder.place, 1, INT_MIN, INT_MAX);
+    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    int counter;
+    integers(&counter, 1, INT_MIN, INT_MAX);
+    int bits;
+    integers(&bits, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    const remus6_status status = remus6_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void remus6_eva_normal_forward_jacobian(void);
+void remus6_eva_normal_forward_jacobian(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    remus6_forward_slopes out;
+    const remus6_status status = remus6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 36);
+        untouched(&out.V_dot_phi_dot[0][0], 36);
+        untouched(&out.V_dot_phi_ddot[0][0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 36);
+        written(&out.V_dot_phi_dot[0][0], 36);
+        written(&out.V_dot_phi_ddot[0][0], 36);
+    }
+}
+
+void remus6_eva_any_forward_jacobian(void);
+void remus6_eva_any_forward_jacobian(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_forward_slopes out;
+    const remus6_status status = remus6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 36);
+        untouched(&out.V_dot_phi_dot[0][0], 36);
+        untouched(&out.V_dot_phi_ddot[0][0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 36);
+        written(&out.V_dot_phi_dot[0][0], 36);
+        written(&out.V_dot_phi_ddot[0][0], 36);
+    }
+}
+
+void remus6_eva_bits_forward_jacobian(void);
+void remus6_eva_bits_forward_jacobian(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real phi_ddot[REMUS6_N];
+    all_bits(&phi_ddot[0], 6);
+    remus6_forward_slopes out;
+    const remus6_status status = remus6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 36);
+        untouched(&out.V_dot_phi_dot[0][0], 36);
+        untouched(&out.V_dot_phi_ddot[0][0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.V_dot_V[0][0], 36);
+        initialised(&out.V_dot_phi[0][0], 36);
+        initialised(&out.V_dot_phi_dot[0][0], 36);
+        initialised(&out.V_dot_phi_ddot[0][0], 36);
+    }
+}
+
+void remus6_eva_normal_coupled_jacobian(void);
+void remus6_eva_normal_coupled_jacobian(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, 100.0);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, 0, 1);
+    remus6_coupled_slopes out;
+    const remus6_status status = remus6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 36);
+        untouched(&out.V_dot_phi_dot[0][0], 36);
+        untouched(&out.V_dot_tau[0][0], 36);
+        untouched(&out.phi_ddot_V[0][0], 36);
+        untouched(&out.phi_ddot_phi[0][0], 36);
+        untouched(&out.phi_ddot_phi_dot[0][0], 36);
+        untouched(&out.phi_ddot_tau[0][0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 36);
+        written(&out.V_dot_phi_dot[0][0], 36);
+        written(&out.V_dot_tau[0][0], 36);
+        written(&out.phi_ddot_V[0][0], 36);
+        written(&out.phi_ddot_phi[0][0], 36);
+        written(&out.phi_ddot_phi_dot[0][0], 36);
+        written(&out.phi_ddot_tau[0][0], 36);
+    }
+}
+
+void remus6_eva_any_coupled_jacobian(void);
+void remus6_eva_any_coupled_jacobian(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_coupled_slopes out;
+    const remus6_status status = remus6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 36);
+        untouched(&out.V_dot_phi_dot[0][0], 36);
+        untouched(&out.V_dot_tau[0][0], 36);
+        untouched(&out.phi_ddot_V[0][0], 36);
+        untouched(&out.phi_ddot_phi[0][0], 36);
+        untouched(&out.phi_ddot_phi_dot[0][0], 36);
+        untouched(&out.phi_ddot_tau[0][0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 36);
+        written(&out.V_dot_phi_dot[0][0], 36);
+        written(&out.V_dot_tau[0][0], 36);
+        written(&out.phi_ddot_V[0][0], 36);
+        written(&out.phi_ddot_phi[0][0], 36);
+        written(&out.phi_ddot_phi_dot[0][0], 36);
+        written(&out.phi_ddot_tau[0][0], 36);
+    }
+}
+
+void remus6_eva_bits_coupled_jacobian(void);
+void remus6_eva_bits_coupled_jacobian(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real tau[REMUS6_N];
+    all_bits(&tau[0], 6);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_coupled_slopes out;
+    const remus6_status status = remus6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 36);
+        untouched(&out.V_dot_phi_dot[0][0], 36);
+        untouched(&out.V_dot_tau[0][0], 36);
+        untouched(&out.phi_ddot_V[0][0], 36);
+        untouched(&out.phi_ddot_phi[0][0], 36);
+        untouched(&out.phi_ddot_phi_dot[0][0], 36);
+        untouched(&out.phi_ddot_tau[0][0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.V_dot_V[0][0], 36);
+        initialised(&out.V_dot_phi[0][0], 36);
+        initialised(&out.V_dot_phi_dot[0][0], 36);
+        initialised(&out.V_dot_tau[0][0], 36);
+        initialised(&out.phi_ddot_V[0][0], 36);
+        initialised(&out.phi_ddot_phi[0][0], 36);
+        initialised(&out.phi_ddot_phi_dot[0][0], 36);
+        initialised(&out.phi_ddot_tau[0][0], 36);
+    }
+}
+
+void remus6_eva_normal_inverse(void);
+void remus6_eva_normal_inverse(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    remus6_inverse_options options;
+    about(&options.weight[0], &remus6_default_options.weight[0], 6);
+    about(&options.limit[0], &remus6_default_options.limit[0], 6);
+    about(&options.near, &remus6_default_options.near, 1);
+    about(&options.damping, &remus6_default_options.damping, 1);
+    remus6_inverse_result out;
+    const remus6_status status = remus6_inverse(&stand, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 6);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 6);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.phi_ddot[0], 6);
+        written(&out.residual[0], 6);
+        written(&out.sigma[0], 6);
+        /*@ check \initialized(&out.rank); */
+        written(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        written(&out.hardest[0], 6);
+    }
+}
+
+void remus6_eva_any_inverse(void);
+void remus6_eva_any_inverse(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_inverse_options options;
+    reals(&options.weight[0], 6, REMUS6_LARGEST);
+    reals(&options.limit[0], 6, REMUS6_LARGEST);
+    reals(&options.near, 1, REMUS6_LARGEST);
+    reals(&options.damping, 1, REMUS6_LARGEST);
+    remus6_inverse_result out;
+    const remus6_status status = remus6_inverse(&stand, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 6);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 6);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.phi_ddot[0], 6);
+        written(&out.residual[0], 6);
+        written(&out.sigma[0], 6);
+        /*@ check \initialized(&out.rank); */
+        written(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        written(&out.hardest[0], 6);
+    }
+}
+
+void remus6_eva_bits_inverse(void);
+void remus6_eva_bits_inverse(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    remus6_inverse_options options;
+    all_bits(&options.weight[0], 6);
+    all_bits(&options.limit[0], 6);
+    one_of_all(&options.near);
+    one_of_all(&options.damping);
+    remus6_inverse_result out;
+    const remus6_status status = remus6_inverse(&stand, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 6);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 6);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.phi_ddot[0], 6);
+        initialised(&out.residual[0], 6);
+        initialised(&out.sigma[0], 6);
+        /*@ check \initialized(&out.rank); */
+        initialised(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        initialised(&out.hardest[0], 6);
+    }
+}
+
+void remus6_eva_normal_inverse_fast(void);
+void remus6_eva_normal_inverse_fast(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    remus6_inverse_options options;
+    about(&options.weight[0], &remus6_default_options.weight[0], 6);
+    about(&options.limit[0], &remus6_default_options.limit[0], 6);
+    about(&options.near, &remus6_default_options.near, 1);
+    about(&options.damping, &remus6_default_options.damping, 1);
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 6);
+    }
+}
+
+void remus6_eva_any_inverse_fast(void);
+void remus6_eva_any_inverse_fast(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_inverse_options options;
+    reals(&options.weight[0], 6, REMUS6_LARGEST);
+    reals(&options.limit[0], 6, REMUS6_LARGEST);
+    reals(&options.near, 1, REMUS6_LARGEST);
+    reals(&options.damping, 1, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 6);
+    }
+}
+
+void remus6_eva_bits_inverse_fast(void);
+void remus6_eva_bits_inverse_fast(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    remus6_inverse_options options;
+    all_bits(&options.weight[0], 6);
+    all_bits(&options.limit[0], 6);
+    one_of_all(&options.near);
+    one_of_all(&options.damping);
+    remus6_real phi_ddot[REMUS6_N];
+    const remus6_status status = remus6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi_ddot[0], 6);
+    }
+}
+
+void remus6_eva_normal_measure(void);
+void remus6_eva_normal_measure(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    remus6_reading out[REMUS6_SENSORS];
+    const remus6_status status = remus6_measure(&stand, &x, V_dot, out);
+    if (status < 0) {
+        untouched(&out[0].position[0], 3);
+        untouched(&out[0].C[0][0], 9);
+        untouched(&out[0].twist[0], 6);
+        untouched(&out[0].specific_force[0], 3);
+        untouched(&out[0].angular_acceleration[0], 3);
+        untouched(&out[1].position[0], 3);
+        untouched(&out[1].C[0][0], 9);
+        untouched(&out[1].twist[0], 6);
+        untouched(&out[1].specific_force[0], 3);
+        untouched(&out[1].angular_acceleration[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out[0].position[0], 3);
+        written(&out[0].C[0][0], 9);
+        written(&out[0].twist[0], 6);
+        written(&out[0].specific_force[0], 3);
+        written(&out[0].angular_acceleration[0], 3);
+        written(&out[1].position[0], 3);
+        written(&out[1].C[0][0], 9);
+        written(&out[1].twist[0], 6);
+        written(&out[1].specific_force[0], 3);
+        written(&out[1].angular_acceleration[0], 3);
+    }
+}
+
+void remus6_eva_any_measure(void);
+void remus6_eva_any_measure(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_reading out[REMUS6_SENSORS];
+    const remus6_status status = remus6_measure(&stand, &x, V_dot, out);
+    if (status < 0) {
+        untouched(&out[0].position[0], 3);
+        untouched(&out[0].C[0][0], 9);
+        untouched(&out[0].twist[0], 6);
+        untouched(&out[0].specific_force[0], 3);
+        untouched(&out[0].angular_acceleration[0], 3);
+        untouched(&out[1].position[0], 3);
+        untouched(&out[1].C[0][0], 9);
+        untouched(&out[1].twist[0], 6);
+        untouched(&out[1].specific_force[0], 3);
+        untouched(&out[1].angular_acceleration[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out[0].position[0], 3);
+        written(&out[0].C[0][0], 9);
+        written(&out[0].twist[0], 6);
+        written(&out[0].specific_force[0], 3);
+        written(&out[0].angular_acceleration[0], 3);
+        written(&out[1].position[0], 3);
+        written(&out[1].C[0][0], 9);
+        written(&out[1].twist[0], 6);
+        written(&out[1].specific_force[0], 3);
+        written(&out[1].angular_acceleration[0], 3);
+    }
+}
+
+void remus6_eva_bits_measure(void);
+void remus6_eva_bits_measure(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    remus6_reading out[REMUS6_SENSORS];
+    const remus6_status status = remus6_measure(&stand, &x, V_dot, out);
+    if (status < 0) {
+        untouched(&out[0].position[0], 3);
+        untouched(&out[0].C[0][0], 9);
+        untouched(&out[0].twist[0], 6);
+        untouched(&out[0].specific_force[0], 3);
+        untouched(&out[0].angular_acceleration[0], 3);
+        untouched(&out[1].position[0], 3);
+        untouched(&out[1].C[0][0], 9);
+        untouched(&out[1].twist[0], 6);
+        untouched(&out[1].specific_force[0], 3);
+        untouched(&out[1].angular_acceleration[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out[0].position[0], 3);
+        initialised(&out[0].C[0][0], 9);
+        initialised(&out[0].twist[0], 6);
+        initialised(&out[0].specific_force[0], 3);
+        initialised(&out[0].angular_acceleration[0], 3);
+        initialised(&out[1].position[0], 3);
+        initialised(&out[1].C[0][0], 9);
+        initialised(&out[1].twist[0], 6);
+        initialised(&out[1].specific_force[0], 3);
+        initialised(&out[1].angular_acceleration[0], 3);
+    }
+}
+
+void remus6_eva_normal_quaternion(void);
+void remus6_eva_normal_quaternion(void)
+{
+    remus6_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    remus6_real attitude[4];
+    const remus6_status status = remus6_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&attitude[0], 4);
+    }
+}
+
+void remus6_eva_any_quaternion(void);
+void remus6_eva_any_quaternion(void)
+{
+    remus6_real angles[3];
+    reals(&angles[0], 3, REMUS6_LARGEST);
+    remus6_real attitude[4];
+    const remus6_status status = remus6_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&attitude[0], 4);
+    }
+}
+
+void remus6_eva_bits_quaternion(void);
+void remus6_eva_bits_quaternion(void)
+{
+    remus6_real angles[3];
+    all_bits(&angles[0], 3);
+    remus6_real attitude[4];
+    const remus6_status status = remus6_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&attitude[0], 4);
+    }
+}
+
+void remus6_eva_normal_target(void);
+void remus6_eva_normal_target(void)
+{
+    remus6_real position[3];
+    reals(&position[0], 3, 100.0);
+    remus6_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    remus6_real q_dot[6];
+    reals(&q_dot[0], 6, 20.0);
+    remus6_real q_ddot[6];
+    reals(&q_ddot[0], 6, 1.0e3);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&x.position[0], 3);
+        written(&x.attitude[0], 4);
+        written(&x.V[0], 6);
+        written(&x.phi[0], 6);
+        written(&x.phi_dot[0], 6);
+        written(&V_dot[0], 6);
+    }
+}
+
+void remus6_eva_any_target(void);
+void remus6_eva_any_target(void)
+{
+    remus6_real position[3];
+    reals(&position[0], 3, REMUS6_LARGEST);
+    remus6_real angles[3];
+    reals(&angles[0], 3, REMUS6_LARGEST);
+    remus6_real q_dot[6];
+    reals(&q_dot[0], 6, REMUS6_LARGEST);
+    remus6_real q_ddot[6];
+    reals(&q_ddot[0], 6, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&x.position[0], 3);
+        written(&x.attitude[0], 4);
+        written(&x.V[0], 6);
+        written(&x.phi[0], 6);
+        written(&x.phi_dot[0], 6);
+        written(&V_dot[0], 6);
+    }
+}
+
+void remus6_eva_bits_target(void);
+void remus6_eva_bits_target(void)
+{
+    remus6_real position[3];
+    all_bits(&position[0], 3);
+    remus6_real angles[3];
+    all_bits(&angles[0], 3);
+    remus6_real q_dot[6];
+    all_bits(&q_dot[0], 6);
+    remus6_real q_ddot[6];
+    all_bits(&q_ddot[0], 6);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real V_dot[6];
+    const remus6_status status = remus6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&x.position[0], 3);
+        initialised(&x.attitude[0], 4);
+        initialised(&x.V[0], 6);
+        initialised(&x.phi[0], 6);
+        initialised(&x.phi_dot[0], 6);
+        initialised(&V_dot[0], 6);
+    }
+}
+
+void remus6_eva_normal_attitude(void);
+void remus6_eva_normal_attitude(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    remus6_generalized out;
+    const remus6_status status = remus6_attitude(&stand, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.A[0][0], 36);
+        written(&out.D[0][0], 36);
+        written(&out.I0[0][0], 36);
+        written(&out.J0[0][0], 36);
+        written(&out.q_dot[0], 6);
+        written(&out.q_ddot[0], 6);
+    }
+}
+
+void remus6_eva_any_attitude(void);
+void remus6_eva_any_attitude(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real angles[3];
+    reals(&angles[0], 3, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_generalized out;
+    const remus6_status status = remus6_attitude(&stand, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.A[0][0], 36);
+        written(&out.D[0][0], 36);
+        written(&out.I0[0][0], 36);
+        written(&out.J0[0][0], 36);
+        written(&out.q_dot[0], 6);
+        written(&out.q_ddot[0], 6);
+    }
+}
+
+void remus6_eva_bits_attitude(void);
+void remus6_eva_bits_attitude(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real angles[3];
+    all_bits(&angles[0], 3);
+    remus6_real phi_ddot[REMUS6_N];
+    all_bits(&phi_ddot[0], 6);
+    remus6_generalized out;
+    const remus6_status status = remus6_attitude(&stand, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.A[0][0], 36);
+        initialised(&out.D[0][0], 36);
+        initialised(&out.I0[0][0], 36);
+        initialised(&out.J0[0][0], 36);
+        initialised(&out.q_dot[0], 6);
+        initialised(&out.q_ddot[0], 6);
+    }
+}
+
+void remus6_eva_normal_prepare(void);
+void remus6_eva_normal_prepare(void)
+{
+    remus6_parameters parameters;
+    about(&parameters.carrier.mass, &remus6_default_parameters.carrier.mass, 1);
+    about(&parameters.carrier.center_of_mass[0], &remus6_default_parameters.carrier.center_of_mass[0], 3);
+    about(&parameters.carrier.inertia[0], &remus6_default_parameters.carrier.inertia[0], 6);
+    about(&parameters.carrier.displaced_mass, &remus6_default_parameters.carrier.displaced_mass, 1);
+    about(&parameters.carrier.displaced_center[0], &remus6_default_parameters.carrier.displaced_center[0], 3);
+    about(&parameters.added_mass[0][0], &remus6_default_parameters.added_mass[0][0], 36);
+    for (int i = 0; i < 1; ++i) {
+        about(&parameters.instrument[i].body.mass, &remus6_default_parameters.instrument[i].body.mass, 1);
+        about(&parameters.instrument[i].body.center_of_mass[0], &remus6_default_parameters.instrument[i].body.center_of_mass[0], 3);
+        about(&parameters.instrument[i].body.inertia[0], &remus6_default_parameters.instrument[i].body.inertia[0], 6);
+        about(&parameters.instrument[i].body.displaced_mass, &remus6_default_parameters.instrument[i].body.displaced_mass, 1);
+        about(&parameters.instrument[i].body.displaced_center[0], &remus6_default_parameters.instrument[i].body.displaced_center[0], 3);
+        about(&parameters.instrument[i].position[0], &remus6_default_parameters.instrument[i].position[0], 3);
+        about(&parameters.instrument[i].axis[0], &remus6_default_parameters.instrument[i].axis[0], 3);
+        about(&parameters.instrument[i].zero[0], &remus6_default_parameters.instrument[i].zero[0], 3);
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        about(&parameters.flywheel[i].body.mass, &remus6_default_parameters.flywheel[i].body.mass, 1);
+        about(&parameters.flywheel[i].body.center_of_mass[0], &remus6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&parameters.flywheel[i].body.inertia[0], &remus6_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&parameters.flywheel[i].position[0], &remus6_default_parameters.flywheel[i].position[0], 3);
+        about(&parameters.flywheel[i].axis[0], &remus6_default_parameters.flywheel[i].axis[0], 3);
+        about(&parameters.flywheel[i].zero[0], &remus6_default_parameters.flywheel[i].zero[0], 3);
+        integers(&parameters.flywheel[i].mount, 1, -1048576, 1048576);
+    }
+    for (int i = 0; i < 1; ++i) {
+        about(&parameters.point[i].position[0], &remus6_default_parameters.point[i].position[0], 3);
+        about(&parameters.point[i].axis[0], &remus6_default_parameters.point[i].axis[0], 3);
+        about(&parameters.point[i].zero[0], &remus6_default_parameters.point[i].zero[0], 3);
+        integers(&parameters.point[i].mount, 1, -1048576, 1048576);
+    }
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    const remus6_status status = remus6_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&stand.mass, 1);
+        written(&stand.mass_inverse, 1);
+        written(&stand.first_moment[0], 3);
+        written(&stand.inertia[0], 6);
+        written(&stand.A[0], 6);
+        written(&stand.A_inv[0], 6);
+        written(&stand.G[0], 9);
+        written(&stand.weight_mass, 1);
+        written(&stand.displaced_moment[0], 3);
+        written(&stand.flywheel[0].mu_c[0], 3);
+        written(&stand.flywheel[0].mu_s[0], 3);
+        written(&stand.flywheel[0].J_c[0], 6);
+        written(&stand.flywheel[0].J_s[0], 6);
+        written(&stand.flywheel[0].J_2c[0], 6);
+        written(&stand.flywheel[0].J_2s[0], 6);
+        written(&stand.flywheel[0].t_0[0], 3);
+        written(&stand.flywheel[0].t_c[0], 3);
+        written(&stand.flywheel[0].t_s[0], 3);
+        written(&stand.flywheel[0].spin, 1);
+        written(&stand.flywheel[0].spin_inv, 1);
+        written(&stand.flywheel[1].mu_c[0], 3);
+        written(&stand.flywheel[1].mu_s[0], 3);
+        written(&stand.flywheel[1].J_c[0], 6);
+        written(&stand.flywheel[1].J_s[0], 6);
+        written(&stand.flywheel[1].J_2c[0], 6);
+        written(&stand.flywheel[1].J_2s[0], 6);
+        written(&stand.flywheel[1].t_0[0], 3);
+        written(&stand.flywheel[1].t_c[0], 3);
+        written(&stand.flywheel[1].t_s[0], 3);
+        written(&stand.flywheel[1].spin, 1);
+        written(&stand.flywheel[1].spin_inv, 1);
+        written(&stand.flywheel[2].mu_c[0], 3);
+        written(&stand.flywheel[2].mu_s[0], 3);
+        written(&stand.flywheel[2].J_c[0], 6);
+        written(&stand.flywheel[2].J_s[0], 6);
+        written(&stand.flywheel[2].J_2c[0], 6);
+        written(&stand.flywheel[2].J_2s[0], 6);
+        written(&stand.flywheel[2].t_0[0], 3);
+        written(&stand.flywheel[2].t_c[0], 3);
+        written(&stand.flywheel[2].t_s[0], 3);
+        written(&stand.flywheel[2].spin, 1);
+        written(&stand.flywheel[2].spin_inv, 1);
+        written(&stand.flywheel[3].mu_c[0], 3);
+        written(&stand.flywheel[3].mu_s[0], 3);
+        written(&stand.flywheel[3].J_c[0], 6);
+        written(&stand.flywheel[3].J_s[0], 6);
+        written(&stand.flywheel[3].J_2c[0], 6);
+        written(&stand.flywheel[3].J_2s[0], 6);
+        written(&stand.flywheel[3].t_0[0], 3);
+        written(&stand.flywheel[3].t_c[0], 3);
+        written(&stand.flywheel[3].t_s[0], 3);
+        written(&stand.flywheel[3].spin, 1);
+        written(&stand.flywheel[3].spin_inv, 1);
+        written(&stand.flywheel[4].mu_c[0], 3);
+        written(&stand.flywheel[4].mu_s[0], 3);
+        written(&stand.flywheel[4].J_c[0], 6);
+        written(&stand.flywheel[4].J_s[0], 6);
+        written(&stand.flywheel[4].J_2c[0], 6);
+        written(&stand.flywheel[4].J_2s[0], 6);
+        written(&stand.flywheel[4].t_0[0], 3);
+        written(&stand.flywheel[4].t_c[0], 3);
+        written(&stand.flywheel[4].t_s[0], 3);
+        written(&stand.flywheel[4].spin, 1);
+        written(&stand.flywheel[4].spin_inv, 1);
+        written(&stand.flywheel[5].mu_c[0], 3);
+        written(&stand.flywheel[5].mu_s[0], 3);
+        written(&stand.flywheel[5].J_c[0], 6);
+        written(&stand.flywheel[5].J_s[0], 6);
+        written(&stand.flywheel[5].J_2c[0], 6);
+        written(&stand.flywheel[5].J_2s[0], 6);
+        written(&stand.flywheel[5].t_0[0], 3);
+        written(&stand.flywheel[5].t_c[0], 3);
+        written(&stand.flywheel[5].t_s[0], 3);
+        written(&stand.flywheel[5].spin, 1);
+        written(&stand.flywheel[5].spin_inv, 1);
+        written(&stand.sensor[0].origin[0], 3);
+        written(&stand.sensor[0].axes[0], 9);
+        written(&stand.sensor[1].origin[0], 3);
+        written(&stand.sensor[1].axes[0], 9);
+        written(&stand.gravity[0], 3);
+        written(&stand.stream[0], 3);
+        /*@ check \initialized(&stand.damper.first_term); */
+        /*@ check \initialized(&stand.damper.last_term); */
+        /*@ check \initialized(&stand.term[0].wrench); */
+        /*@ check \initialized(&stand.term[0].first); */
+        /*@ check \initialized(&stand.term[0].second); */
+        written(&stand.term[0].value, 1);
+        /*@ check \initialized(&stand.term[1].wrench); */
+        /*@ check \initialized(&stand.term[1].first); */
+        /*@ check \initialized(&stand.term[1].second); */
+        written(&stand.term[1].value, 1);
+        /*@ check \initialized(&stand.term[2].wrench); */
+        /*@ check \initialized(&stand.term[2].first); */
+        /*@ check \initialized(&stand.term[2].second); */
+        written(&stand.term[2].value, 1);
+        /*@ check \initialized(&stand.term[3].wrench); */
+        /*@ check \initialized(&stand.term[3].first); */
+        /*@ check \initialized(&stand.term[3].second); */
+        written(&stand.term[3].value, 1);
+        /*@ check \initialized(&stand.term[4].wrench); */
+        /*@ check \initialized(&stand.term[4].first); */
+        /*@ check \initialized(&stand.term[4].second); */
+        written(&stand.term[4].value, 1);
+        /*@ check \initialized(&stand.term[5].wrench); */
+        /*@ check \initialized(&stand.term[5].first); */
+        /*@ check \initialized(&stand.term[5].second); */
+        written(&stand.term[5].value, 1);
+        /*@ check \initialized(&stand.term[6].wrench); */
+        /*@ check \initialized(&stand.term[6].first); */
+        /*@ check \initialized(&stand.term[6].second); */
+        written(&stand.term[6].value, 1);
+        /*@ check \initialized(&stand.term[7].wrench); */
+        /*@ check \initialized(&stand.term[7].first); */
+        /*@ check \initialized(&stand.term[7].second); */
+        written(&stand.term[7].value, 1);
+        /*@ check \initialized(&stand.term[8].wrench); */
+        /*@ check \initialized(&stand.term[8].first); */
+        /*@ check \initialized(&stand.term[8].second); */
+        written(&stand.term[8].value, 1);
+        /*@ check \initialized(&stand.term[9].wrench); */
+        /*@ check \initialized(&stand.term[9].first); */
+        /*@ check \initialized(&stand.term[9].second); */
+        written(&stand.term[9].value, 1);
+    }
+}
+
+void remus6_eva_any_prepare(void);
+void remus6_eva_any_prepare(void)
+{
+    remus6_parameters parameters;
+    reals(&parameters.carrier.mass, 1, REMUS6_LARGEST);
+    reals(&parameters.carrier.center_of_mass[0], 3, REMUS6_LARGEST);
+    reals(&parameters.carrier.inertia[0], 6, REMUS6_LARGEST);
+    reals(&parameters.carrier.displaced_mass, 1, REMUS6_LARGEST);
+    reals(&parameters.carrier.displaced_center[0], 3, REMUS6_LARGEST);
+    reals(&parameters.added_mass[0][0], 36, REMUS6_LARGEST);
+    for (int i = 0; i < 1; ++i) {
+        reals(&parameters.instrument[i].body.mass, 1, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.inertia[0], 6, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.displaced_mass, 1, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.displaced_center[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].position[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].zero[0], 3, REMUS6_LARGEST);
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        reals(&parameters.flywheel[i].body.mass, 1, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].body.inertia[0], 6, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].position[0], 3, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].zero[0], 3, REMUS6_LARGEST);
+        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    for (int i = 0; i < 1; ++i) {
+        reals(&parameters.point[i].position[0], 3, REMUS6_LARGEST);
+        reals(&parameters.point[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&parameters.point[i].zero[0], 3, REMUS6_LARGEST);
+        integers(&parameters.point[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    const remus6_status status = remus6_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&stand.mass, 1);
+        written(&stand.mass_inverse, 1);
+        written(&stand.first_moment[0], 3);
+        written(&stand.inertia[0], 6);
+        written(&stand.A[0], 6);
+        written(&stand.A_inv[0], 6);
+        written(&stand.G[0], 9);
+        written(&stand.weight_mass, 1);
+        written(&stand.displaced_moment[0], 3);
+        written(&stand.flywheel[0].mu_c[0], 3);
+        written(&stand.flywheel[0].mu_s[0], 3);
+        written(&stand.flywheel[0].J_c[0], 6);
+        written(&stand.flywheel[0].J_s[0], 6);
+        written(&stand.flywheel[0].J_2c[0], 6);
+        written(&stand.flywheel[0].J_2s[0], 6);
+        written(&stand.flywheel[0].t_0[0], 3);
+        written(&stand.flywheel[0].t_c[0], 3);
+        written(&stand.flywheel[0].t_s[0], 3);
+        written(&stand.flywheel[0].spin, 1);
+        written(&stand.flywheel[0].spin_inv, 1);
+        written(&stand.flywheel[1].mu_c[0], 3);
+        written(&stand.flywheel[1].mu_s[0], 3);
+        written(&stand.flywheel[1].J_c[0], 6);
+        written(&stand.flywheel[1].J_s[0], 6);
+        written(&stand.flywheel[1].J_2c[0], 6);
+        written(&stand.flywheel[1].J_2s[0], 6);
+        written(&stand.flywheel[1].t_0[0], 3);
+        written(&stand.flywheel[1].t_c[0], 3);
+        written(&stand.flywheel[1].t_s[0], 3);
+        written(&stand.flywheel[1].spin, 1);
+        written(&stand.flywheel[1].spin_inv, 1);
+        written(&stand.flywheel[2].mu_c[0], 3);
+        written(&stand.flywheel[2].mu_s[0], 3);
+        written(&stand.flywheel[2].J_c[0], 6);
+        written(&stand.flywheel[2].J_s[0], 6);
+        written(&stand.flywheel[2].J_2c[0], 6);
+        written(&stand.flywheel[2].J_2s[0], 6);
+        written(&stand.flywheel[2].t_0[0], 3);
+        written(&stand.flywheel[2].t_c[0], 3);
+        written(&stand.flywheel[2].t_s[0], 3);
+        written(&stand.flywheel[2].spin, 1);
+        written(&stand.flywheel[2].spin_inv, 1);
+        written(&stand.flywheel[3].mu_c[0], 3);
+        written(&stand.flywheel[3].mu_s[0], 3);
+        written(&stand.flywheel[3].J_c[0], 6);
+        written(&stand.flywheel[3].J_s[0], 6);
+        written(&stand.flywheel[3].J_2c[0], 6);
+        written(&stand.flywheel[3].J_2s[0], 6);
+        written(&stand.flywheel[3].t_0[0], 3);
+        written(&stand.flywheel[3].t_c[0], 3);
+        written(&stand.flywheel[3].t_s[0], 3);
+        written(&stand.flywheel[3].spin, 1);
+        written(&stand.flywheel[3].spin_inv, 1);
+        written(&stand.flywheel[4].mu_c[0], 3);
+        written(&stand.flywheel[4].mu_s[0], 3);
+        written(&stand.flywheel[4].J_c[0], 6);
+        written(&stand.flywheel[4].J_s[0], 6);
+        written(&stand.flywheel[4].J_2c[0], 6);
+        written(&stand.flywheel[4].J_2s[0], 6);
+        written(&stand.flywheel[4].t_0[0], 3);
+        written(&stand.flywheel[4].t_c[0], 3);
+        written(&stand.flywheel[4].t_s[0], 3);
+        written(&stand.flywheel[4].spin, 1);
+        written(&stand.flywheel[4].spin_inv, 1);
+        written(&stand.flywheel[5].mu_c[0], 3);
+        written(&stand.flywheel[5].mu_s[0], 3);
+        written(&stand.flywheel[5].J_c[0], 6);
+        written(&stand.flywheel[5].J_s[0], 6);
+        written(&stand.flywheel[5].J_2c[0], 6);
+        written(&stand.flywheel[5].J_2s[0], 6);
+        written(&stand.flywheel[5].t_0[0], 3);
+        written(&stand.flywheel[5].t_c[0], 3);
+        written(&stand.flywheel[5].t_s[0], 3);
+        written(&stand.flywheel[5].spin, 1);
+        written(&stand.flywheel[5].spin_inv, 1);
+        written(&stand.sensor[0].origin[0], 3);
+        written(&stand.sensor[0].axes[0], 9);
+        written(&stand.sensor[1].origin[0], 3);
+        written(&stand.sensor[1].axes[0], 9);
+        written(&stand.gravity[0], 3);
+        written(&stand.stream[0], 3);
+        /*@ check \initialized(&stand.damper.first_term); */
+        /*@ check \initialized(&stand.damper.last_term); */
+        /*@ check \initialized(&stand.term[0].wrench); */
+        /*@ check \initialized(&stand.term[0].first); */
+        /*@ check \initialized(&stand.term[0].second); */
+        written(&stand.term[0].value, 1);
+        /*@ check \initialized(&stand.term[1].wrench); */
+        /*@ check \initialized(&stand.term[1].first); */
+        /*@ check \initialized(&stand.term[1].second); */
+        written(&stand.term[1].value, 1);
+        /*@ check \initialized(&stand.term[2].wrench); */
+        /*@ check \initialized(&stand.term[2].first); */
+        /*@ check \initialized(&stand.term[2].second); */
+        written(&stand.term[2].value, 1);
+        /*@ check \initialized(&stand.term[3].wrench); */
+        /*@ check \initialized(&stand.term[3].first); */
+        /*@ check \initialized(&stand.term[3].second); */
+        written(&stand.term[3].value, 1);
+        /*@ check \initialized(&stand.term[4].wrench); */
+        /*@ check \initialized(&stand.term[4].first); */
+        /*@ check \initialized(&stand.term[4].second); */
+        written(&stand.term[4].value, 1);
+        /*@ check \initialized(&stand.term[5].wrench); */
+        /*@ check \initialized(&stand.term[5].first); */
+        /*@ check \initialized(&stand.term[5].second); */
+        written(&stand.term[5].value, 1);
+        /*@ check \initialized(&stand.term[6].wrench); */
+        /*@ check \initialized(&stand.term[6].first); */
+        /*@ check \initialized(&stand.term[6].second); */
+        written(&stand.term[6].value, 1);
+        /*@ check \initialized(&stand.term[7].wrench); */
+        /*@ check \initialized(&stand.term[7].first); */
+        /*@ check \initialized(&stand.term[7].second); */
+        written(&stand.term[7].value, 1);
+        /*@ check \initialized(&stand.term[8].wrench); */
+        /*@ check \initialized(&stand.term[8].first); */
+        /*@ check \initialized(&stand.term[8].second); */
+        written(&stand.term[8].value, 1);
+        /*@ check \initialized(&stand.term[9].wrench); */
+        /*@ check \initialized(&stand.term[9].first); */
+        /*@ check \initialized(&stand.term[9].second); */
+        written(&stand.term[9].value, 1);
+    }
+}
+
+void remus6_eva_bits_prepare(void);
+void remus6_eva_bits_prepare(void)
+{
+    remus6_parameters parameters;
+    one_of_all(&parameters.carrier.mass);
+    all_bits(&parameters.carrier.center_of_mass[0], 3);
+    all_bits(&parameters.carrier.inertia[0], 6);
+    one_of_all(&parameters.carrier.displaced_mass);
+    all_bits(&parameters.carrier.displaced_center[0], 3);
+    all_bits(&parameters.added_mass[0][0], 36);
+    for (int i = 0; i < 1; ++i) {
+        one_of_all(&parameters.instrument[i].body.mass);
+        all_bits(&parameters.instrument[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.instrument[i].body.inertia[0], 6);
+        one_of_all(&parameters.instrument[i].body.displaced_mass);
+        all_bits(&parameters.instrument[i].body.displaced_center[0], 3);
+        all_bits(&parameters.instrument[i].position[0], 3);
+        all_bits(&parameters.instrument[i].axis[0], 3);
+        all_bits(&parameters.instrument[i].zero[0], 3);
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        one_of_all(&parameters.flywheel[i].body.mass);
+        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
+        all_bits(&parameters.flywheel[i].position[0], 3);
+        all_bits(&parameters.flywheel[i].axis[0], 3);
+        all_bits(&parameters.flywheel[i].zero[0], 3);
+        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    for (int i = 0; i < 1; ++i) {
+        all_bits(&parameters.point[i].position[0], 3);
+        all_bits(&parameters.point[i].axis[0], 3);
+        all_bits(&parameters.point[i].zero[0], 3);
+        integers(&parameters.point[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    const remus6_status status = remus6_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&stand.mass, 1);
+        initialised(&stand.mass_inverse, 1);
+        initialised(&stand.first_moment[0], 3);
+        initialised(&stand.inertia[0], 6);
+        initialised(&stand.A[0], 6);
+        initialised(&stand.A_inv[0], 6);
+        initialised(&stand.G[0], 9);
+        initialised(&stand.weight_mass, 1);
+        initialised(&stand.displaced_moment[0], 3);
+        initialised(&stand.flywheel[0].mu_c[0], 3);
+        initialised(&stand.flywheel[0].mu_s[0], 3);
+        initialised(&stand.flywheel[0].J_c[0], 6);
+        initialised(&stand.flywheel[0].J_s[0], 6);
+        initialised(&stand.flywheel[0].J_2c[0], 6);
+        initialised(&stand.flywheel[0].J_2s[0], 6);
+        initialised(&stand.flywheel[0].t_0[0], 3);
+        initialised(&stand.flywheel[0].t_c[0], 3);
+        initialised(&stand.flywheel[0].t_s[0], 3);
+        initialised(&stand.flywheel[0].spin, 1);
+        initialised(&stand.flywheel[0].spin_inv, 1);
+        initialised(&stand.flywheel[1].mu_c[0], 3);
+        initialised(&stand.flywheel[1].mu_s[0], 3);
+        initialised(&stand.flywheel[1].J_c[0], 6);
+        initialised(&stand.flywheel[1].J_s[0], 6);
+        initialised(&stand.flywheel[1].J_2c[0], 6);
+        initialised(&stand.flywheel[1].J_2s[0], 6);
+        initialised(&stand.flywheel[1].t_0[0], 3);
+        initialised(&stand.flywheel[1].t_c[0], 3);
+        initialised(&stand.flywheel[1].t_s[0], 3);
+        initialised(&stand.flywheel[1].spin, 1);
+        initialised(&stand.flywheel[1].spin_inv, 1);
+        initialised(&stand.flywheel[2].mu_c[0], 3);
+        initialised(&stand.flywheel[2].mu_s[0], 3);
+        initialised(&stand.flywheel[2].J_c[0], 6);
+        initialised(&stand.flywheel[2].J_s[0], 6);
+        initialised(&stand.flywheel[2].J_2c[0], 6);
+        initialised(&stand.flywheel[2].J_2s[0], 6);
+        initialised(&stand.flywheel[2].t_0[0], 3);
+        initialised(&stand.flywheel[2].t_c[0], 3);
+        initialised(&stand.flywheel[2].t_s[0], 3);
+        initialised(&stand.flywheel[2].spin, 1);
+        initialised(&stand.flywheel[2].spin_inv, 1);
+        initialised(&stand.flywheel[3].mu_c[0], 3);
+        initialised(&stand.flywheel[3].mu_s[0], 3);
+        initialised(&stand.flywheel[3].J_c[0], 6);
+        initialised(&stand.flywheel[3].J_s[0], 6);
+        initialised(&stand.flywheel[3].J_2c[0], 6);
+        initialised(&stand.flywheel[3].J_2s[0], 6);
+        initialised(&stand.flywheel[3].t_0[0], 3);
+        initialised(&stand.flywheel[3].t_c[0], 3);
+        initialised(&stand.flywheel[3].t_s[0], 3);
+        initialised(&stand.flywheel[3].spin, 1);
+        initialised(&stand.flywheel[3].spin_inv, 1);
+        initialised(&stand.flywheel[4].mu_c[0], 3);
+        initialised(&stand.flywheel[4].mu_s[0], 3);
+        initialised(&stand.flywheel[4].J_c[0], 6);
+        initialised(&stand.flywheel[4].J_s[0], 6);
+        initialised(&stand.flywheel[4].J_2c[0], 6);
+        initialised(&stand.flywheel[4].J_2s[0], 6);
+        initialised(&stand.flywheel[4].t_0[0], 3);
+        initialised(&stand.flywheel[4].t_c[0], 3);
+        initialised(&stand.flywheel[4].t_s[0], 3);
+        initialised(&stand.flywheel[4].spin, 1);
+        initialised(&stand.flywheel[4].spin_inv, 1);
+        initialised(&stand.flywheel[5].mu_c[0], 3);
+        initialised(&stand.flywheel[5].mu_s[0], 3);
+        initialised(&stand.flywheel[5].J_c[0], 6);
+        initialised(&stand.flywheel[5].J_s[0], 6);
+        initialised(&stand.flywheel[5].J_2c[0], 6);
+        initialised(&stand.flywheel[5].J_2s[0], 6);
+        initialised(&stand.flywheel[5].t_0[0], 3);
+        initialised(&stand.flywheel[5].t_c[0], 3);
+        initialised(&stand.flywheel[5].t_s[0], 3);
+        initialised(&stand.flywheel[5].spin, 1);
+        initialised(&stand.flywheel[5].spin_inv, 1);
+        initialised(&stand.sensor[0].origin[0], 3);
+        initialised(&stand.sensor[0].axes[0], 9);
+        initialised(&stand.sensor[1].origin[0], 3);
+        initialised(&stand.sensor[1].axes[0], 9);
+        initialised(&stand.gravity[0], 3);
+        initialised(&stand.stream[0], 3);
+        /*@ check \initialized(&stand.damper.first_term); */
+        /*@ check \initialized(&stand.damper.last_term); */
+        /*@ check \initialized(&stand.term[0].wrench); */
+        /*@ check \initialized(&stand.term[0].first); */
+        /*@ check \initialized(&stand.term[0].second); */
+        initialised(&stand.term[0].value, 1);
+        /*@ check \initialized(&stand.term[1].wrench); */
+        /*@ check \initialized(&stand.term[1].first); */
+        /*@ check \initialized(&stand.term[1].second); */
+        initialised(&stand.term[1].value, 1);
+        /*@ check \initialized(&stand.term[2].wrench); */
+        /*@ check \initialized(&stand.term[2].first); */
+        /*@ check \initialized(&stand.term[2].second); */
+        initialised(&stand.term[2].value, 1);
+        /*@ check \initialized(&stand.term[3].wrench); */
+        /*@ check \initialized(&stand.term[3].first); */
+        /*@ check \initialized(&stand.term[3].second); */
+        initialised(&stand.term[3].value, 1);
+        /*@ check \initialized(&stand.term[4].wrench); */
+        /*@ check \initialized(&stand.term[4].first); */
+        /*@ check \initialized(&stand.term[4].second); */
+        initialised(&stand.term[4].value, 1);
+        /*@ check \initialized(&stand.term[5].wrench); */
+        /*@ check \initialized(&stand.term[5].first); */
+        /*@ check \initialized(&stand.term[5].second); */
+        initialised(&stand.term[5].value, 1);
+        /*@ check \initialized(&stand.term[6].wrench); */
+        /*@ check \initialized(&stand.term[6].first); */
+        /*@ check \initialized(&stand.term[6].second); */
+        initialised(&stand.term[6].value, 1);
+        /*@ check \initialized(&stand.term[7].wrench); */
+        /*@ check \initialized(&stand.term[7].first); */
+        /*@ check \initialized(&stand.term[7].second); */
+        initialised(&stand.term[7].value, 1);
+        /*@ check \initialized(&stand.term[8].wrench); */
+        /*@ check \initialized(&stand.term[8].first); */
+        /*@ check \initialized(&stand.term[8].second); */
+        initialised(&stand.term[8].value, 1);
+        /*@ check \initialized(&stand.term[9].wrench); */
+        /*@ check \initialized(&stand.term[9].first); */
+        /*@ check \initialized(&stand.term[9].second); */
+        initialised(&stand.term[9].value, 1);
+    }
+}
+
+void remus6_eva_normal_mounts(void);
+void remus6_eva_normal_mounts(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, 10.0);
+    remus6_mount_table mounting;
+    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
+    remus6_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 6, 100.0);
+    reals(&x.phi_dot[0], 6, 1.0e3);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    remus6_real loads[36];
+    const remus6_status status = remus6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&loads[0], 36);
+    }
+}
+
+void remus6_eva_any_mounts(void);
+void remus6_eva_any_mounts(void)
+{
+    remus6_table stand = remus6_default;
+    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_mount_table mounting;
+    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
+    remus6_state x;
+    reals(&x.position[0], 3, REMUS6_LARGEST);
+    quaternion(x.attitude, REMUS6_LARGEST);
+    reals(&x.V[0], 6, REMUS6_LARGEST);
+    reals(&x.phi[0], 6, REMUS6_LARGEST);
+    reals(&x.phi_dot[0], 6, REMUS6_LARGEST);
+    remus6_real V_dot[6];
+    reals(&V_dot[0], 6, REMUS6_LARGEST);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real loads[36];
+    const remus6_status status = remus6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&loads[0], 36);
+    }
+}
+
+void remus6_eva_bits_mounts(void);
+void remus6_eva_bits_mounts(void)
+{
+    remus6_table stand = remus6_default;
+    all_bits(&stand.stream[0], 3);
+    remus6_mount_table mounting;
+    (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
+    remus6_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 6);
+    all_bits(&x.phi_dot[0], 6);
+    remus6_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    remus6_real phi_ddot[REMUS6_N];
+    all_bits(&phi_ddot[0], 6);
+    remus6_real loads[36];
+    const remus6_status status = remus6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 36);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&loads[0], 36);
+    }
+}
+
+void remus6_eva_normal_prepare_mounts(void);
+void remus6_eva_normal_prepare_mounts(void)
+{
+    remus6_parameters parameters;
+    about(&parameters.carrier.mass, &remus6_default_parameters.carrier.mass, 1);
+    about(&parameters.carrier.center_of_mass[0], &remus6_default_parameters.carrier.center_of_mass[0], 3);
+    about(&parameters.carrier.inertia[0], &remus6_default_parameters.carrier.inertia[0], 6);
+    about(&parameters.carrier.displaced_mass, &remus6_default_parameters.carrier.displaced_mass, 1);
+    about(&parameters.carrier.displaced_center[0], &remus6_default_parameters.carrier.displaced_center[0], 3);
+    about(&parameters.added_mass[0][0], &remus6_default_parameters.added_mass[0][0], 36);
+    for (int i = 0; i < 1; ++i) {
+        about(&parameters.instrument[i].body.mass, &remus6_default_parameters.instrument[i].body.mass, 1);
+        about(&parameters.instrument[i].body.center_of_mass[0], &remus6_default_parameters.instrument[i].body.center_of_mass[0], 3);
+        about(&parameters.instrument[i].body.inertia[0], &remus6_default_parameters.instrument[i].body.inertia[0], 6);
+        about(&parameters.instrument[i].body.displaced_mass, &remus6_default_parameters.instrument[i].body.displaced_mass, 1);
+        about(&parameters.instrument[i].body.displaced_center[0], &remus6_default_parameters.instrument[i].body.displaced_center[0], 3);
+        about(&parameters.instrument[i].position[0], &remus6_default_parameters.instrument[i].position[0], 3);
+        about(&parameters.instrument[i].axis[0], &remus6_default_parameters.instrument[i].axis[0], 3);
+        about(&parameters.instrument[i].zero[0], &remus6_default_parameters.instrument[i].zero[0], 3);
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        about(&parameters.flywheel[i].body.mass, &remus6_default_parameters.flywheel[i].body.mass, 1);
+        about(&parameters.flywheel[i].body.center_of_mass[0], &remus6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&parameters.flywheel[i].body.inertia[0], &remus6_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&parameters.flywheel[i].position[0], &remus6_default_parameters.flywheel[i].position[0], 3);
+        about(&parameters.flywheel[i].axis[0], &remus6_default_parameters.flywheel[i].axis[0], 3);
+        about(&parameters.flywheel[i].zero[0], &remus6_default_parameters.flywheel[i].zero[0], 3);
+        integers(&parameters.flywheel[i].mount, 1, -1048576, 1048576);
+    }
+    for (int i = 0; i < 1; ++i) {
+        about(&parameters.point[i].position[0], &remus6_default_parameters.point[i].position[0], 3);
+        about(&parameters.point[i].axis[0], &remus6_default_parameters.point[i].axis[0], 3);
+        about(&parameters.point[i].zero[0], &remus6_default_parameters.point[i].zero[0], 3);
+        integers(&parameters.point[i].mount, 1, -1048576, 1048576);
+    }
+    remus6_mount_table mounting;
+    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched(&mounting.flywheel[2].mass, 1);
+        untouched(&mounting.flywheel[2].first_moment[0], 3);
+        untouched(&mounting.flywheel[2].inertia[0], 6);
+        untouched(&mounting.flywheel[2].origin[0], 3);
+        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched(&mounting.flywheel[3].mass, 1);
+        untouched(&mounting.flywheel[3].first_moment[0], 3);
+        untouched(&mounting.flywheel[3].inertia[0], 6);
+        untouched(&mounting.flywheel[3].origin[0], 3);
+        untouched(&mounting.flywheel[3].axes[0], 9);
+        untouched(&mounting.flywheel[4].mass, 1);
+        untouched(&mounting.flywheel[4].first_moment[0], 3);
+        untouched(&mounting.flywheel[4].inertia[0], 6);
+        untouched(&mounting.flywheel[4].origin[0], 3);
+        untouched(&mounting.flywheel[4].axes[0], 9);
+        untouched(&mounting.flywheel[5].mass, 1);
+        untouched(&mounting.flywheel[5].first_moment[0], 3);
+        untouched(&mounting.flywheel[5].inertia[0], 6);
+        untouched(&mounting.flywheel[5].origin[0], 3);
+        untouched(&mounting.flywheel[5].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&mounting.flywheel[0].mass, 1);
+        written(&mounting.flywheel[0].first_moment[0], 3);
+        written(&mounting.flywheel[0].inertia[0], 6);
+        written(&mounting.flywheel[0].origin[0], 3);
+        written(&mounting.flywheel[0].axes[0], 9);
+        written(&mounting.flywheel[1].mass, 1);
+        written(&mounting.flywheel[1].first_moment[0], 3);
+        written(&mounting.flywheel[1].inertia[0], 6);
+        written(&mounting.flywheel[1].origin[0], 3);
+        written(&mounting.flywheel[1].axes[0], 9);
+        written(&mounting.flywheel[2].mass, 1);
+        written(&mounting.flywheel[2].first_moment[0], 3);
+        written(&mounting.flywheel[2].inertia[0], 6);
+        written(&mounting.flywheel[2].origin[0], 3);
+        written(&mounting.flywheel[2].axes[0], 9);
+        written(&mounting.flywheel[3].mass, 1);
+        written(&mounting.flywheel[3].first_moment[0], 3);
+        written(&mounting.flywheel[3].inertia[0], 6);
+        written(&mounting.flywheel[3].origin[0], 3);
+        written(&mounting.flywheel[3].axes[0], 9);
+        written(&mounting.flywheel[4].mass, 1);
+        written(&mounting.flywheel[4].first_moment[0], 3);
+        written(&mounting.flywheel[4].inertia[0], 6);
+        written(&mounting.flywheel[4].origin[0], 3);
+        written(&mounting.flywheel[4].axes[0], 9);
+        written(&mounting.flywheel[5].mass, 1);
+        written(&mounting.flywheel[5].first_moment[0], 3);
+        written(&mounting.flywheel[5].inertia[0], 6);
+        written(&mounting.flywheel[5].origin[0], 3);
+        written(&mounting.flywheel[5].axes[0], 9);
+    }
+}
+
+void remus6_eva_any_prepare_mounts(void);
+void remus6_eva_any_prepare_mounts(void)
+{
+    remus6_parameters parameters;
+    reals(&parameters.carrier.mass, 1, REMUS6_LARGEST);
+    reals(&parameters.carrier.center_of_mass[0], 3, REMUS6_LARGEST);
+    reals(&parameters.carrier.inertia[0], 6, REMUS6_LARGEST);
+    reals(&parameters.carrier.displaced_mass, 1, REMUS6_LARGEST);
+    reals(&parameters.carrier.displaced_center[0], 3, REMUS6_LARGEST);
+    reals(&parameters.added_mass[0][0], 36, REMUS6_LARGEST);
+    for (int i = 0; i < 1; ++i) {
+        reals(&parameters.instrument[i].body.mass, 1, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.inertia[0], 6, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.displaced_mass, 1, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].body.displaced_center[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].position[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&parameters.instrument[i].zero[0], 3, REMUS6_LARGEST);
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        reals(&parameters.flywheel[i].body.mass, 1, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].body.inertia[0], 6, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].position[0], 3, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&parameters.flywheel[i].zero[0], 3, REMUS6_LARGEST);
+        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    for (int i = 0; i < 1; ++i) {
+        reals(&parameters.point[i].position[0], 3, REMUS6_LARGEST);
+        reals(&parameters.point[i].axis[0], 3, REMUS6_LARGEST);
+        reals(&parameters.point[i].zero[0], 3, REMUS6_LARGEST);
+        integers(&parameters.point[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    remus6_mount_table mounting;
+    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched(&mounting.flywheel[2].mass, 1);
+        untouched(&mounting.flywheel[2].first_moment[0], 3);
+        untouched(&mounting.flywheel[2].inertia[0], 6);
+        untouched(&mounting.flywheel[2].origin[0], 3);
+        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched(&mounting.flywheel[3].mass, 1);
+        untouched(&mounting.flywheel[3].first_moment[0], 3);
+        untouched(&mounting.flywheel[3].inertia[0], 6);
+        untouched(&mounting.flywheel[3].origin[0], 3);
+        untouched(&mounting.flywheel[3].axes[0], 9);
+        untouched(&mounting.flywheel[4].mass, 1);
+        untouched(&mounting.flywheel[4].first_moment[0], 3);
+        untouched(&mounting.flywheel[4].inertia[0], 6);
+        untouched(&mounting.flywheel[4].origin[0], 3);
+        untouched(&mounting.flywheel[4].axes[0], 9);
+        untouched(&mounting.flywheel[5].mass, 1);
+        untouched(&mounting.flywheel[5].first_moment[0], 3);
+        untouched(&mounting.flywheel[5].inertia[0], 6);
+        untouched(&mounting.flywheel[5].origin[0], 3);
+        untouched(&mounting.flywheel[5].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&mounting.flywheel[0].mass, 1);
+        written(&mounting.flywheel[0].first_moment[0], 3);
+        written(&mounting.flywheel[0].inertia[0], 6);
+        written(&mounting.flywheel[0].origin[0], 3);
+        written(&mounting.flywheel[0].axes[0], 9);
+        written(&mounting.flywheel[1].mass, 1);
+        written(&mounting.flywheel[1].first_moment[0], 3);
+        written(&mounting.flywheel[1].inertia[0], 6);
+        written(&mounting.flywheel[1].origin[0], 3);
+        written(&mounting.flywheel[1].axes[0], 9);
+        written(&mounting.flywheel[2].mass, 1);
+        written(&mounting.flywheel[2].first_moment[0], 3);
+        written(&mounting.flywheel[2].inertia[0], 6);
+        written(&mounting.flywheel[2].origin[0], 3);
+        written(&mounting.flywheel[2].axes[0], 9);
+        written(&mounting.flywheel[3].mass, 1);
+        written(&mounting.flywheel[3].first_moment[0], 3);
+        written(&mounting.flywheel[3].inertia[0], 6);
+        written(&mounting.flywheel[3].origin[0], 3);
+        written(&mounting.flywheel[3].axes[0], 9);
+        written(&mounting.flywheel[4].mass, 1);
+        written(&mounting.flywheel[4].first_moment[0], 3);
+        written(&mounting.flywheel[4].inertia[0], 6);
+        written(&mounting.flywheel[4].origin[0], 3);
+        written(&mounting.flywheel[4].axes[0], 9);
+        written(&mounting.flywheel[5].mass, 1);
+        written(&mounting.flywheel[5].first_moment[0], 3);
+        written(&mounting.flywheel[5].inertia[0], 6);
+        written(&mounting.flywheel[5].origin[0], 3);
+        written(&mounting.flywheel[5].axes[0], 9);
+    }
+}
+
+void remus6_eva_bits_prepare_mounts(void);
+void remus6_eva_bits_prepare_mounts(void)
+{
+    remus6_parameters parameters;
+    one_of_all(&parameters.carrier.mass);
+    all_bits(&parameters.carrier.center_of_mass[0], 3);
+    all_bits(&parameters.carrier.inertia[0], 6);
+    one_of_all(&parameters.carrier.displaced_mass);
+    all_bits(&parameters.carrier.displaced_center[0], 3);
+    all_bits(&parameters.added_mass[0][0], 36);
+    for (int i = 0; i < 1; ++i) {
+        one_of_all(&parameters.instrument[i].body.mass);
+        all_bits(&parameters.instrument[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.instrument[i].body.inertia[0], 6);
+        one_of_all(&parameters.instrument[i].body.displaced_mass);
+        all_bits(&parameters.instrument[i].body.displaced_center[0], 3);
+        all_bits(&parameters.instrument[i].position[0], 3);
+        all_bits(&parameters.instrument[i].axis[0], 3);
+        all_bits(&parameters.instrument[i].zero[0], 3);
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        one_of_all(&parameters.flywheel[i].body.mass);
+        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
+        all_bits(&parameters.flywheel[i].position[0], 3);
+        all_bits(&parameters.flywheel[i].axis[0], 3);
+        all_bits(&parameters.flywheel[i].zero[0], 3);
+        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    for (int i = 0; i < 1; ++i) {
+        all_bits(&parameters.point[i].position[0], 3);
+        all_bits(&parameters.point[i].axis[0], 3);
+        all_bits(&parameters.point[i].zero[0], 3);
+        integers(&parameters.point[i].mount, 1, INT_MIN, INT_MAX);
+    }
+    remus6_mount_table mounting;
+    const remus6_status status = remus6_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched(&mounting.flywheel[2].mass, 1);
+        untouched(&mounting.flywheel[2].first_moment[0], 3);
+        untouched(&mounting.flywheel[2].inertia[0], 6);
+        untouched(&mounting.flywheel[2].origin[0], 3);
+        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched(&mounting.flywheel[3].mass, 1);
+        untouched(&mounting.flywheel[3].first_moment[0], 3);
+        untouched(&mounting.flywheel[3].inertia[0], 6);
+        untouched(&mounting.flywheel[3].origin[0], 3);
+        untouched(&mounting.flywheel[3].axes[0], 9);
+        untouched(&mounting.flywheel[4].mass, 1);
+        untouched(&mounting.flywheel[4].first_moment[0], 3);
+        untouched(&mounting.flywheel[4].inertia[0], 6);
+        untouched(&mounting.flywheel[4].origin[0], 3);
+        untouched(&mounting.flywheel[4].axes[0], 9);
+        untouched(&mounting.flywheel[5].mass, 1);
+        untouched(&mounting.flywheel[5].first_moment[0], 3);
+        untouched(&mounting.flywheel[5].inertia[0], 6);
+        untouched(&mounting.flywheel[5].origin[0], 3);
+        untouched(&mounting.flywheel[5].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&mounting.flywheel[0].mass, 1);
+        initialised(&mounting.flywheel[0].first_moment[0], 3);
+        initialised(&mounting.flywheel[0].inertia[0], 6);
+        initialised(&mounting.flywheel[0].origin[0], 3);
+        initialised(&mounting.flywheel[0].axes[0], 9);
+        initialised(&mounting.flywheel[1].mass, 1);
+        initialised(&mounting.flywheel[1].first_moment[0], 3);
+        initialised(&mounting.flywheel[1].inertia[0], 6);
+        initialised(&mounting.flywheel[1].origin[0], 3);
+        initialised(&mounting.flywheel[1].axes[0], 9);
+        initialised(&mounting.flywheel[2].mass, 1);
+        initialised(&mounting.flywheel[2].first_moment[0], 3);
+        initialised(&mounting.flywheel[2].inertia[0], 6);
+        initialised(&mounting.flywheel[2].origin[0], 3);
+        initialised(&mounting.flywheel[2].axes[0], 9);
+        initialised(&mounting.flywheel[3].mass, 1);
+        initialised(&mounting.flywheel[3].first_moment[0], 3);
+        initialised(&mounting.flywheel[3].inertia[0], 6);
+        initialised(&mounting.flywheel[3].origin[0], 3);
+        initialised(&mounting.flywheel[3].axes[0], 9);
+        initialised(&mounting.flywheel[4].mass, 1);
+        initialised(&mounting.flywheel[4].first_moment[0], 3);
+        initialised(&mounting.flywheel[4].inertia[0], 6);
+        initialised(&mounting.flywheel[4].origin[0], 3);
+        initialised(&mounting.flywheel[4].axes[0], 9);
+        initialised(&mounting.flywheel[5].mass, 1);
+        initialised(&mounting.flywheel[5].first_moment[0], 3);
+        initialised(&mounting.flywheel[5].inertia[0], 6);
+        initialised(&mounting.flywheel[5].origin[0], 3);
+        initialised(&mounting.flywheel[5].axes[0], 9);
+    }
+}
+
+void remus6_eva_routine_sincos(void);
+void remus6_eva_routine_sincos(void)
+{
+    remus6_real x;
+    one_of_all(&x);
+    remus6_real sine;
+    remus6_real cosine;
+    remus6_sincos(x, &sine, &cosine);
+    Frama_C_show_each_returned(0);
+}
+
+void remus6_eva_routine_sqrt(void);
+void remus6_eva_routine_sqrt(void)
+{
+    remus6_real x;
+    one_of_all(&x);
+    (void)remus6_sqrt(x);
+    Frama_C_show_each_returned(0);
+}

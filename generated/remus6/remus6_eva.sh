@@ -1,0 +1,59 @@
+#!/bin/sh
+# remus6_eva.sh: what Frama-C Eva proves of remus6.c, driver by driver. Needs frama-c (Debian: frama-c-base).
+# mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead.
+#
+# sh remus6_eva.sh             all that is claimed; exit status 1 where anything is not proved
+# sh remus6_eva.sh tried       the other functions: what is not proved of them is printed, and is no error
+# sh remus6_eva.sh any_forward ...  these drivers; see remus6_eva.c
+# EVA_LOGS=DIR keeps what Frama-C printed. A line a driver: name, alarms, unproved properties of its results, seconds.
+set -u
+cd "$(dirname "$0")" || exit 2
+command -v frama-c >/dev/null || { echo "no frama-c: on Debian, apt-get install frama-c-base" >&2; exit 2; }
+logs=${EVA_LOGS:-$(mktemp -d)} || exit 2
+failed=0
+
+claimed="normal_forward any_forward bits_forward normal_momentum any_momentum normal_torque any_torque normal_coupled any_coupled normal_step bits_step normal_wrap any_wrap bits_wrap normal_prepare bits_prepare routine_sincos routine_sqrt"
+tried="normal_wrench any_wrench bits_wrench normal_matrices any_matrices bits_matrices bits_momentum bits_torque bits_coupled any_step normal_step_driven any_step_driven bits_step_driven normal_phase_of_counts any_phase_of_counts bits_phase_of_counts normal_speed_of_counts any_speed_of_counts bits_speed_of_counts normal_accumulate any_accumulate bits_accumulate normal_forward_jacobian any_forward_jacobian bits_forward_jacobian normal_coupled_jacobian any_coupled_jacobian bits_coupled_jacobian normal_inverse any_inverse bits_inverse normal_inverse_fast any_inverse_fast bits_inverse_fast normal_measure any_measure bits_measure normal_quaternion any_quaternion bits_quaternion normal_target any_target bits_target normal_attitude any_attitude bits_attitude any_prepare normal_mounts any_mounts bits_mounts normal_prepare_mounts any_prepare_mounts bits_prepare_mounts"
+
+# Checks are followed path by path (slevel, split-return), arithmetic is not: the paths would multiply.
+split="remus6_within:0,remus6_check_state:0,remus6_solve3:0,remus6_solve_carrier:0,remus6_accelerate:0,remus6_solve_schur:0,remus6_move:0,remus6_finish:0,remus6_rate:0,remus6_rate_driven:0,remus6_factor:0,remus6_demand:0,remus6_frame_of_axes:0,remus6_check_inertia:0,remus6_check_body:0,remus6_check_dry_body:0,remus6_place_flywheel:0,remus6_place_point:0,remus6_check_added_mass:0,remus6_translation_block:0,remus6_check_parameters:0,remus6_forward:0,remus6_wrench:0,remus6_matrices:0,remus6_momentum:0,remus6_torque:0,remus6_coupled:0,remus6_step:0,remus6_step_driven:0,remus6_wrap:0,remus6_phase_of_counts:0,remus6_speed_of_counts:0,remus6_accumulate:0,remus6_forward_jacobian:0,remus6_coupled_jacobian:0,remus6_inverse:0,remus6_inverse_fast:0,remus6_measure:0,remus6_quaternion:0,remus6_target:0,remus6_attitude:0,remus6_prepare:0,remus6_mounts:0,remus6_prepare_mounts:0,quaternion:full,one_of_all:full"
+merged="remus6_sincos:0,remus6_sqrt:0,remus6_unwound:0,remus6_wrapped:0,remus6_rotation:0,remus6_rotate_back:0,remus6_start_sums:0,remus6_sincos_each:0,remus6_add_flywheel:0,remus6_damp:0,remus6_external:0,remus6_momentum_screw:0,remus6_subtract_rates:0,remus6_velocity_matrix:0,remus6_couple:0,remus6_eliminate:0,remus6_move:0,remus6_advance:0,remus6_damp_slope:0,remus6_twist_slope:0,remus6_row_slope:0,remus6_orthogonalise:0,remus6_solve_gram:0,remus6_allocate:0,remus6_sense:0,remus6_products:0,remus6_carry:0,remus6_check_inertia:0,remus6_carry_twist:0,remus6_mount_wrench:0"
+
+prove() {
+    case $1 in
+    normal_* | any_*) special=non-finite asked='check|precondition.*' ;;
+    *) special=none asked=check ;;  # a contract that the body is not shown to keep is no fault of the driver
+    esac
+    begun=$(date +%s)
+    set -- "$1" -cpp-extra-args=-I. -machdep x86_64 -no-unicode \
+        -eva -eva-precision 3 -eva-min-loop-unroll 10 -eva-slevel 4000 -eva-slevel-function "$merged" -eva-split-return-function "$split" \
+        -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "remus6_eva_$1"
+    case $1 in
+    routine_* | bits_*) ;;
+    *) set -- "$@" -eva-use-spec "remus6_sincos" \
+        -eva-builtin "remus6_sqrt:Frama_C_sqrt" ;;
+    esac
+    driver=$1
+    shift
+    ${EVA_LIMIT:+timeout "$EVA_LIMIT"} frama-c "$@" remus6_eva.c >"$logs/$driver.log" 2>&1
+    ended=$?
+    alarms=$(sed -n 's/^ *\([0-9]*\) alarms\{0,1\} generated.*/\1/p' "$logs/$driver.log")
+    unproved=$(grep -c -E "($asked) got status (unknown|invalid)" "$logs/$driver.log")
+    # A driver that never comes back from the function has proved nothing.
+    if [ "$ended" -ne 0 ] || [ -z "$alarms" ] || ! grep -q 'show_each_returned' "$logs/$driver.log"; then
+        alarms=failed
+    fi
+    echo "$driver alarms $alarms unproved $unproved seconds $(($(date +%s) - begun))"
+    [ "$alarms $unproved" = "0 0" ] || failed=1
+}
+
+case ${1-} in
+"") for driver in $claimed; do prove "$driver"; done ;;
+tried)
+    for driver in $tried; do prove "$driver"; done
+    failed=0
+    ;;
+*) for driver in "$@"; do prove "$driver"; done ;;
+esac
+[ -n "${EVA_LOGS-}" ] || rm -rf "$logs"
+exit $failed

@@ -1,0 +1,2180 @@
+/* sat4_eva.c: drivers of Frama-C Eva for the stand "sat4": what is proved of sat4.c. Run by sat4_eva.sh.
+ * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
+ *
+ * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ *   normal   magnitudes of ordinary use: the numbers in the driver
+ *   any      every finite number, every integer: what the checks of the function let through is all it computes with
+ *   bits     every bit pattern: NaN and infinities as well
+ * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
+ * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
+ * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include <limits.h>
+
+#include "__fc_builtin.h"
+#include "features.h"
+#include "sat4.h"
+
+/* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
+ * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
+ * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+
+/*@ requires -10000000.0 <= x <= 10000000.0;
+    assigns *sine, *cosine \from x;
+    ensures \initialized(sine) && \initialized(cosine);
+    ensures \is_finite(*sine) && \is_finite(*cosine);
+    ensures -1.0000002 <= *sine <= 1.0000002;
+    ensures -1.0000002 <= *cosine <= 1.0000002; */
+static void sat4_sincos(sat4_real x, sat4_real *restrict sine, sat4_real *restrict cosine);
+
+__PUSH_FC_STDLIB
+/*@ requires x >= 0.0;
+    assigns \result \from x; */
+static sat4_real sat4_sqrt(sat4_real x);
+__POP_FC_STDLIB
+
+#include "sat4.c"
+
+/* ---- sets of numbers ---- */
+
+static sat4_real real_in(sat4_real low, sat4_real high)
+{
+    return Frama_C_double_interval(low, high);
+}
+
+static void reals(sat4_real *x, int count, sat4_real size)
+{
+    for (int i = 0; i < count; ++i) { x[i] = real_in(-size, size); }
+}
+
+static volatile sat4_real any_bits;  /* Eva: each read may give every bit pattern */
+
+static void all_bits(sat4_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) { x[i] = any_bits; }
+}
+
+static void not_finite(sat4_real *x)
+{
+    const sat4_real zero = 0.0;
+    switch (Frama_C_interval(0, 2)) {
+    case 0: *x = 1.0 / zero; break;
+    case 1: *x = -1.0 / zero; break;
+    default: *x = zero / zero; break;
+    }
+}
+
+/* One number of any bits, finite numbers apart from the others. */
+static void one_of_all(sat4_real *x)
+{
+    if (Frama_C_interval(0, 1) == 0) {
+        not_finite(x);
+    } else {
+        *x = real_in(-SAT4_LARGEST, SAT4_LARGEST);
+    }
+}
+
+static void integers(int *x, int count, int low, int high)
+{
+    for (int i = 0; i < count; ++i) { x[i] = Frama_C_interval(low, high); }
+}
+
+/* A number within one part in a hundred of another. */
+static sat4_real near(sat4_real x)
+{
+    const sat4_real a = x * 0.99;
+    const sat4_real b = x * 1.01;
+    return a <= b ? real_in(a, b) : real_in(b, a);
+}
+
+static void about(sat4_real *x, const sat4_real *middle, int count)
+{
+    for (int i = 0; i < count; ++i) { x[i] = near(middle[i]); }
+}
+
+/* A quaternion. Where the sum of four squares is at least 0.998001, one of them is at least a quarter of that: so one
+ * component is at least 0.499 in magnitude. Which, and its sign, are eight cases; all others are refused by
+ * the checks, which the case without a large component shows. */
+static void quaternion(sat4_real q[4], sat4_real size)
+{
+    const int large = Frama_C_interval(0, 8);
+    reals(q, 4, size);
+    switch (large) {
+    case 0: q[0] = real_in(0.499, size); break;
+    case 1: q[0] = real_in(-size, -0.499); break;
+    case 2: q[1] = real_in(0.499, size); break;
+    case 3: q[1] = real_in(-size, -0.499); break;
+    case 4: q[2] = real_in(0.499, size); break;
+    case 5: q[2] = real_in(-size, -0.499); break;
+    case 6: q[3] = real_in(0.499, size); break;
+    case 7: q[3] = real_in(-size, -0.499); break;
+    default: reals(q, 4, 0.499); break;
+    }
+}
+
+/* ---- what is asserted of results ---- */
+
+static void written(const sat4_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check \initialized(&x[i]) && \is_finite(x[i]); */
+    }
+}
+
+static void initialised(const sat4_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check \initialized(&x[i]); */
+    }
+}
+
+static void untouched(const sat4_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check !\initialized(&x[i]); */
+    }
+}
+
+/* ---- drivers: a function and a set each ---- */
+
+void sat4_eva_normal_forward(void);
+void sat4_eva_normal_forward(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, 1.0e4);
+    sat4_real V_dot[6];
+    const sat4_status status = sat4_forward(&sat4_default, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+    }
+}
+
+void sat4_eva_any_forward(void);
+void sat4_eva_any_forward(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, SAT4_LARGEST);
+    sat4_real V_dot[6];
+    const sat4_status status = sat4_forward(&sat4_default, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+    }
+}
+
+void sat4_eva_bits_forward(void);
+void sat4_eva_bits_forward(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real phi_ddot[SAT4_N];
+    all_bits(&phi_ddot[0], 4);
+    sat4_real V_dot[6];
+    const sat4_status status = sat4_forward(&sat4_default, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&V_dot[0], 6);
+    }
+}
+
+void sat4_eva_normal_matrices(void);
+void sat4_eva_normal_matrices(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_equations out;
+    const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 24);
+        untouched(&out.J[0][0], 24);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.K[0][0], 36);
+        written(&out.K_dot[0][0], 36);
+        written(&out.M[0][0], 36);
+        written(&out.I[0][0], 24);
+        written(&out.J[0][0], 24);
+        written(&out.F[0], 6);
+    }
+}
+
+void sat4_eva_any_matrices(void);
+void sat4_eva_any_matrices(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_equations out;
+    const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 24);
+        untouched(&out.J[0][0], 24);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.K[0][0], 36);
+        written(&out.K_dot[0][0], 36);
+        written(&out.M[0][0], 36);
+        written(&out.I[0][0], 24);
+        written(&out.J[0][0], 24);
+        written(&out.F[0], 6);
+    }
+}
+
+void sat4_eva_bits_matrices(void);
+void sat4_eva_bits_matrices(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_equations out;
+    const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 24);
+        untouched(&out.J[0][0], 24);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.K[0][0], 36);
+        initialised(&out.K_dot[0][0], 36);
+        initialised(&out.M[0][0], 36);
+        initialised(&out.I[0][0], 24);
+        initialised(&out.J[0][0], 24);
+        initialised(&out.F[0], 6);
+    }
+}
+
+void sat4_eva_normal_momentum(void);
+void sat4_eva_normal_momentum(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_momenta out;
+    const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.Z[0], 6);
+        written(&out.Z0[0], 6);
+        written(&out.energy, 1);
+        written(&out.center_of_mass[0], 3);
+    }
+}
+
+void sat4_eva_any_momentum(void);
+void sat4_eva_any_momentum(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_momenta out;
+    const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.Z[0], 6);
+        written(&out.Z0[0], 6);
+        written(&out.energy, 1);
+        written(&out.center_of_mass[0], 3);
+    }
+}
+
+void sat4_eva_bits_momentum(void);
+void sat4_eva_bits_momentum(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_momenta out;
+    const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.Z[0], 6);
+        initialised(&out.Z0[0], 6);
+        initialised(&out.energy, 1);
+        initialised(&out.center_of_mass[0], 3);
+    }
+}
+
+void sat4_eva_normal_torque(void);
+void sat4_eva_normal_torque(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, 1.0e4);
+    sat4_real tau[SAT4_N];
+    const sat4_status status = sat4_torque(&sat4_default, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&tau[0], 4);
+    }
+}
+
+void sat4_eva_any_torque(void);
+void sat4_eva_any_torque(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, SAT4_LARGEST);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, SAT4_LARGEST);
+    sat4_real tau[SAT4_N];
+    const sat4_status status = sat4_torque(&sat4_default, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&tau[0], 4);
+    }
+}
+
+void sat4_eva_bits_torque(void);
+void sat4_eva_bits_torque(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    sat4_real phi_ddot[SAT4_N];
+    all_bits(&phi_ddot[0], 4);
+    sat4_real tau[SAT4_N];
+    const sat4_status status = sat4_torque(&sat4_default, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&tau[0], 4);
+    }
+}
+
+void sat4_eva_normal_coupled(void);
+void sat4_eva_normal_coupled(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, 100.0);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, 0, 1);
+    sat4_real V_dot[6];
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_coupled(&sat4_default, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+        written(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_any_coupled(void);
+void sat4_eva_any_coupled(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, SAT4_LARGEST);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_real V_dot[6];
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_coupled(&sat4_default, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+        written(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_bits_coupled(void);
+void sat4_eva_bits_coupled(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real tau[SAT4_N];
+    all_bits(&tau[0], 4);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_real V_dot[6];
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_coupled(&sat4_default, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&V_dot[0], 6);
+        initialised(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_normal_step(void);
+void sat4_eva_normal_step(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, 100.0);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, 0, 1);
+    sat4_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    sat4_state next;
+    const sat4_status status = sat4_step(&sat4_default, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 4);
+        untouched(&next.phi_dot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 4);
+        written(&next.phi_dot[0], 4);
+    }
+}
+
+void sat4_eva_any_step(void);
+void sat4_eva_any_step(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, SAT4_LARGEST);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_real dt;
+    reals(&dt, 1, SAT4_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_state next;
+    const sat4_status status = sat4_step(&sat4_default, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 4);
+        untouched(&next.phi_dot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 4);
+        written(&next.phi_dot[0], 4);
+    }
+}
+
+void sat4_eva_bits_step(void);
+void sat4_eva_bits_step(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real tau[SAT4_N];
+    all_bits(&tau[0], 4);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_state next;
+    const sat4_status status = sat4_step(&sat4_default, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 4);
+        untouched(&next.phi_dot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&next.position[0], 3);
+        initialised(&next.attitude[0], 4);
+        initialised(&next.V[0], 6);
+        initialised(&next.phi[0], 4);
+        initialised(&next.phi_dot[0], 4);
+    }
+}
+
+void sat4_eva_normal_step_driven(void);
+void sat4_eva_normal_step_driven(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, 1.0e4);
+    sat4_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    sat4_state next;
+    const sat4_status status = sat4_step_driven(&sat4_default, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 4);
+        untouched(&next.phi_dot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 4);
+        written(&next.phi_dot[0], 4);
+    }
+}
+
+void sat4_eva_any_step_driven(void);
+void sat4_eva_any_step_driven(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, SAT4_LARGEST);
+    sat4_real dt;
+    reals(&dt, 1, SAT4_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_state next;
+    const sat4_status status = sat4_step_driven(&sat4_default, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 4);
+        untouched(&next.phi_dot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 4);
+        written(&next.phi_dot[0], 4);
+    }
+}
+
+void sat4_eva_bits_step_driven(void);
+void sat4_eva_bits_step_driven(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real phi_ddot[SAT4_N];
+    all_bits(&phi_ddot[0], 4);
+    sat4_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_state next;
+    const sat4_status status = sat4_step_driven(&sat4_default, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 4);
+        untouched(&next.phi_dot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&next.position[0], 3);
+        initialised(&next.attitude[0], 4);
+        initialised(&next.V[0], 6);
+        initialised(&next.phi[0], 4);
+        initialised(&next.phi_dot[0], 4);
+    }
+}
+
+void sat4_eva_normal_wrap(void);
+void sat4_eva_normal_wrap(void)
+{
+    sat4_real phi;
+    reals(&phi, 1, 100.0);
+    sat4_real wrapped;
+    const sat4_status status = sat4_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&wrapped, 1);
+    }
+}
+
+void sat4_eva_any_wrap(void);
+void sat4_eva_any_wrap(void)
+{
+    sat4_real phi;
+    reals(&phi, 1, SAT4_LARGEST);
+    sat4_real wrapped;
+    const sat4_status status = sat4_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&wrapped, 1);
+    }
+}
+
+void sat4_eva_bits_wrap(void);
+void sat4_eva_bits_wrap(void)
+{
+    sat4_real phi;
+    one_of_all(&phi);
+    sat4_real wrapped;
+    const sat4_status status = sat4_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&wrapped, 1);
+    }
+}
+
+void sat4_eva_normal_phase_of_counts(void);
+void sat4_eva_normal_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, -1048576, 1048576);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    sat4_real zero;
+    reals(&zero, 1, 1.0e3);
+    sat4_real phi;
+    const sat4_status status = sat4_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi, 1);
+    }
+}
+
+void sat4_eva_any_phase_of_counts(void);
+void sat4_eva_any_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    sat4_real zero;
+    reals(&zero, 1, SAT4_LARGEST);
+    sat4_real phi;
+    const sat4_status status = sat4_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi, 1);
+    }
+}
+
+void sat4_eva_bits_phase_of_counts(void);
+void sat4_eva_bits_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    sat4_real zero;
+    one_of_all(&zero);
+    sat4_real phi;
+    const sat4_status status = sat4_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi, 1);
+    }
+}
+
+void sat4_eva_normal_speed_of_counts(void);
+void sat4_eva_normal_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, -1048576, 1048576);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    sat4_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    sat4_real phi_dot;
+    const sat4_status status = sat4_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_dot, 1);
+    }
+}
+
+void sat4_eva_any_speed_of_counts(void);
+void sat4_eva_any_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    sat4_real dt;
+    reals(&dt, 1, SAT4_LARGEST);
+    sat4_real phi_dot;
+    const sat4_status status = sat4_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_dot, 1);
+    }
+}
+
+void sat4_eva_bits_speed_of_counts(void);
+void sat4_eva_bits_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    sat4_real dt;
+    one_of_all(&dt);
+    sat4_real phi_dot;
+    const sat4_status status = sat4_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi_dot, 1);
+    }
+}
+
+void sat4_eva_normal_accumulate(void);
+void sat4_eva_normal_accumulate(void)
+{
+    sat4_encoder encoder;
+    integers(&encoder.counter, 1, -1048576, 1048576);
+    integers(&encoder.place, 1, -1048576, 1048576);
+    integers(&encoder.moved, 1, -1048576, 1048576);
+    int counter;
+    integers(&counter, 1, -1048576, 1048576);
+    int bits;
+    integers(&bits, 1, 0, 32);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    const sat4_status status = sat4_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void sat4_eva_any_accumulate(void);
+void sat4_eva_any_accumulate(void)
+{
+    sat4_encoder encoder;
+    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
+    integers(&encoder.place, 1, INT_MIN, INT_MAX);
+    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    int counter;
+    integers(&counter, 1, INT_MIN, INT_MAX);
+    int bits;
+    integers(&bits, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    const sat4_status status = sat4_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void sat4_eva_bits_accumulate(void);
+void sat4_eva_bits_accumulate(void)
+{
+    sat4_encoder encoder;
+    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
+    integers(&encoder.place, 1, INT_MIN, INT_MAX);
+    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    int counter;
+    integers(&counter, 1, INT_MIN, INT_MAX);
+    int bits;
+    integers(&bits, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    const sat4_status status = sat4_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void sat4_eva_normal_forward_jacobian(void);
+void sat4_eva_normal_forward_jacobian(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, 1.0e4);
+    sat4_forward_slopes out;
+    const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 24);
+        untouched(&out.V_dot_phi_dot[0][0], 24);
+        untouched(&out.V_dot_phi_ddot[0][0], 24);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 24);
+        written(&out.V_dot_phi_dot[0][0], 24);
+        written(&out.V_dot_phi_ddot[0][0], 24);
+    }
+}
+
+void sat4_eva_any_forward_jacobian(void);
+void sat4_eva_any_forward_jacobian(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, SAT4_LARGEST);
+    sat4_forward_slopes out;
+    const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 24);
+        untouched(&out.V_dot_phi_dot[0][0], 24);
+        untouched(&out.V_dot_phi_ddot[0][0], 24);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 24);
+        written(&out.V_dot_phi_dot[0][0], 24);
+        written(&out.V_dot_phi_ddot[0][0], 24);
+    }
+}
+
+void sat4_eva_bits_forward_jacobian(void);
+void sat4_eva_bits_forward_jacobian(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real phi_ddot[SAT4_N];
+    all_bits(&phi_ddot[0], 4);
+    sat4_forward_slopes out;
+    const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 24);
+        untouched(&out.V_dot_phi_dot[0][0], 24);
+        untouched(&out.V_dot_phi_ddot[0][0], 24);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.V_dot_V[0][0], 36);
+        initialised(&out.V_dot_phi[0][0], 24);
+        initialised(&out.V_dot_phi_dot[0][0], 24);
+        initialised(&out.V_dot_phi_ddot[0][0], 24);
+    }
+}
+
+void sat4_eva_normal_coupled_jacobian(void);
+void sat4_eva_normal_coupled_jacobian(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, 100.0);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, 0, 1);
+    sat4_coupled_slopes out;
+    const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 24);
+        untouched(&out.V_dot_phi_dot[0][0], 24);
+        untouched(&out.V_dot_tau[0][0], 24);
+        untouched(&out.phi_ddot_V[0][0], 24);
+        untouched(&out.phi_ddot_phi[0][0], 16);
+        untouched(&out.phi_ddot_phi_dot[0][0], 16);
+        untouched(&out.phi_ddot_tau[0][0], 16);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 24);
+        written(&out.V_dot_phi_dot[0][0], 24);
+        written(&out.V_dot_tau[0][0], 24);
+        written(&out.phi_ddot_V[0][0], 24);
+        written(&out.phi_ddot_phi[0][0], 16);
+        written(&out.phi_ddot_phi_dot[0][0], 16);
+        written(&out.phi_ddot_tau[0][0], 16);
+    }
+}
+
+void sat4_eva_any_coupled_jacobian(void);
+void sat4_eva_any_coupled_jacobian(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, SAT4_LARGEST);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_coupled_slopes out;
+    const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 24);
+        untouched(&out.V_dot_phi_dot[0][0], 24);
+        untouched(&out.V_dot_tau[0][0], 24);
+        untouched(&out.phi_ddot_V[0][0], 24);
+        untouched(&out.phi_ddot_phi[0][0], 16);
+        untouched(&out.phi_ddot_phi_dot[0][0], 16);
+        untouched(&out.phi_ddot_tau[0][0], 16);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 24);
+        written(&out.V_dot_phi_dot[0][0], 24);
+        written(&out.V_dot_tau[0][0], 24);
+        written(&out.phi_ddot_V[0][0], 24);
+        written(&out.phi_ddot_phi[0][0], 16);
+        written(&out.phi_ddot_phi_dot[0][0], 16);
+        written(&out.phi_ddot_tau[0][0], 16);
+    }
+}
+
+void sat4_eva_bits_coupled_jacobian(void);
+void sat4_eva_bits_coupled_jacobian(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real tau[SAT4_N];
+    all_bits(&tau[0], 4);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_coupled_slopes out;
+    const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 24);
+        untouched(&out.V_dot_phi_dot[0][0], 24);
+        untouched(&out.V_dot_tau[0][0], 24);
+        untouched(&out.phi_ddot_V[0][0], 24);
+        untouched(&out.phi_ddot_phi[0][0], 16);
+        untouched(&out.phi_ddot_phi_dot[0][0], 16);
+        untouched(&out.phi_ddot_tau[0][0], 16);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.V_dot_V[0][0], 36);
+        initialised(&out.V_dot_phi[0][0], 24);
+        initialised(&out.V_dot_phi_dot[0][0], 24);
+        initialised(&out.V_dot_tau[0][0], 24);
+        initialised(&out.phi_ddot_V[0][0], 24);
+        initialised(&out.phi_ddot_phi[0][0], 16);
+        initialised(&out.phi_ddot_phi_dot[0][0], 16);
+        initialised(&out.phi_ddot_tau[0][0], 16);
+    }
+}
+
+void sat4_eva_normal_inverse(void);
+void sat4_eva_normal_inverse(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    sat4_inverse_options options;
+    about(&options.weight[0], &sat4_default_options.weight[0], 4);
+    about(&options.limit[0], &sat4_default_options.limit[0], 4);
+    about(&options.near, &sat4_default_options.near, 1);
+    about(&options.damping, &sat4_default_options.damping, 1);
+    sat4_inverse_result out;
+    const sat4_status status = sat4_inverse(&sat4_default, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 4);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 4);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.phi_ddot[0], 4);
+        written(&out.residual[0], 6);
+        written(&out.sigma[0], 4);
+        /*@ check \initialized(&out.rank); */
+        written(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        written(&out.hardest[0], 6);
+    }
+}
+
+void sat4_eva_any_inverse(void);
+void sat4_eva_any_inverse(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, SAT4_LARGEST);
+    sat4_inverse_options options;
+    reals(&options.weight[0], 4, SAT4_LARGEST);
+    reals(&options.limit[0], 4, SAT4_LARGEST);
+    reals(&options.near, 1, SAT4_LARGEST);
+    reals(&options.damping, 1, SAT4_LARGEST);
+    sat4_inverse_result out;
+    const sat4_status status = sat4_inverse(&sat4_default, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 4);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 4);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.phi_ddot[0], 4);
+        written(&out.residual[0], 6);
+        written(&out.sigma[0], 4);
+        /*@ check \initialized(&out.rank); */
+        written(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        written(&out.hardest[0], 6);
+    }
+}
+
+void sat4_eva_bits_inverse(void);
+void sat4_eva_bits_inverse(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    sat4_inverse_options options;
+    all_bits(&options.weight[0], 4);
+    all_bits(&options.limit[0], 4);
+    one_of_all(&options.near);
+    one_of_all(&options.damping);
+    sat4_inverse_result out;
+    const sat4_status status = sat4_inverse(&sat4_default, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 4);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 4);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.phi_ddot[0], 4);
+        initialised(&out.residual[0], 6);
+        initialised(&out.sigma[0], 4);
+        /*@ check \initialized(&out.rank); */
+        initialised(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        initialised(&out.hardest[0], 6);
+    }
+}
+
+void sat4_eva_normal_inverse_fast(void);
+void sat4_eva_normal_inverse_fast(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    sat4_inverse_options options;
+    about(&options.weight[0], &sat4_default_options.weight[0], 4);
+    about(&options.limit[0], &sat4_default_options.limit[0], 4);
+    about(&options.near, &sat4_default_options.near, 1);
+    about(&options.damping, &sat4_default_options.damping, 1);
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_inverse_fast(&sat4_default, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_any_inverse_fast(void);
+void sat4_eva_any_inverse_fast(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, SAT4_LARGEST);
+    sat4_inverse_options options;
+    reals(&options.weight[0], 4, SAT4_LARGEST);
+    reals(&options.limit[0], 4, SAT4_LARGEST);
+    reals(&options.near, 1, SAT4_LARGEST);
+    reals(&options.damping, 1, SAT4_LARGEST);
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_inverse_fast(&sat4_default, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_bits_inverse_fast(void);
+void sat4_eva_bits_inverse_fast(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    sat4_inverse_options options;
+    all_bits(&options.weight[0], 4);
+    all_bits(&options.limit[0], 4);
+    one_of_all(&options.near);
+    one_of_all(&options.damping);
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_inverse_fast(&sat4_default, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_normal_measure(void);
+void sat4_eva_normal_measure(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    sat4_reading out[SAT4_SENSORS];
+    const sat4_status status = sat4_measure(&sat4_default, &x, V_dot, out);
+    if (status < 0) {
+        untouched(&out[0].position[0], 3);
+        untouched(&out[0].C[0][0], 9);
+        untouched(&out[0].twist[0], 6);
+        untouched(&out[0].specific_force[0], 3);
+        untouched(&out[0].angular_acceleration[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out[0].position[0], 3);
+        written(&out[0].C[0][0], 9);
+        written(&out[0].twist[0], 6);
+        written(&out[0].specific_force[0], 3);
+        written(&out[0].angular_acceleration[0], 3);
+    }
+}
+
+void sat4_eva_any_measure(void);
+void sat4_eva_any_measure(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, SAT4_LARGEST);
+    sat4_reading out[SAT4_SENSORS];
+    const sat4_status status = sat4_measure(&sat4_default, &x, V_dot, out);
+    if (status < 0) {
+        untouched(&out[0].position[0], 3);
+        untouched(&out[0].C[0][0], 9);
+        untouched(&out[0].twist[0], 6);
+        untouched(&out[0].specific_force[0], 3);
+        untouched(&out[0].angular_acceleration[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out[0].position[0], 3);
+        written(&out[0].C[0][0], 9);
+        written(&out[0].twist[0], 6);
+        written(&out[0].specific_force[0], 3);
+        written(&out[0].angular_acceleration[0], 3);
+    }
+}
+
+void sat4_eva_bits_measure(void);
+void sat4_eva_bits_measure(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    sat4_reading out[SAT4_SENSORS];
+    const sat4_status status = sat4_measure(&sat4_default, &x, V_dot, out);
+    if (status < 0) {
+        untouched(&out[0].position[0], 3);
+        untouched(&out[0].C[0][0], 9);
+        untouched(&out[0].twist[0], 6);
+        untouched(&out[0].specific_force[0], 3);
+        untouched(&out[0].angular_acceleration[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out[0].position[0], 3);
+        initialised(&out[0].C[0][0], 9);
+        initialised(&out[0].twist[0], 6);
+        initialised(&out[0].specific_force[0], 3);
+        initialised(&out[0].angular_acceleration[0], 3);
+    }
+}
+
+void sat4_eva_normal_quaternion(void);
+void sat4_eva_normal_quaternion(void)
+{
+    sat4_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    sat4_real attitude[4];
+    const sat4_status status = sat4_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&attitude[0], 4);
+    }
+}
+
+void sat4_eva_any_quaternion(void);
+void sat4_eva_any_quaternion(void)
+{
+    sat4_real angles[3];
+    reals(&angles[0], 3, SAT4_LARGEST);
+    sat4_real attitude[4];
+    const sat4_status status = sat4_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&attitude[0], 4);
+    }
+}
+
+void sat4_eva_bits_quaternion(void);
+void sat4_eva_bits_quaternion(void)
+{
+    sat4_real angles[3];
+    all_bits(&angles[0], 3);
+    sat4_real attitude[4];
+    const sat4_status status = sat4_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&attitude[0], 4);
+    }
+}
+
+void sat4_eva_normal_target(void);
+void sat4_eva_normal_target(void)
+{
+    sat4_real position[3];
+    reals(&position[0], 3, 100.0);
+    sat4_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    sat4_real q_dot[6];
+    reals(&q_dot[0], 6, 20.0);
+    sat4_real q_ddot[6];
+    reals(&q_ddot[0], 6, 1.0e3);
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real V_dot[6];
+    const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&x.position[0], 3);
+        written(&x.attitude[0], 4);
+        written(&x.V[0], 6);
+        written(&x.phi[0], 4);
+        written(&x.phi_dot[0], 4);
+        written(&V_dot[0], 6);
+    }
+}
+
+void sat4_eva_any_target(void);
+void sat4_eva_any_target(void)
+{
+    sat4_real position[3];
+    reals(&position[0], 3, SAT4_LARGEST);
+    sat4_real angles[3];
+    reals(&angles[0], 3, SAT4_LARGEST);
+    sat4_real q_dot[6];
+    reals(&q_dot[0], 6, SAT4_LARGEST);
+    sat4_real q_ddot[6];
+    reals(&q_ddot[0], 6, SAT4_LARGEST);
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real V_dot[6];
+    const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&x.position[0], 3);
+        written(&x.attitude[0], 4);
+        written(&x.V[0], 6);
+        written(&x.phi[0], 4);
+        written(&x.phi_dot[0], 4);
+        written(&V_dot[0], 6);
+    }
+}
+
+void sat4_eva_bits_target(void);
+void sat4_eva_bits_target(void)
+{
+    sat4_real position[3];
+    all_bits(&position[0], 3);
+    sat4_real angles[3];
+    all_bits(&angles[0], 3);
+    sat4_real q_dot[6];
+    all_bits(&q_dot[0], 6);
+    sat4_real q_ddot[6];
+    all_bits(&q_ddot[0], 6);
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real V_dot[6];
+    const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&x.position[0], 3);
+        initialised(&x.attitude[0], 4);
+        initialised(&x.V[0], 6);
+        initialised(&x.phi[0], 4);
+        initialised(&x.phi_dot[0], 4);
+        initialised(&V_dot[0], 6);
+    }
+}
+
+void sat4_eva_normal_attitude(void);
+void sat4_eva_normal_attitude(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, 1.0e4);
+    sat4_generalized out;
+    const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.A[0][0], 36);
+        written(&out.D[0][0], 36);
+        written(&out.I0[0][0], 36);
+        written(&out.J0[0][0], 36);
+        written(&out.q_dot[0], 6);
+        written(&out.q_ddot[0], 6);
+    }
+}
+
+void sat4_eva_any_attitude(void);
+void sat4_eva_any_attitude(void)
+{
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real angles[3];
+    reals(&angles[0], 3, SAT4_LARGEST);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, SAT4_LARGEST);
+    sat4_generalized out;
+    const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.A[0][0], 36);
+        written(&out.D[0][0], 36);
+        written(&out.I0[0][0], 36);
+        written(&out.J0[0][0], 36);
+        written(&out.q_dot[0], 6);
+        written(&out.q_ddot[0], 6);
+    }
+}
+
+void sat4_eva_bits_attitude(void);
+void sat4_eva_bits_attitude(void)
+{
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real angles[3];
+    all_bits(&angles[0], 3);
+    sat4_real phi_ddot[SAT4_N];
+    all_bits(&phi_ddot[0], 4);
+    sat4_generalized out;
+    const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.A[0][0], 36);
+        initialised(&out.D[0][0], 36);
+        initialised(&out.I0[0][0], 36);
+        initialised(&out.J0[0][0], 36);
+        initialised(&out.q_dot[0], 6);
+        initialised(&out.q_ddot[0], 6);
+    }
+}
+
+void sat4_eva_normal_prepare(void);
+void sat4_eva_normal_prepare(void)
+{
+    sat4_parameters parameters;
+    about(&parameters.carrier.mass, &sat4_default_parameters.carrier.mass, 1);
+    about(&parameters.carrier.center_of_mass[0], &sat4_default_parameters.carrier.center_of_mass[0], 3);
+    about(&parameters.carrier.inertia[0], &sat4_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SAT4_N; ++i) {
+        about(&parameters.flywheel[i].body.mass, &sat4_default_parameters.flywheel[i].body.mass, 1);
+        about(&parameters.flywheel[i].body.center_of_mass[0], &sat4_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&parameters.flywheel[i].body.inertia[0], &sat4_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&parameters.flywheel[i].position[0], &sat4_default_parameters.flywheel[i].position[0], 3);
+        about(&parameters.flywheel[i].axis[0], &sat4_default_parameters.flywheel[i].axis[0], 3);
+        about(&parameters.flywheel[i].zero[0], &sat4_default_parameters.flywheel[i].zero[0], 3);
+    }
+    for (int i = 0; i < 1; ++i) {
+        about(&parameters.point[i].position[0], &sat4_default_parameters.point[i].position[0], 3);
+        about(&parameters.point[i].axis[0], &sat4_default_parameters.point[i].axis[0], 3);
+        about(&parameters.point[i].zero[0], &sat4_default_parameters.point[i].zero[0], 3);
+    }
+    sat4_table stand = sat4_default;
+    const sat4_status status = sat4_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&stand.mass, 1);
+        written(&stand.mass_inverse, 1);
+        written(&stand.first_moment[0], 3);
+        written(&stand.inertia[0], 6);
+        written(&stand.flywheel[0].mu_c[0], 3);
+        written(&stand.flywheel[0].mu_s[0], 3);
+        written(&stand.flywheel[0].J_c[0], 6);
+        written(&stand.flywheel[0].J_s[0], 6);
+        written(&stand.flywheel[0].J_2c[0], 6);
+        written(&stand.flywheel[0].J_2s[0], 6);
+        written(&stand.flywheel[0].t_0[0], 3);
+        written(&stand.flywheel[0].t_c[0], 3);
+        written(&stand.flywheel[0].t_s[0], 3);
+        written(&stand.flywheel[0].spin, 1);
+        written(&stand.flywheel[0].spin_inv, 1);
+        written(&stand.flywheel[1].mu_c[0], 3);
+        written(&stand.flywheel[1].mu_s[0], 3);
+        written(&stand.flywheel[1].J_c[0], 6);
+        written(&stand.flywheel[1].J_s[0], 6);
+        written(&stand.flywheel[1].J_2c[0], 6);
+        written(&stand.flywheel[1].J_2s[0], 6);
+        written(&stand.flywheel[1].t_0[0], 3);
+        written(&stand.flywheel[1].t_c[0], 3);
+        written(&stand.flywheel[1].t_s[0], 3);
+        written(&stand.flywheel[1].spin, 1);
+        written(&stand.flywheel[1].spin_inv, 1);
+        written(&stand.flywheel[2].mu_c[0], 3);
+        written(&stand.flywheel[2].mu_s[0], 3);
+        written(&stand.flywheel[2].J_c[0], 6);
+        written(&stand.flywheel[2].J_s[0], 6);
+        written(&stand.flywheel[2].J_2c[0], 6);
+        written(&stand.flywheel[2].J_2s[0], 6);
+        written(&stand.flywheel[2].t_0[0], 3);
+        written(&stand.flywheel[2].t_c[0], 3);
+        written(&stand.flywheel[2].t_s[0], 3);
+        written(&stand.flywheel[2].spin, 1);
+        written(&stand.flywheel[2].spin_inv, 1);
+        written(&stand.flywheel[3].mu_c[0], 3);
+        written(&stand.flywheel[3].mu_s[0], 3);
+        written(&stand.flywheel[3].J_c[0], 6);
+        written(&stand.flywheel[3].J_s[0], 6);
+        written(&stand.flywheel[3].J_2c[0], 6);
+        written(&stand.flywheel[3].J_2s[0], 6);
+        written(&stand.flywheel[3].t_0[0], 3);
+        written(&stand.flywheel[3].t_c[0], 3);
+        written(&stand.flywheel[3].t_s[0], 3);
+        written(&stand.flywheel[3].spin, 1);
+        written(&stand.flywheel[3].spin_inv, 1);
+        written(&stand.sensor[0].origin[0], 3);
+        written(&stand.sensor[0].axes[0], 9);
+    }
+}
+
+void sat4_eva_any_prepare(void);
+void sat4_eva_any_prepare(void)
+{
+    sat4_parameters parameters;
+    reals(&parameters.carrier.mass, 1, SAT4_LARGEST);
+    reals(&parameters.carrier.center_of_mass[0], 3, SAT4_LARGEST);
+    reals(&parameters.carrier.inertia[0], 6, SAT4_LARGEST);
+    for (int i = 0; i < SAT4_N; ++i) {
+        reals(&parameters.flywheel[i].body.mass, 1, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].body.inertia[0], 6, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].position[0], 3, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].axis[0], 3, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].zero[0], 3, SAT4_LARGEST);
+    }
+    for (int i = 0; i < 1; ++i) {
+        reals(&parameters.point[i].position[0], 3, SAT4_LARGEST);
+        reals(&parameters.point[i].axis[0], 3, SAT4_LARGEST);
+        reals(&parameters.point[i].zero[0], 3, SAT4_LARGEST);
+    }
+    sat4_table stand = sat4_default;
+    const sat4_status status = sat4_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&stand.mass, 1);
+        written(&stand.mass_inverse, 1);
+        written(&stand.first_moment[0], 3);
+        written(&stand.inertia[0], 6);
+        written(&stand.flywheel[0].mu_c[0], 3);
+        written(&stand.flywheel[0].mu_s[0], 3);
+        written(&stand.flywheel[0].J_c[0], 6);
+        written(&stand.flywheel[0].J_s[0], 6);
+        written(&stand.flywheel[0].J_2c[0], 6);
+        written(&stand.flywheel[0].J_2s[0], 6);
+        written(&stand.flywheel[0].t_0[0], 3);
+        written(&stand.flywheel[0].t_c[0], 3);
+        written(&stand.flywheel[0].t_s[0], 3);
+        written(&stand.flywheel[0].spin, 1);
+        written(&stand.flywheel[0].spin_inv, 1);
+        written(&stand.flywheel[1].mu_c[0], 3);
+        written(&stand.flywheel[1].mu_s[0], 3);
+        written(&stand.flywheel[1].J_c[0], 6);
+        written(&stand.flywheel[1].J_s[0], 6);
+        written(&stand.flywheel[1].J_2c[0], 6);
+        written(&stand.flywheel[1].J_2s[0], 6);
+        written(&stand.flywheel[1].t_0[0], 3);
+        written(&stand.flywheel[1].t_c[0], 3);
+        written(&stand.flywheel[1].t_s[0], 3);
+        written(&stand.flywheel[1].spin, 1);
+        written(&stand.flywheel[1].spin_inv, 1);
+        written(&stand.flywheel[2].mu_c[0], 3);
+        written(&stand.flywheel[2].mu_s[0], 3);
+        written(&stand.flywheel[2].J_c[0], 6);
+        written(&stand.flywheel[2].J_s[0], 6);
+        written(&stand.flywheel[2].J_2c[0], 6);
+        written(&stand.flywheel[2].J_2s[0], 6);
+        written(&stand.flywheel[2].t_0[0], 3);
+        written(&stand.flywheel[2].t_c[0], 3);
+        written(&stand.flywheel[2].t_s[0], 3);
+        written(&stand.flywheel[2].spin, 1);
+        written(&stand.flywheel[2].spin_inv, 1);
+        written(&stand.flywheel[3].mu_c[0], 3);
+        written(&stand.flywheel[3].mu_s[0], 3);
+        written(&stand.flywheel[3].J_c[0], 6);
+        written(&stand.flywheel[3].J_s[0], 6);
+        written(&stand.flywheel[3].J_2c[0], 6);
+        written(&stand.flywheel[3].J_2s[0], 6);
+        written(&stand.flywheel[3].t_0[0], 3);
+        written(&stand.flywheel[3].t_c[0], 3);
+        written(&stand.flywheel[3].t_s[0], 3);
+        written(&stand.flywheel[3].spin, 1);
+        written(&stand.flywheel[3].spin_inv, 1);
+        written(&stand.sensor[0].origin[0], 3);
+        written(&stand.sensor[0].axes[0], 9);
+    }
+}
+
+void sat4_eva_bits_prepare(void);
+void sat4_eva_bits_prepare(void)
+{
+    sat4_parameters parameters;
+    one_of_all(&parameters.carrier.mass);
+    all_bits(&parameters.carrier.center_of_mass[0], 3);
+    all_bits(&parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SAT4_N; ++i) {
+        one_of_all(&parameters.flywheel[i].body.mass);
+        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
+        all_bits(&parameters.flywheel[i].position[0], 3);
+        all_bits(&parameters.flywheel[i].axis[0], 3);
+        all_bits(&parameters.flywheel[i].zero[0], 3);
+    }
+    for (int i = 0; i < 1; ++i) {
+        all_bits(&parameters.point[i].position[0], 3);
+        all_bits(&parameters.point[i].axis[0], 3);
+        all_bits(&parameters.point[i].zero[0], 3);
+    }
+    sat4_table stand = sat4_default;
+    const sat4_status status = sat4_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&stand.mass, 1);
+        initialised(&stand.mass_inverse, 1);
+        initialised(&stand.first_moment[0], 3);
+        initialised(&stand.inertia[0], 6);
+        initialised(&stand.flywheel[0].mu_c[0], 3);
+        initialised(&stand.flywheel[0].mu_s[0], 3);
+        initialised(&stand.flywheel[0].J_c[0], 6);
+        initialised(&stand.flywheel[0].J_s[0], 6);
+        initialised(&stand.flywheel[0].J_2c[0], 6);
+        initialised(&stand.flywheel[0].J_2s[0], 6);
+        initialised(&stand.flywheel[0].t_0[0], 3);
+        initialised(&stand.flywheel[0].t_c[0], 3);
+        initialised(&stand.flywheel[0].t_s[0], 3);
+        initialised(&stand.flywheel[0].spin, 1);
+        initialised(&stand.flywheel[0].spin_inv, 1);
+        initialised(&stand.flywheel[1].mu_c[0], 3);
+        initialised(&stand.flywheel[1].mu_s[0], 3);
+        initialised(&stand.flywheel[1].J_c[0], 6);
+        initialised(&stand.flywheel[1].J_s[0], 6);
+        initialised(&stand.flywheel[1].J_2c[0], 6);
+        initialised(&stand.flywheel[1].J_2s[0], 6);
+        initialised(&stand.flywheel[1].t_0[0], 3);
+        initialised(&stand.flywheel[1].t_c[0], 3);
+        initialised(&stand.flywheel[1].t_s[0], 3);
+        initialised(&stand.flywheel[1].spin, 1);
+        initialised(&stand.flywheel[1].spin_inv, 1);
+        initialised(&stand.flywheel[2].mu_c[0], 3);
+        initialised(&stand.flywheel[2].mu_s[0], 3);
+        initialised(&stand.flywheel[2].J_c[0], 6);
+        initialised(&stand.flywheel[2].J_s[0], 6);
+        initialised(&stand.flywheel[2].J_2c[0], 6);
+        initialised(&stand.flywheel[2].J_2s[0], 6);
+        initialised(&stand.flywheel[2].t_0[0], 3);
+        initialised(&stand.flywheel[2].t_c[0], 3);
+        initialised(&stand.flywheel[2].t_s[0], 3);
+        initialised(&stand.flywheel[2].spin, 1);
+        initialised(&stand.flywheel[2].spin_inv, 1);
+        initialised(&stand.flywheel[3].mu_c[0], 3);
+        initialised(&stand.flywheel[3].mu_s[0], 3);
+        initialised(&stand.flywheel[3].J_c[0], 6);
+        initialised(&stand.flywheel[3].J_s[0], 6);
+        initialised(&stand.flywheel[3].J_2c[0], 6);
+        initialised(&stand.flywheel[3].J_2s[0], 6);
+        initialised(&stand.flywheel[3].t_0[0], 3);
+        initialised(&stand.flywheel[3].t_c[0], 3);
+        initialised(&stand.flywheel[3].t_s[0], 3);
+        initialised(&stand.flywheel[3].spin, 1);
+        initialised(&stand.flywheel[3].spin_inv, 1);
+        initialised(&stand.sensor[0].origin[0], 3);
+        initialised(&stand.sensor[0].axes[0], 9);
+    }
+}
+
+void sat4_eva_normal_mounts(void);
+void sat4_eva_normal_mounts(void)
+{
+    sat4_mount_table mounting;
+    (void)sat4_prepare_mounts(&sat4_default_parameters, &mounting);
+    sat4_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 4, 100.0);
+    reals(&x.phi_dot[0], 4, 1.0e3);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, 1.0e4);
+    sat4_real loads[24];
+    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 24);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&loads[0], 24);
+    }
+}
+
+void sat4_eva_any_mounts(void);
+void sat4_eva_any_mounts(void)
+{
+    sat4_mount_table mounting;
+    (void)sat4_prepare_mounts(&sat4_default_parameters, &mounting);
+    sat4_state x;
+    reals(&x.position[0], 3, SAT4_LARGEST);
+    quaternion(x.attitude, SAT4_LARGEST);
+    reals(&x.V[0], 6, SAT4_LARGEST);
+    reals(&x.phi[0], 4, SAT4_LARGEST);
+    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    sat4_real V_dot[6];
+    reals(&V_dot[0], 6, SAT4_LARGEST);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, SAT4_LARGEST);
+    sat4_real loads[24];
+    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 24);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&loads[0], 24);
+    }
+}
+
+void sat4_eva_bits_mounts(void);
+void sat4_eva_bits_mounts(void)
+{
+    sat4_mount_table mounting;
+    (void)sat4_prepare_mounts(&sat4_default_parameters, &mounting);
+    sat4_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 4);
+    all_bits(&x.phi_dot[0], 4);
+    sat4_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    sat4_real phi_ddot[SAT4_N];
+    all_bits(&phi_ddot[0], 4);
+    sat4_real loads[24];
+    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 24);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&loads[0], 24);
+    }
+}
+
+void sat4_eva_normal_prepare_mounts(void);
+void sat4_eva_normal_prepare_mounts(void)
+{
+    sat4_parameters parameters;
+    about(&parameters.carrier.mass, &sat4_default_parameters.carrier.mass, 1);
+    about(&parameters.carrier.center_of_mass[0], &sat4_default_parameters.carrier.center_of_mass[0], 3);
+    about(&parameters.carrier.inertia[0], &sat4_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SAT4_N; ++i) {
+        about(&parameters.flywheel[i].body.mass, &sat4_default_parameters.flywheel[i].body.mass, 1);
+        about(&parameters.flywheel[i].body.center_of_mass[0], &sat4_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&parameters.flywheel[i].body.inertia[0], &sat4_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&parameters.flywheel[i].position[0], &sat4_default_parameters.flywheel[i].position[0], 3);
+        about(&parameters.flywheel[i].axis[0], &sat4_default_parameters.flywheel[i].axis[0], 3);
+        about(&parameters.flywheel[i].zero[0], &sat4_default_parameters.flywheel[i].zero[0], 3);
+    }
+    for (int i = 0; i < 1; ++i) {
+        about(&parameters.point[i].position[0], &sat4_default_parameters.point[i].position[0], 3);
+        about(&parameters.point[i].axis[0], &sat4_default_parameters.point[i].axis[0], 3);
+        about(&parameters.point[i].zero[0], &sat4_default_parameters.point[i].zero[0], 3);
+    }
+    sat4_mount_table mounting;
+    const sat4_status status = sat4_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched(&mounting.flywheel[2].mass, 1);
+        untouched(&mounting.flywheel[2].first_moment[0], 3);
+        untouched(&mounting.flywheel[2].inertia[0], 6);
+        untouched(&mounting.flywheel[2].origin[0], 3);
+        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched(&mounting.flywheel[3].mass, 1);
+        untouched(&mounting.flywheel[3].first_moment[0], 3);
+        untouched(&mounting.flywheel[3].inertia[0], 6);
+        untouched(&mounting.flywheel[3].origin[0], 3);
+        untouched(&mounting.flywheel[3].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&mounting.flywheel[0].mass, 1);
+        written(&mounting.flywheel[0].first_moment[0], 3);
+        written(&mounting.flywheel[0].inertia[0], 6);
+        written(&mounting.flywheel[0].origin[0], 3);
+        written(&mounting.flywheel[0].axes[0], 9);
+        written(&mounting.flywheel[1].mass, 1);
+        written(&mounting.flywheel[1].first_moment[0], 3);
+        written(&mounting.flywheel[1].inertia[0], 6);
+        written(&mounting.flywheel[1].origin[0], 3);
+        written(&mounting.flywheel[1].axes[0], 9);
+        written(&mounting.flywheel[2].mass, 1);
+        written(&mounting.flywheel[2].first_moment[0], 3);
+        written(&mounting.flywheel[2].inertia[0], 6);
+        written(&mounting.flywheel[2].origin[0], 3);
+        written(&mounting.flywheel[2].axes[0], 9);
+        written(&mounting.flywheel[3].mass, 1);
+        written(&mounting.flywheel[3].first_moment[0], 3);
+        written(&mounting.flywheel[3].inertia[0], 6);
+        written(&mounting.flywheel[3].origin[0], 3);
+        written(&mounting.flywheel[3].axes[0], 9);
+    }
+}
+
+void sat4_eva_any_prepare_mounts(void);
+void sat4_eva_any_prepare_mounts(void)
+{
+    sat4_parameters parameters;
+    reals(&parameters.carrier.mass, 1, SAT4_LARGEST);
+    reals(&parameters.carrier.center_of_mass[0], 3, SAT4_LARGEST);
+    reals(&parameters.carrier.inertia[0], 6, SAT4_LARGEST);
+    for (int i = 0; i < SAT4_N; ++i) {
+        reals(&parameters.flywheel[i].body.mass, 1, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].body.inertia[0], 6, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].position[0], 3, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].axis[0], 3, SAT4_LARGEST);
+        reals(&parameters.flywheel[i].zero[0], 3, SAT4_LARGEST);
+    }
+    for (int i = 0; i < 1; ++i) {
+        reals(&parameters.point[i].position[0], 3, SAT4_LARGEST);
+        reals(&parameters.point[i].axis[0], 3, SAT4_LARGEST);
+        reals(&parameters.point[i].zero[0], 3, SAT4_LARGEST);
+    }
+    sat4_mount_table mounting;
+    const sat4_status status = sat4_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched(&mounting.flywheel[2].mass, 1);
+        untouched(&mounting.flywheel[2].first_moment[0], 3);
+        untouched(&mounting.flywheel[2].inertia[0], 6);
+        untouched(&mounting.flywheel[2].origin[0], 3);
+        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched(&mounting.flywheel[3].mass, 1);
+        untouched(&mounting.flywheel[3].first_moment[0], 3);
+        untouched(&mounting.flywheel[3].inertia[0], 6);
+        untouched(&mounting.flywheel[3].origin[0], 3);
+        untouched(&mounting.flywheel[3].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&mounting.flywheel[0].mass, 1);
+        written(&mounting.flywheel[0].first_moment[0], 3);
+        written(&mounting.flywheel[0].inertia[0], 6);
+        written(&mounting.flywheel[0].origin[0], 3);
+        written(&mounting.flywheel[0].axes[0], 9);
+        written(&mounting.flywheel[1].mass, 1);
+        written(&mounting.flywheel[1].first_moment[0], 3);
+        written(&mounting.flywheel[1].inertia[0], 6);
+        written(&mounting.flywheel[1].origin[0], 3);
+        written(&mounting.flywheel[1].axes[0], 9);
+        written(&mounting.flywheel[2].mass, 1);
+        written(&mounting.flywheel[2].first_moment[0], 3);
+        written(&mounting.flywheel[2].inertia[0], 6);
+        written(&mounting.flywheel[2].origin[0], 3);
+        written(&mounting.flywheel[2].axes[0], 9);
+        written(&mounting.flywheel[3].mass, 1);
+        written(&mounting.flywheel[3].first_moment[0], 3);
+        written(&mounting.flywheel[3].inertia[0], 6);
+        written(&mounting.flywheel[3].origin[0], 3);
+        written(&mounting.flywheel[3].axes[0], 9);
+    }
+}
+
+void sat4_eva_bits_prepare_mounts(void);
+void sat4_eva_bits_prepare_mounts(void)
+{
+    sat4_parameters parameters;
+    one_of_all(&parameters.carrier.mass);
+    all_bits(&parameters.carrier.center_of_mass[0], 3);
+    all_bits(&parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SAT4_N; ++i) {
+        one_of_all(&parameters.flywheel[i].body.mass);
+        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
+        all_bits(&parameters.flywheel[i].position[0], 3);
+        all_bits(&parameters.flywheel[i].axis[0], 3);
+        all_bits(&parameters.flywheel[i].zero[0], 3);
+    }
+    for (int i = 0; i < 1; ++i) {
+        all_bits(&parameters.point[i].position[0], 3);
+        all_bits(&parameters.point[i].axis[0], 3);
+        all_bits(&parameters.point[i].zero[0], 3);
+    }
+    sat4_mount_table mounting;
+    const sat4_status status = sat4_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched(&mounting.flywheel[2].mass, 1);
+        untouched(&mounting.flywheel[2].first_moment[0], 3);
+        untouched(&mounting.flywheel[2].inertia[0], 6);
+        untouched(&mounting.flywheel[2].origin[0], 3);
+        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched(&mounting.flywheel[3].mass, 1);
+        untouched(&mounting.flywheel[3].first_moment[0], 3);
+        untouched(&mounting.flywheel[3].inertia[0], 6);
+        untouched(&mounting.flywheel[3].origin[0], 3);
+        untouched(&mounting.flywheel[3].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&mounting.flywheel[0].mass, 1);
+        initialised(&mounting.flywheel[0].first_moment[0], 3);
+        initialised(&mounting.flywheel[0].inertia[0], 6);
+        initialised(&mounting.flywheel[0].origin[0], 3);
+        initialised(&mounting.flywheel[0].axes[0], 9);
+        initialised(&mounting.flywheel[1].mass, 1);
+        initialised(&mounting.flywheel[1].first_moment[0], 3);
+        initialised(&mounting.flywheel[1].inertia[0], 6);
+        initialised(&mounting.flywheel[1].origin[0], 3);
+        initialised(&mounting.flywheel[1].axes[0], 9);
+        initialised(&mounting.flywheel[2].mass, 1);
+        initialised(&mounting.flywheel[2].first_moment[0], 3);
+        initialised(&mounting.flywheel[2].inertia[0], 6);
+        initialised(&mounting.flywheel[2].origin[0], 3);
+        initialised(&mounting.flywheel[2].axes[0], 9);
+        initialised(&mounting.flywheel[3].mass, 1);
+        initialised(&mounting.flywheel[3].first_moment[0], 3);
+        initialised(&mounting.flywheel[3].inertia[0], 6);
+        initialised(&mounting.flywheel[3].origin[0], 3);
+        initialised(&mounting.flywheel[3].axes[0], 9);
+    }
+}
+
+void sat4_eva_routine_sincos(void);
+void sat4_eva_routine_sincos(void)
+{
+    sat4_real x;
+    one_of_all(&x);
+    sat4_real sine;
+    sat4_real cosine;
+    sat4_sincos(x, &sine, &cosine);
+    Frama_C_show_each_returned(0);
+}
+
+void sat4_eva_routine_sqrt(void);
+void sat4_eva_routine_sqrt(void)
+{
+    sat4_real x;
+    one_of_all(&x);
+    (void)sat4_sqrt(x);
+    Frama_C_show_each_returned(0);
+}

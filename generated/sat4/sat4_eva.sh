@@ -1,0 +1,59 @@
+#!/bin/sh
+# sat4_eva.sh: what Frama-C Eva proves of sat4.c, driver by driver. Needs frama-c (Debian: frama-c-base).
+# mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
+#
+# sh sat4_eva.sh             all that is claimed; exit status 1 where anything is not proved
+# sh sat4_eva.sh tried       the other functions: what is not proved of them is printed, and is no error
+# sh sat4_eva.sh any_forward ...  these drivers; see sat4_eva.c
+# EVA_LOGS=DIR keeps what Frama-C printed. A line a driver: name, alarms, unproved properties of its results, seconds.
+set -u
+cd "$(dirname "$0")" || exit 2
+command -v frama-c >/dev/null || { echo "no frama-c: on Debian, apt-get install frama-c-base" >&2; exit 2; }
+logs=${EVA_LOGS:-$(mktemp -d)} || exit 2
+failed=0
+
+claimed="normal_forward any_forward bits_forward normal_momentum any_momentum normal_torque any_torque normal_coupled any_coupled normal_step bits_step normal_wrap any_wrap bits_wrap normal_prepare bits_prepare routine_sincos routine_sqrt"
+tried="normal_matrices any_matrices bits_matrices bits_momentum bits_torque bits_coupled any_step normal_step_driven any_step_driven bits_step_driven normal_phase_of_counts any_phase_of_counts bits_phase_of_counts normal_speed_of_counts any_speed_of_counts bits_speed_of_counts normal_accumulate any_accumulate bits_accumulate normal_forward_jacobian any_forward_jacobian bits_forward_jacobian normal_coupled_jacobian any_coupled_jacobian bits_coupled_jacobian normal_inverse any_inverse bits_inverse normal_inverse_fast any_inverse_fast bits_inverse_fast normal_measure any_measure bits_measure normal_quaternion any_quaternion bits_quaternion normal_target any_target bits_target normal_attitude any_attitude bits_attitude any_prepare normal_mounts any_mounts bits_mounts normal_prepare_mounts any_prepare_mounts bits_prepare_mounts"
+
+# Checks are followed path by path (slevel, split-return), arithmetic is not: the paths would multiply.
+split="sat4_within:0,sat4_check_state:0,sat4_solve3:0,sat4_solve_carrier:0,sat4_accelerate:0,sat4_solve_schur:0,sat4_move:0,sat4_finish:0,sat4_rate:0,sat4_rate_driven:0,sat4_factor:0,sat4_demand:0,sat4_frame_of_axes:0,sat4_check_inertia:0,sat4_check_body:0,sat4_place_flywheel:0,sat4_place_point:0,sat4_check_parameters:0,sat4_forward:0,sat4_matrices:0,sat4_momentum:0,sat4_torque:0,sat4_coupled:0,sat4_step:0,sat4_step_driven:0,sat4_wrap:0,sat4_phase_of_counts:0,sat4_speed_of_counts:0,sat4_accumulate:0,sat4_forward_jacobian:0,sat4_coupled_jacobian:0,sat4_inverse:0,sat4_inverse_fast:0,sat4_measure:0,sat4_quaternion:0,sat4_target:0,sat4_attitude:0,sat4_prepare:0,sat4_mounts:0,sat4_prepare_mounts:0,quaternion:full,one_of_all:full"
+merged="sat4_sincos:0,sat4_sqrt:0,sat4_unwound:0,sat4_wrapped:0,sat4_rotation:0,sat4_start_sums:0,sat4_sincos_each:0,sat4_add_flywheel:0,sat4_momentum_screw:0,sat4_subtract_rates:0,sat4_velocity_matrix:0,sat4_couple:0,sat4_eliminate:0,sat4_move:0,sat4_advance:0,sat4_twist_slope:0,sat4_row_slope:0,sat4_orthogonalise:0,sat4_solve_gram:0,sat4_allocate:0,sat4_sense:0,sat4_products:0,sat4_carry:0,sat4_check_inertia:0,sat4_carry_twist:0,sat4_mount_wrench:0"
+
+prove() {
+    case $1 in
+    normal_* | any_*) special=non-finite asked='check|precondition.*' ;;
+    *) special=none asked=check ;;  # a contract that the body is not shown to keep is no fault of the driver
+    esac
+    begun=$(date +%s)
+    set -- "$1" -cpp-extra-args=-I. -machdep x86_64 -no-unicode \
+        -eva -eva-precision 3 -eva-min-loop-unroll 9 -eva-slevel 4000 -eva-slevel-function "$merged" -eva-split-return-function "$split" \
+        -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "sat4_eva_$1"
+    case $1 in
+    routine_* | bits_*) ;;
+    *) set -- "$@" -eva-use-spec "sat4_sincos" \
+        -eva-builtin "sat4_sqrt:Frama_C_sqrt" ;;
+    esac
+    driver=$1
+    shift
+    ${EVA_LIMIT:+timeout "$EVA_LIMIT"} frama-c "$@" sat4_eva.c >"$logs/$driver.log" 2>&1
+    ended=$?
+    alarms=$(sed -n 's/^ *\([0-9]*\) alarms\{0,1\} generated.*/\1/p' "$logs/$driver.log")
+    unproved=$(grep -c -E "($asked) got status (unknown|invalid)" "$logs/$driver.log")
+    # A driver that never comes back from the function has proved nothing.
+    if [ "$ended" -ne 0 ] || [ -z "$alarms" ] || ! grep -q 'show_each_returned' "$logs/$driver.log"; then
+        alarms=failed
+    fi
+    echo "$driver alarms $alarms unproved $unproved seconds $(($(date +%s) - begun))"
+    [ "$alarms $unproved" = "0 0" ] || failed=1
+}
+
+case ${1-} in
+"") for driver in $claimed; do prove "$driver"; done ;;
+tried)
+    for driver in $tried; do prove "$driver"; done
+    failed=0
+    ;;
+*) for driver in "$@"; do prove "$driver"; done ;;
+esac
+[ -n "${EVA_LOGS-}" ] || rm -rf "$logs"
+exit $failed

@@ -1,0 +1,2019 @@
+/* shaker2_eva.c: drivers of Frama-C Eva for the stand "shaker2": what is proved of shaker2.c. Run by shaker2_eva.sh.
+ * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead.
+ *
+ * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
+ *   normal   magnitudes of ordinary use: the numbers in the driver
+ *   any      every finite number, every integer: what the checks of the function let through is all it computes with
+ *   bits     every bit pattern: NaN and infinities as well
+ * normal, any: Eva shows that no operation is undefined (index, uninitialised read, integer overflow, division by
+ * zero) and that no real becomes infinite or NaN on the way; of the results, that they are written and finite where
+ * the status is not negative, and untouched where it is. bits, with -warn-special-float none: the same, but nothing of
+ * finiteness, for Eva 25 lets NaN pass a comparison that C does not. */
+#include <limits.h>
+
+#include "__fc_builtin.h"
+#include "features.h"
+#include "shaker2.h"
+
+/* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
+ * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
+ * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+
+/*@ requires -10000000.0 <= x <= 10000000.0;
+    assigns *sine, *cosine \from x;
+    ensures \initialized(sine) && \initialized(cosine);
+    ensures \is_finite(*sine) && \is_finite(*cosine);
+    ensures -1.0000002 <= *sine <= 1.0000002;
+    ensures -1.0000002 <= *cosine <= 1.0000002; */
+static void shaker2_sincos(shaker2_real x, shaker2_real *restrict sine, shaker2_real *restrict cosine);
+
+__PUSH_FC_STDLIB
+/*@ requires x >= 0.0;
+    assigns \result \from x; */
+static shaker2_real shaker2_sqrt(shaker2_real x);
+__POP_FC_STDLIB
+
+/*@ assigns \result \from y, x;
+    ensures \is_finite(\result);
+    ensures -3.1415928 <= \result <= 3.1415928; */
+static shaker2_real shaker2_atan2(shaker2_real y, shaker2_real x);
+
+#include "shaker2.c"
+
+/* ---- sets of numbers ---- */
+
+static shaker2_real real_in(shaker2_real low, shaker2_real high)
+{
+    return Frama_C_double_interval(low, high);
+}
+
+static void reals(shaker2_real *x, int count, shaker2_real size)
+{
+    for (int i = 0; i < count; ++i) { x[i] = real_in(-size, size); }
+}
+
+static volatile shaker2_real any_bits;  /* Eva: each read may give every bit pattern */
+
+static void all_bits(shaker2_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) { x[i] = any_bits; }
+}
+
+static void not_finite(shaker2_real *x)
+{
+    const shaker2_real zero = 0.0;
+    switch (Frama_C_interval(0, 2)) {
+    case 0: *x = 1.0 / zero; break;
+    case 1: *x = -1.0 / zero; break;
+    default: *x = zero / zero; break;
+    }
+}
+
+/* One number of any bits, finite numbers apart from the others. */
+static void one_of_all(shaker2_real *x)
+{
+    if (Frama_C_interval(0, 1) == 0) {
+        not_finite(x);
+    } else {
+        *x = real_in(-SHAKER2_LARGEST, SHAKER2_LARGEST);
+    }
+}
+
+static void integers(int *x, int count, int low, int high)
+{
+    for (int i = 0; i < count; ++i) { x[i] = Frama_C_interval(low, high); }
+}
+
+/* A number within one part in a hundred of another. */
+static shaker2_real near(shaker2_real x)
+{
+    const shaker2_real a = x * 0.99;
+    const shaker2_real b = x * 1.01;
+    return a <= b ? real_in(a, b) : real_in(b, a);
+}
+
+static void about(shaker2_real *x, const shaker2_real *middle, int count)
+{
+    for (int i = 0; i < count; ++i) { x[i] = near(middle[i]); }
+}
+
+/* A quaternion. Where the sum of four squares is at least 0.998001, one of them is at least a quarter of that: so one
+ * component is at least 0.499 in magnitude. Which, and its sign, are eight cases; all others are refused by
+ * the checks, which the case without a large component shows. */
+static void quaternion(shaker2_real q[4], shaker2_real size)
+{
+    const int large = Frama_C_interval(0, 8);
+    reals(q, 4, size);
+    switch (large) {
+    case 0: q[0] = real_in(0.499, size); break;
+    case 1: q[0] = real_in(-size, -0.499); break;
+    case 2: q[1] = real_in(0.499, size); break;
+    case 3: q[1] = real_in(-size, -0.499); break;
+    case 4: q[2] = real_in(0.499, size); break;
+    case 5: q[2] = real_in(-size, -0.499); break;
+    case 6: q[3] = real_in(0.499, size); break;
+    case 7: q[3] = real_in(-size, -0.499); break;
+    default: reals(q, 4, 0.499); break;
+    }
+}
+
+/* ---- what is asserted of results ---- */
+
+static void written(const shaker2_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check \initialized(&x[i]) && \is_finite(x[i]); */
+    }
+}
+
+static void initialised(const shaker2_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check \initialized(&x[i]); */
+    }
+}
+
+static void untouched(const shaker2_real *x, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        /*@ check !\initialized(&x[i]); */
+    }
+}
+
+/* ---- drivers: a function and a set each ---- */
+
+void shaker2_eva_normal_forward(void);
+void shaker2_eva_normal_forward(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, 1.0e4);
+    shaker2_real V_dot[6];
+    const shaker2_status status = shaker2_forward(&shaker2_default, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+    }
+}
+
+void shaker2_eva_any_forward(void);
+void shaker2_eva_any_forward(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
+    shaker2_real V_dot[6];
+    const shaker2_status status = shaker2_forward(&shaker2_default, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+    }
+}
+
+void shaker2_eva_bits_forward(void);
+void shaker2_eva_bits_forward(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real phi_ddot[SHAKER2_N];
+    all_bits(&phi_ddot[0], 2);
+    shaker2_real V_dot[6];
+    const shaker2_status status = shaker2_forward(&shaker2_default, &x, phi_ddot, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&V_dot[0], 6);
+    }
+}
+
+void shaker2_eva_normal_wrench(void);
+void shaker2_eva_normal_wrench(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real F[6];
+    const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
+    if (status < 0) {
+        untouched(&F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&F[0], 6);
+    }
+}
+
+void shaker2_eva_any_wrench(void);
+void shaker2_eva_any_wrench(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real F[6];
+    const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
+    if (status < 0) {
+        untouched(&F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&F[0], 6);
+    }
+}
+
+void shaker2_eva_bits_wrench(void);
+void shaker2_eva_bits_wrench(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real F[6];
+    const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
+    if (status < 0) {
+        untouched(&F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&F[0], 6);
+    }
+}
+
+void shaker2_eva_normal_matrices(void);
+void shaker2_eva_normal_matrices(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_equations out;
+    const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 12);
+        untouched(&out.J[0][0], 12);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.K[0][0], 36);
+        written(&out.K_dot[0][0], 36);
+        written(&out.M[0][0], 36);
+        written(&out.I[0][0], 12);
+        written(&out.J[0][0], 12);
+        written(&out.F[0], 6);
+    }
+}
+
+void shaker2_eva_any_matrices(void);
+void shaker2_eva_any_matrices(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_equations out;
+    const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 12);
+        untouched(&out.J[0][0], 12);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.K[0][0], 36);
+        written(&out.K_dot[0][0], 36);
+        written(&out.M[0][0], 36);
+        written(&out.I[0][0], 12);
+        written(&out.J[0][0], 12);
+        written(&out.F[0], 6);
+    }
+}
+
+void shaker2_eva_bits_matrices(void);
+void shaker2_eva_bits_matrices(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_equations out;
+    const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.K[0][0], 36);
+        untouched(&out.K_dot[0][0], 36);
+        untouched(&out.M[0][0], 36);
+        untouched(&out.I[0][0], 12);
+        untouched(&out.J[0][0], 12);
+        untouched(&out.F[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.K[0][0], 36);
+        initialised(&out.K_dot[0][0], 36);
+        initialised(&out.M[0][0], 36);
+        initialised(&out.I[0][0], 12);
+        initialised(&out.J[0][0], 12);
+        initialised(&out.F[0], 6);
+    }
+}
+
+void shaker2_eva_normal_momentum(void);
+void shaker2_eva_normal_momentum(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_momenta out;
+    const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.Z[0], 6);
+        written(&out.Z0[0], 6);
+        written(&out.energy, 1);
+        written(&out.center_of_mass[0], 3);
+    }
+}
+
+void shaker2_eva_any_momentum(void);
+void shaker2_eva_any_momentum(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_momenta out;
+    const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.Z[0], 6);
+        written(&out.Z0[0], 6);
+        written(&out.energy, 1);
+        written(&out.center_of_mass[0], 3);
+    }
+}
+
+void shaker2_eva_bits_momentum(void);
+void shaker2_eva_bits_momentum(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_momenta out;
+    const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
+    if (status < 0) {
+        untouched(&out.Z[0], 6);
+        untouched(&out.Z0[0], 6);
+        untouched(&out.energy, 1);
+        untouched(&out.center_of_mass[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.Z[0], 6);
+        initialised(&out.Z0[0], 6);
+        initialised(&out.energy, 1);
+        initialised(&out.center_of_mass[0], 3);
+    }
+}
+
+void shaker2_eva_normal_torque(void);
+void shaker2_eva_normal_torque(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, 1.0e4);
+    shaker2_real tau[SHAKER2_N];
+    const shaker2_status status = shaker2_torque(&shaker2_default, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&tau[0], 2);
+    }
+}
+
+void shaker2_eva_any_torque(void);
+void shaker2_eva_any_torque(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, SHAKER2_LARGEST);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
+    shaker2_real tau[SHAKER2_N];
+    const shaker2_status status = shaker2_torque(&shaker2_default, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&tau[0], 2);
+    }
+}
+
+void shaker2_eva_bits_torque(void);
+void shaker2_eva_bits_torque(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    shaker2_real phi_ddot[SHAKER2_N];
+    all_bits(&phi_ddot[0], 2);
+    shaker2_real tau[SHAKER2_N];
+    const shaker2_status status = shaker2_torque(&shaker2_default, &x, V_dot, phi_ddot, tau);
+    if (status < 0) {
+        untouched(&tau[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&tau[0], 2);
+    }
+}
+
+void shaker2_eva_normal_coupled(void);
+void shaker2_eva_normal_coupled(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, 100.0);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, 0, 1);
+    shaker2_real V_dot[6];
+    shaker2_real phi_ddot[SHAKER2_N];
+    const shaker2_status status = shaker2_coupled(&shaker2_default, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+        written(&phi_ddot[0], 2);
+    }
+}
+
+void shaker2_eva_any_coupled(void);
+void shaker2_eva_any_coupled(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, SHAKER2_LARGEST);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_real V_dot[6];
+    shaker2_real phi_ddot[SHAKER2_N];
+    const shaker2_status status = shaker2_coupled(&shaker2_default, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&V_dot[0], 6);
+        written(&phi_ddot[0], 2);
+    }
+}
+
+void shaker2_eva_bits_coupled(void);
+void shaker2_eva_bits_coupled(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real tau[SHAKER2_N];
+    all_bits(&tau[0], 2);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_real V_dot[6];
+    shaker2_real phi_ddot[SHAKER2_N];
+    const shaker2_status status = shaker2_coupled(&shaker2_default, &x, tau, locked, V_dot, phi_ddot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+        untouched(&phi_ddot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&V_dot[0], 6);
+        initialised(&phi_ddot[0], 2);
+    }
+}
+
+void shaker2_eva_normal_step(void);
+void shaker2_eva_normal_step(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, 100.0);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, 0, 1);
+    shaker2_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step(&shaker2_default, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 2);
+        untouched(&next.phi_dot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 2);
+        written(&next.phi_dot[0], 2);
+    }
+}
+
+void shaker2_eva_any_step(void);
+void shaker2_eva_any_step(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, SHAKER2_LARGEST);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_real dt;
+    reals(&dt, 1, SHAKER2_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step(&shaker2_default, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 2);
+        untouched(&next.phi_dot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 2);
+        written(&next.phi_dot[0], 2);
+    }
+}
+
+void shaker2_eva_bits_step(void);
+void shaker2_eva_bits_step(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real tau[SHAKER2_N];
+    all_bits(&tau[0], 2);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step(&shaker2_default, &x, tau, locked, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 2);
+        untouched(&next.phi_dot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&next.position[0], 3);
+        initialised(&next.attitude[0], 4);
+        initialised(&next.V[0], 6);
+        initialised(&next.phi[0], 2);
+        initialised(&next.phi_dot[0], 2);
+    }
+}
+
+void shaker2_eva_normal_step_driven(void);
+void shaker2_eva_normal_step_driven(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, 1.0e4);
+    shaker2_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 2);
+        untouched(&next.phi_dot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 2);
+        written(&next.phi_dot[0], 2);
+    }
+}
+
+void shaker2_eva_any_step_driven(void);
+void shaker2_eva_any_step_driven(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
+    shaker2_real dt;
+    reals(&dt, 1, SHAKER2_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 2);
+        untouched(&next.phi_dot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&next.position[0], 3);
+        written(&next.attitude[0], 4);
+        written(&next.V[0], 6);
+        written(&next.phi[0], 2);
+        written(&next.phi_dot[0], 2);
+    }
+}
+
+void shaker2_eva_bits_step_driven(void);
+void shaker2_eva_bits_step_driven(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real phi_ddot[SHAKER2_N];
+    all_bits(&phi_ddot[0], 2);
+    shaker2_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, order, &next);
+    if (status < 0) {
+        untouched(&next.position[0], 3);
+        untouched(&next.attitude[0], 4);
+        untouched(&next.V[0], 6);
+        untouched(&next.phi[0], 2);
+        untouched(&next.phi_dot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&next.position[0], 3);
+        initialised(&next.attitude[0], 4);
+        initialised(&next.V[0], 6);
+        initialised(&next.phi[0], 2);
+        initialised(&next.phi_dot[0], 2);
+    }
+}
+
+void shaker2_eva_normal_wrap(void);
+void shaker2_eva_normal_wrap(void)
+{
+    shaker2_real phi;
+    reals(&phi, 1, 100.0);
+    shaker2_real wrapped;
+    const shaker2_status status = shaker2_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&wrapped, 1);
+    }
+}
+
+void shaker2_eva_any_wrap(void);
+void shaker2_eva_any_wrap(void)
+{
+    shaker2_real phi;
+    reals(&phi, 1, SHAKER2_LARGEST);
+    shaker2_real wrapped;
+    const shaker2_status status = shaker2_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&wrapped, 1);
+    }
+}
+
+void shaker2_eva_bits_wrap(void);
+void shaker2_eva_bits_wrap(void)
+{
+    shaker2_real phi;
+    one_of_all(&phi);
+    shaker2_real wrapped;
+    const shaker2_status status = shaker2_wrap(phi, &wrapped);
+    if (status < 0) {
+        untouched(&wrapped, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&wrapped, 1);
+    }
+}
+
+void shaker2_eva_normal_phase_of_counts(void);
+void shaker2_eva_normal_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, -1048576, 1048576);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    shaker2_real zero;
+    reals(&zero, 1, 1.0e3);
+    shaker2_real phi;
+    const shaker2_status status = shaker2_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi, 1);
+    }
+}
+
+void shaker2_eva_any_phase_of_counts(void);
+void shaker2_eva_any_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    shaker2_real zero;
+    reals(&zero, 1, SHAKER2_LARGEST);
+    shaker2_real phi;
+    const shaker2_status status = shaker2_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi, 1);
+    }
+}
+
+void shaker2_eva_bits_phase_of_counts(void);
+void shaker2_eva_bits_phase_of_counts(void)
+{
+    int count;
+    integers(&count, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    shaker2_real zero;
+    one_of_all(&zero);
+    shaker2_real phi;
+    const shaker2_status status = shaker2_phase_of_counts(count, per_turn, zero, &phi);
+    if (status < 0) {
+        untouched(&phi, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi, 1);
+    }
+}
+
+void shaker2_eva_normal_speed_of_counts(void);
+void shaker2_eva_normal_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, -1048576, 1048576);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    shaker2_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    shaker2_real phi_dot;
+    const shaker2_status status = shaker2_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_dot, 1);
+    }
+}
+
+void shaker2_eva_any_speed_of_counts(void);
+void shaker2_eva_any_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    shaker2_real dt;
+    reals(&dt, 1, SHAKER2_LARGEST);
+    shaker2_real phi_dot;
+    const shaker2_status status = shaker2_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_dot, 1);
+    }
+}
+
+void shaker2_eva_bits_speed_of_counts(void);
+void shaker2_eva_bits_speed_of_counts(void)
+{
+    int moved;
+    integers(&moved, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    shaker2_real dt;
+    one_of_all(&dt);
+    shaker2_real phi_dot;
+    const shaker2_status status = shaker2_speed_of_counts(moved, per_turn, dt, &phi_dot);
+    if (status < 0) {
+        untouched(&phi_dot, 1);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi_dot, 1);
+    }
+}
+
+void shaker2_eva_normal_accumulate(void);
+void shaker2_eva_normal_accumulate(void)
+{
+    shaker2_encoder encoder;
+    integers(&encoder.counter, 1, -1048576, 1048576);
+    integers(&encoder.place, 1, -1048576, 1048576);
+    integers(&encoder.moved, 1, -1048576, 1048576);
+    int counter;
+    integers(&counter, 1, -1048576, 1048576);
+    int bits;
+    integers(&bits, 1, 0, 32);
+    int per_turn;
+    integers(&per_turn, 1, -100000, 100000);
+    const shaker2_status status = shaker2_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void shaker2_eva_any_accumulate(void);
+void shaker2_eva_any_accumulate(void)
+{
+    shaker2_encoder encoder;
+    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
+    integers(&encoder.place, 1, INT_MIN, INT_MAX);
+    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    int counter;
+    integers(&counter, 1, INT_MIN, INT_MAX);
+    int bits;
+    integers(&bits, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    const shaker2_status status = shaker2_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void shaker2_eva_bits_accumulate(void);
+void shaker2_eva_bits_accumulate(void)
+{
+    shaker2_encoder encoder;
+    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
+    integers(&encoder.place, 1, INT_MIN, INT_MAX);
+    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    int counter;
+    integers(&counter, 1, INT_MIN, INT_MAX);
+    int bits;
+    integers(&bits, 1, INT_MIN, INT_MAX);
+    int per_turn;
+    integers(&per_turn, 1, INT_MIN, INT_MAX);
+    const shaker2_status status = shaker2_accumulate(&encoder, counter, bits, per_turn);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        /*@ check \initialized(&encoder.counter); */
+        /*@ check \initialized(&encoder.place); */
+        /*@ check \initialized(&encoder.moved); */
+    }
+}
+
+void shaker2_eva_normal_forward_jacobian(void);
+void shaker2_eva_normal_forward_jacobian(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, 1.0e4);
+    shaker2_forward_slopes out;
+    const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 12);
+        untouched(&out.V_dot_phi_dot[0][0], 12);
+        untouched(&out.V_dot_phi_ddot[0][0], 12);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 12);
+        written(&out.V_dot_phi_dot[0][0], 12);
+        written(&out.V_dot_phi_ddot[0][0], 12);
+    }
+}
+
+void shaker2_eva_any_forward_jacobian(void);
+void shaker2_eva_any_forward_jacobian(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
+    shaker2_forward_slopes out;
+    const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 12);
+        untouched(&out.V_dot_phi_dot[0][0], 12);
+        untouched(&out.V_dot_phi_ddot[0][0], 12);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 12);
+        written(&out.V_dot_phi_dot[0][0], 12);
+        written(&out.V_dot_phi_ddot[0][0], 12);
+    }
+}
+
+void shaker2_eva_bits_forward_jacobian(void);
+void shaker2_eva_bits_forward_jacobian(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real phi_ddot[SHAKER2_N];
+    all_bits(&phi_ddot[0], 2);
+    shaker2_forward_slopes out;
+    const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 12);
+        untouched(&out.V_dot_phi_dot[0][0], 12);
+        untouched(&out.V_dot_phi_ddot[0][0], 12);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.V_dot_V[0][0], 36);
+        initialised(&out.V_dot_phi[0][0], 12);
+        initialised(&out.V_dot_phi_dot[0][0], 12);
+        initialised(&out.V_dot_phi_ddot[0][0], 12);
+    }
+}
+
+void shaker2_eva_normal_coupled_jacobian(void);
+void shaker2_eva_normal_coupled_jacobian(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, 100.0);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, 0, 1);
+    shaker2_coupled_slopes out;
+    const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 12);
+        untouched(&out.V_dot_phi_dot[0][0], 12);
+        untouched(&out.V_dot_tau[0][0], 12);
+        untouched(&out.phi_ddot_V[0][0], 12);
+        untouched(&out.phi_ddot_phi[0][0], 4);
+        untouched(&out.phi_ddot_phi_dot[0][0], 4);
+        untouched(&out.phi_ddot_tau[0][0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 12);
+        written(&out.V_dot_phi_dot[0][0], 12);
+        written(&out.V_dot_tau[0][0], 12);
+        written(&out.phi_ddot_V[0][0], 12);
+        written(&out.phi_ddot_phi[0][0], 4);
+        written(&out.phi_ddot_phi_dot[0][0], 4);
+        written(&out.phi_ddot_tau[0][0], 4);
+    }
+}
+
+void shaker2_eva_any_coupled_jacobian(void);
+void shaker2_eva_any_coupled_jacobian(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, SHAKER2_LARGEST);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_coupled_slopes out;
+    const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 12);
+        untouched(&out.V_dot_phi_dot[0][0], 12);
+        untouched(&out.V_dot_tau[0][0], 12);
+        untouched(&out.phi_ddot_V[0][0], 12);
+        untouched(&out.phi_ddot_phi[0][0], 4);
+        untouched(&out.phi_ddot_phi_dot[0][0], 4);
+        untouched(&out.phi_ddot_tau[0][0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.V_dot_V[0][0], 36);
+        written(&out.V_dot_phi[0][0], 12);
+        written(&out.V_dot_phi_dot[0][0], 12);
+        written(&out.V_dot_tau[0][0], 12);
+        written(&out.phi_ddot_V[0][0], 12);
+        written(&out.phi_ddot_phi[0][0], 4);
+        written(&out.phi_ddot_phi_dot[0][0], 4);
+        written(&out.phi_ddot_tau[0][0], 4);
+    }
+}
+
+void shaker2_eva_bits_coupled_jacobian(void);
+void shaker2_eva_bits_coupled_jacobian(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real tau[SHAKER2_N];
+    all_bits(&tau[0], 2);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_coupled_slopes out;
+    const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
+    if (status < 0) {
+        untouched(&out.V_dot_V[0][0], 36);
+        untouched(&out.V_dot_phi[0][0], 12);
+        untouched(&out.V_dot_phi_dot[0][0], 12);
+        untouched(&out.V_dot_tau[0][0], 12);
+        untouched(&out.phi_ddot_V[0][0], 12);
+        untouched(&out.phi_ddot_phi[0][0], 4);
+        untouched(&out.phi_ddot_phi_dot[0][0], 4);
+        untouched(&out.phi_ddot_tau[0][0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.V_dot_V[0][0], 36);
+        initialised(&out.V_dot_phi[0][0], 12);
+        initialised(&out.V_dot_phi_dot[0][0], 12);
+        initialised(&out.V_dot_tau[0][0], 12);
+        initialised(&out.phi_ddot_V[0][0], 12);
+        initialised(&out.phi_ddot_phi[0][0], 4);
+        initialised(&out.phi_ddot_phi_dot[0][0], 4);
+        initialised(&out.phi_ddot_tau[0][0], 4);
+    }
+}
+
+void shaker2_eva_normal_inverse(void);
+void shaker2_eva_normal_inverse(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    shaker2_inverse_options options;
+    about(&options.weight[0], &shaker2_default_options.weight[0], 2);
+    about(&options.limit[0], &shaker2_default_options.limit[0], 2);
+    about(&options.near, &shaker2_default_options.near, 1);
+    about(&options.damping, &shaker2_default_options.damping, 1);
+    shaker2_inverse_result out;
+    const shaker2_status status = shaker2_inverse(&shaker2_default, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 2);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 2);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.phi_ddot[0], 2);
+        written(&out.residual[0], 6);
+        written(&out.sigma[0], 2);
+        /*@ check \initialized(&out.rank); */
+        written(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        written(&out.hardest[0], 6);
+    }
+}
+
+void shaker2_eva_any_inverse(void);
+void shaker2_eva_any_inverse(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, SHAKER2_LARGEST);
+    shaker2_inverse_options options;
+    reals(&options.weight[0], 2, SHAKER2_LARGEST);
+    reals(&options.limit[0], 2, SHAKER2_LARGEST);
+    reals(&options.near, 1, SHAKER2_LARGEST);
+    reals(&options.damping, 1, SHAKER2_LARGEST);
+    shaker2_inverse_result out;
+    const shaker2_status status = shaker2_inverse(&shaker2_default, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 2);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 2);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.phi_ddot[0], 2);
+        written(&out.residual[0], 6);
+        written(&out.sigma[0], 2);
+        /*@ check \initialized(&out.rank); */
+        written(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        written(&out.hardest[0], 6);
+    }
+}
+
+void shaker2_eva_bits_inverse(void);
+void shaker2_eva_bits_inverse(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    shaker2_inverse_options options;
+    all_bits(&options.weight[0], 2);
+    all_bits(&options.limit[0], 2);
+    one_of_all(&options.near);
+    one_of_all(&options.damping);
+    shaker2_inverse_result out;
+    const shaker2_status status = shaker2_inverse(&shaker2_default, &x, V_dot, &options, &out);
+    if (status < 0) {
+        untouched(&out.phi_ddot[0], 2);
+        untouched(&out.residual[0], 6);
+        untouched(&out.sigma[0], 2);
+        untouched(&out.damped_by, 1);
+        untouched(&out.hardest[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.phi_ddot[0], 2);
+        initialised(&out.residual[0], 6);
+        initialised(&out.sigma[0], 2);
+        /*@ check \initialized(&out.rank); */
+        initialised(&out.damped_by, 1);
+        /*@ check \initialized(&out.limited[0]); */
+        initialised(&out.hardest[0], 6);
+    }
+}
+
+void shaker2_eva_normal_inverse_fast(void);
+void shaker2_eva_normal_inverse_fast(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    shaker2_inverse_options options;
+    about(&options.weight[0], &shaker2_default_options.weight[0], 2);
+    about(&options.limit[0], &shaker2_default_options.limit[0], 2);
+    about(&options.near, &shaker2_default_options.near, 1);
+    about(&options.damping, &shaker2_default_options.damping, 1);
+    shaker2_real phi_ddot[SHAKER2_N];
+    const shaker2_status status = shaker2_inverse_fast(&shaker2_default, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 2);
+    }
+}
+
+void shaker2_eva_any_inverse_fast(void);
+void shaker2_eva_any_inverse_fast(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, SHAKER2_LARGEST);
+    shaker2_inverse_options options;
+    reals(&options.weight[0], 2, SHAKER2_LARGEST);
+    reals(&options.limit[0], 2, SHAKER2_LARGEST);
+    reals(&options.near, 1, SHAKER2_LARGEST);
+    reals(&options.damping, 1, SHAKER2_LARGEST);
+    shaker2_real phi_ddot[SHAKER2_N];
+    const shaker2_status status = shaker2_inverse_fast(&shaker2_default, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 2);
+    }
+}
+
+void shaker2_eva_bits_inverse_fast(void);
+void shaker2_eva_bits_inverse_fast(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    shaker2_inverse_options options;
+    all_bits(&options.weight[0], 2);
+    all_bits(&options.limit[0], 2);
+    one_of_all(&options.near);
+    one_of_all(&options.damping);
+    shaker2_real phi_ddot[SHAKER2_N];
+    const shaker2_status status = shaker2_inverse_fast(&shaker2_default, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 2);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi_ddot[0], 2);
+    }
+}
+
+void shaker2_eva_normal_quaternion(void);
+void shaker2_eva_normal_quaternion(void)
+{
+    shaker2_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    shaker2_real attitude[4];
+    const shaker2_status status = shaker2_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&attitude[0], 4);
+    }
+}
+
+void shaker2_eva_any_quaternion(void);
+void shaker2_eva_any_quaternion(void)
+{
+    shaker2_real angles[3];
+    reals(&angles[0], 3, SHAKER2_LARGEST);
+    shaker2_real attitude[4];
+    const shaker2_status status = shaker2_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&attitude[0], 4);
+    }
+}
+
+void shaker2_eva_bits_quaternion(void);
+void shaker2_eva_bits_quaternion(void)
+{
+    shaker2_real angles[3];
+    all_bits(&angles[0], 3);
+    shaker2_real attitude[4];
+    const shaker2_status status = shaker2_quaternion(angles, attitude);
+    if (status < 0) {
+        untouched(&attitude[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&attitude[0], 4);
+    }
+}
+
+void shaker2_eva_normal_target(void);
+void shaker2_eva_normal_target(void)
+{
+    shaker2_real position[3];
+    reals(&position[0], 3, 100.0);
+    shaker2_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    shaker2_real q_dot[6];
+    reals(&q_dot[0], 6, 20.0);
+    shaker2_real q_ddot[6];
+    reals(&q_ddot[0], 6, 1.0e3);
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real V_dot[6];
+    const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&x.position[0], 3);
+        written(&x.attitude[0], 4);
+        written(&x.V[0], 6);
+        written(&x.phi[0], 2);
+        written(&x.phi_dot[0], 2);
+        written(&V_dot[0], 6);
+    }
+}
+
+void shaker2_eva_any_target(void);
+void shaker2_eva_any_target(void)
+{
+    shaker2_real position[3];
+    reals(&position[0], 3, SHAKER2_LARGEST);
+    shaker2_real angles[3];
+    reals(&angles[0], 3, SHAKER2_LARGEST);
+    shaker2_real q_dot[6];
+    reals(&q_dot[0], 6, SHAKER2_LARGEST);
+    shaker2_real q_ddot[6];
+    reals(&q_ddot[0], 6, SHAKER2_LARGEST);
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real V_dot[6];
+    const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&x.position[0], 3);
+        written(&x.attitude[0], 4);
+        written(&x.V[0], 6);
+        written(&x.phi[0], 2);
+        written(&x.phi_dot[0], 2);
+        written(&V_dot[0], 6);
+    }
+}
+
+void shaker2_eva_bits_target(void);
+void shaker2_eva_bits_target(void)
+{
+    shaker2_real position[3];
+    all_bits(&position[0], 3);
+    shaker2_real angles[3];
+    all_bits(&angles[0], 3);
+    shaker2_real q_dot[6];
+    all_bits(&q_dot[0], 6);
+    shaker2_real q_ddot[6];
+    all_bits(&q_ddot[0], 6);
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real V_dot[6];
+    const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    if (status < 0) {
+        untouched(&V_dot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&x.position[0], 3);
+        initialised(&x.attitude[0], 4);
+        initialised(&x.V[0], 6);
+        initialised(&x.phi[0], 2);
+        initialised(&x.phi_dot[0], 2);
+        initialised(&V_dot[0], 6);
+    }
+}
+
+void shaker2_eva_normal_attitude(void);
+void shaker2_eva_normal_attitude(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real angles[3];
+    reals(&angles[0], 3, 7.0);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, 1.0e4);
+    shaker2_generalized out;
+    const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.A[0][0], 36);
+        written(&out.D[0][0], 36);
+        written(&out.I0[0][0], 36);
+        written(&out.J0[0][0], 36);
+        written(&out.q_dot[0], 6);
+        written(&out.q_ddot[0], 6);
+    }
+}
+
+void shaker2_eva_any_attitude(void);
+void shaker2_eva_any_attitude(void)
+{
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real angles[3];
+    reals(&angles[0], 3, SHAKER2_LARGEST);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
+    shaker2_generalized out;
+    const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&out.A[0][0], 36);
+        written(&out.D[0][0], 36);
+        written(&out.I0[0][0], 36);
+        written(&out.J0[0][0], 36);
+        written(&out.q_dot[0], 6);
+        written(&out.q_ddot[0], 6);
+    }
+}
+
+void shaker2_eva_bits_attitude(void);
+void shaker2_eva_bits_attitude(void)
+{
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real angles[3];
+    all_bits(&angles[0], 3);
+    shaker2_real phi_ddot[SHAKER2_N];
+    all_bits(&phi_ddot[0], 2);
+    shaker2_generalized out;
+    const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
+    if (status < 0) {
+        untouched(&out.A[0][0], 36);
+        untouched(&out.D[0][0], 36);
+        untouched(&out.I0[0][0], 36);
+        untouched(&out.J0[0][0], 36);
+        untouched(&out.q_dot[0], 6);
+        untouched(&out.q_ddot[0], 6);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&out.A[0][0], 36);
+        initialised(&out.D[0][0], 36);
+        initialised(&out.I0[0][0], 36);
+        initialised(&out.J0[0][0], 36);
+        initialised(&out.q_dot[0], 6);
+        initialised(&out.q_ddot[0], 6);
+    }
+}
+
+void shaker2_eva_normal_prepare(void);
+void shaker2_eva_normal_prepare(void)
+{
+    shaker2_parameters parameters;
+    about(&parameters.carrier.mass, &shaker2_default_parameters.carrier.mass, 1);
+    about(&parameters.carrier.center_of_mass[0], &shaker2_default_parameters.carrier.center_of_mass[0], 3);
+    about(&parameters.carrier.inertia[0], &shaker2_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        about(&parameters.flywheel[i].body.mass, &shaker2_default_parameters.flywheel[i].body.mass, 1);
+        about(&parameters.flywheel[i].body.center_of_mass[0], &shaker2_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&parameters.flywheel[i].body.inertia[0], &shaker2_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&parameters.flywheel[i].position[0], &shaker2_default_parameters.flywheel[i].position[0], 3);
+        about(&parameters.flywheel[i].axis[0], &shaker2_default_parameters.flywheel[i].axis[0], 3);
+        about(&parameters.flywheel[i].zero[0], &shaker2_default_parameters.flywheel[i].zero[0], 3);
+    }
+    shaker2_table stand = shaker2_default;
+    const shaker2_status status = shaker2_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&stand.mass, 1);
+        written(&stand.mass_inverse, 1);
+        written(&stand.first_moment[0], 3);
+        written(&stand.inertia[0], 6);
+        written(&stand.flywheel[0].mu_c[0], 3);
+        written(&stand.flywheel[0].mu_s[0], 3);
+        written(&stand.flywheel[0].J_c[0], 6);
+        written(&stand.flywheel[0].J_s[0], 6);
+        written(&stand.flywheel[0].J_2c[0], 6);
+        written(&stand.flywheel[0].J_2s[0], 6);
+        written(&stand.flywheel[0].t_0[0], 3);
+        written(&stand.flywheel[0].t_c[0], 3);
+        written(&stand.flywheel[0].t_s[0], 3);
+        written(&stand.flywheel[0].spin, 1);
+        written(&stand.flywheel[0].spin_inv, 1);
+        written(&stand.flywheel[1].mu_c[0], 3);
+        written(&stand.flywheel[1].mu_s[0], 3);
+        written(&stand.flywheel[1].J_c[0], 6);
+        written(&stand.flywheel[1].J_s[0], 6);
+        written(&stand.flywheel[1].J_2c[0], 6);
+        written(&stand.flywheel[1].J_2s[0], 6);
+        written(&stand.flywheel[1].t_0[0], 3);
+        written(&stand.flywheel[1].t_c[0], 3);
+        written(&stand.flywheel[1].t_s[0], 3);
+        written(&stand.flywheel[1].spin, 1);
+        written(&stand.flywheel[1].spin_inv, 1);
+        written(&stand.gravity[0], 3);
+        written(&stand.suspension.stiffness[0][0], 36);
+        written(&stand.suspension.damping[0][0], 36);
+        written(&stand.suspension.position[0], 3);
+        written(&stand.suspension.attitude[0], 4);
+    }
+}
+
+void shaker2_eva_any_prepare(void);
+void shaker2_eva_any_prepare(void)
+{
+    shaker2_parameters parameters;
+    reals(&parameters.carrier.mass, 1, SHAKER2_LARGEST);
+    reals(&parameters.carrier.center_of_mass[0], 3, SHAKER2_LARGEST);
+    reals(&parameters.carrier.inertia[0], 6, SHAKER2_LARGEST);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        reals(&parameters.flywheel[i].body.mass, 1, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].body.inertia[0], 6, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].position[0], 3, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].axis[0], 3, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].zero[0], 3, SHAKER2_LARGEST);
+    }
+    shaker2_table stand = shaker2_default;
+    const shaker2_status status = shaker2_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&stand.mass, 1);
+        written(&stand.mass_inverse, 1);
+        written(&stand.first_moment[0], 3);
+        written(&stand.inertia[0], 6);
+        written(&stand.flywheel[0].mu_c[0], 3);
+        written(&stand.flywheel[0].mu_s[0], 3);
+        written(&stand.flywheel[0].J_c[0], 6);
+        written(&stand.flywheel[0].J_s[0], 6);
+        written(&stand.flywheel[0].J_2c[0], 6);
+        written(&stand.flywheel[0].J_2s[0], 6);
+        written(&stand.flywheel[0].t_0[0], 3);
+        written(&stand.flywheel[0].t_c[0], 3);
+        written(&stand.flywheel[0].t_s[0], 3);
+        written(&stand.flywheel[0].spin, 1);
+        written(&stand.flywheel[0].spin_inv, 1);
+        written(&stand.flywheel[1].mu_c[0], 3);
+        written(&stand.flywheel[1].mu_s[0], 3);
+        written(&stand.flywheel[1].J_c[0], 6);
+        written(&stand.flywheel[1].J_s[0], 6);
+        written(&stand.flywheel[1].J_2c[0], 6);
+        written(&stand.flywheel[1].J_2s[0], 6);
+        written(&stand.flywheel[1].t_0[0], 3);
+        written(&stand.flywheel[1].t_c[0], 3);
+        written(&stand.flywheel[1].t_s[0], 3);
+        written(&stand.flywheel[1].spin, 1);
+        written(&stand.flywheel[1].spin_inv, 1);
+        written(&stand.gravity[0], 3);
+        written(&stand.suspension.stiffness[0][0], 36);
+        written(&stand.suspension.damping[0][0], 36);
+        written(&stand.suspension.position[0], 3);
+        written(&stand.suspension.attitude[0], 4);
+    }
+}
+
+void shaker2_eva_bits_prepare(void);
+void shaker2_eva_bits_prepare(void)
+{
+    shaker2_parameters parameters;
+    one_of_all(&parameters.carrier.mass);
+    all_bits(&parameters.carrier.center_of_mass[0], 3);
+    all_bits(&parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        one_of_all(&parameters.flywheel[i].body.mass);
+        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
+        all_bits(&parameters.flywheel[i].position[0], 3);
+        all_bits(&parameters.flywheel[i].axis[0], 3);
+        all_bits(&parameters.flywheel[i].zero[0], 3);
+    }
+    shaker2_table stand = shaker2_default;
+    const shaker2_status status = shaker2_prepare(&parameters, &stand);
+    if (status < 0) {
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&stand.mass, 1);
+        initialised(&stand.mass_inverse, 1);
+        initialised(&stand.first_moment[0], 3);
+        initialised(&stand.inertia[0], 6);
+        initialised(&stand.flywheel[0].mu_c[0], 3);
+        initialised(&stand.flywheel[0].mu_s[0], 3);
+        initialised(&stand.flywheel[0].J_c[0], 6);
+        initialised(&stand.flywheel[0].J_s[0], 6);
+        initialised(&stand.flywheel[0].J_2c[0], 6);
+        initialised(&stand.flywheel[0].J_2s[0], 6);
+        initialised(&stand.flywheel[0].t_0[0], 3);
+        initialised(&stand.flywheel[0].t_c[0], 3);
+        initialised(&stand.flywheel[0].t_s[0], 3);
+        initialised(&stand.flywheel[0].spin, 1);
+        initialised(&stand.flywheel[0].spin_inv, 1);
+        initialised(&stand.flywheel[1].mu_c[0], 3);
+        initialised(&stand.flywheel[1].mu_s[0], 3);
+        initialised(&stand.flywheel[1].J_c[0], 6);
+        initialised(&stand.flywheel[1].J_s[0], 6);
+        initialised(&stand.flywheel[1].J_2c[0], 6);
+        initialised(&stand.flywheel[1].J_2s[0], 6);
+        initialised(&stand.flywheel[1].t_0[0], 3);
+        initialised(&stand.flywheel[1].t_c[0], 3);
+        initialised(&stand.flywheel[1].t_s[0], 3);
+        initialised(&stand.flywheel[1].spin, 1);
+        initialised(&stand.flywheel[1].spin_inv, 1);
+        initialised(&stand.gravity[0], 3);
+        initialised(&stand.suspension.stiffness[0][0], 36);
+        initialised(&stand.suspension.damping[0][0], 36);
+        initialised(&stand.suspension.position[0], 3);
+        initialised(&stand.suspension.attitude[0], 4);
+    }
+}
+
+void shaker2_eva_normal_mounts(void);
+void shaker2_eva_normal_mounts(void)
+{
+    shaker2_mount_table mounting;
+    (void)shaker2_prepare_mounts(&shaker2_default_parameters, &mounting);
+    shaker2_state x;
+    reals(&x.position[0], 3, 100.0);
+    quaternion(x.attitude, 2.0);
+    reals(&x.V[0], 6, 20.0);
+    reals(&x.phi[0], 2, 100.0);
+    reals(&x.phi_dot[0], 2, 1.0e3);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, 1.0e3);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, 1.0e4);
+    shaker2_real loads[12];
+    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 12);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&loads[0], 12);
+    }
+}
+
+void shaker2_eva_any_mounts(void);
+void shaker2_eva_any_mounts(void)
+{
+    shaker2_mount_table mounting;
+    (void)shaker2_prepare_mounts(&shaker2_default_parameters, &mounting);
+    shaker2_state x;
+    reals(&x.position[0], 3, SHAKER2_LARGEST);
+    quaternion(x.attitude, SHAKER2_LARGEST);
+    reals(&x.V[0], 6, SHAKER2_LARGEST);
+    reals(&x.phi[0], 2, SHAKER2_LARGEST);
+    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    shaker2_real V_dot[6];
+    reals(&V_dot[0], 6, SHAKER2_LARGEST);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
+    shaker2_real loads[12];
+    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 12);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&loads[0], 12);
+    }
+}
+
+void shaker2_eva_bits_mounts(void);
+void shaker2_eva_bits_mounts(void)
+{
+    shaker2_mount_table mounting;
+    (void)shaker2_prepare_mounts(&shaker2_default_parameters, &mounting);
+    shaker2_state x;
+    all_bits(&x.position[0], 3);
+    all_bits(&x.attitude[0], 4);
+    all_bits(&x.V[0], 6);
+    all_bits(&x.phi[0], 2);
+    all_bits(&x.phi_dot[0], 2);
+    shaker2_real V_dot[6];
+    all_bits(&V_dot[0], 6);
+    shaker2_real phi_ddot[SHAKER2_N];
+    all_bits(&phi_ddot[0], 2);
+    shaker2_real loads[12];
+    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, loads);
+    if (status < 0) {
+        untouched(&loads[0], 12);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&loads[0], 12);
+    }
+}
+
+void shaker2_eva_normal_prepare_mounts(void);
+void shaker2_eva_normal_prepare_mounts(void)
+{
+    shaker2_parameters parameters;
+    about(&parameters.carrier.mass, &shaker2_default_parameters.carrier.mass, 1);
+    about(&parameters.carrier.center_of_mass[0], &shaker2_default_parameters.carrier.center_of_mass[0], 3);
+    about(&parameters.carrier.inertia[0], &shaker2_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        about(&parameters.flywheel[i].body.mass, &shaker2_default_parameters.flywheel[i].body.mass, 1);
+        about(&parameters.flywheel[i].body.center_of_mass[0], &shaker2_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&parameters.flywheel[i].body.inertia[0], &shaker2_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&parameters.flywheel[i].position[0], &shaker2_default_parameters.flywheel[i].position[0], 3);
+        about(&parameters.flywheel[i].axis[0], &shaker2_default_parameters.flywheel[i].axis[0], 3);
+        about(&parameters.flywheel[i].zero[0], &shaker2_default_parameters.flywheel[i].zero[0], 3);
+    }
+    shaker2_mount_table mounting;
+    const shaker2_status status = shaker2_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&mounting.flywheel[0].mass, 1);
+        written(&mounting.flywheel[0].first_moment[0], 3);
+        written(&mounting.flywheel[0].inertia[0], 6);
+        written(&mounting.flywheel[0].origin[0], 3);
+        written(&mounting.flywheel[0].axes[0], 9);
+        written(&mounting.flywheel[1].mass, 1);
+        written(&mounting.flywheel[1].first_moment[0], 3);
+        written(&mounting.flywheel[1].inertia[0], 6);
+        written(&mounting.flywheel[1].origin[0], 3);
+        written(&mounting.flywheel[1].axes[0], 9);
+    }
+}
+
+void shaker2_eva_any_prepare_mounts(void);
+void shaker2_eva_any_prepare_mounts(void)
+{
+    shaker2_parameters parameters;
+    reals(&parameters.carrier.mass, 1, SHAKER2_LARGEST);
+    reals(&parameters.carrier.center_of_mass[0], 3, SHAKER2_LARGEST);
+    reals(&parameters.carrier.inertia[0], 6, SHAKER2_LARGEST);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        reals(&parameters.flywheel[i].body.mass, 1, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].body.inertia[0], 6, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].position[0], 3, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].axis[0], 3, SHAKER2_LARGEST);
+        reals(&parameters.flywheel[i].zero[0], 3, SHAKER2_LARGEST);
+    }
+    shaker2_mount_table mounting;
+    const shaker2_status status = shaker2_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&mounting.flywheel[0].mass, 1);
+        written(&mounting.flywheel[0].first_moment[0], 3);
+        written(&mounting.flywheel[0].inertia[0], 6);
+        written(&mounting.flywheel[0].origin[0], 3);
+        written(&mounting.flywheel[0].axes[0], 9);
+        written(&mounting.flywheel[1].mass, 1);
+        written(&mounting.flywheel[1].first_moment[0], 3);
+        written(&mounting.flywheel[1].inertia[0], 6);
+        written(&mounting.flywheel[1].origin[0], 3);
+        written(&mounting.flywheel[1].axes[0], 9);
+    }
+}
+
+void shaker2_eva_bits_prepare_mounts(void);
+void shaker2_eva_bits_prepare_mounts(void)
+{
+    shaker2_parameters parameters;
+    one_of_all(&parameters.carrier.mass);
+    all_bits(&parameters.carrier.center_of_mass[0], 3);
+    all_bits(&parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        one_of_all(&parameters.flywheel[i].body.mass);
+        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
+        all_bits(&parameters.flywheel[i].position[0], 3);
+        all_bits(&parameters.flywheel[i].axis[0], 3);
+        all_bits(&parameters.flywheel[i].zero[0], 3);
+    }
+    shaker2_mount_table mounting;
+    const shaker2_status status = shaker2_prepare_mounts(&parameters, &mounting);
+    if (status < 0) {
+        untouched(&mounting.flywheel[0].mass, 1);
+        untouched(&mounting.flywheel[0].first_moment[0], 3);
+        untouched(&mounting.flywheel[0].inertia[0], 6);
+        untouched(&mounting.flywheel[0].origin[0], 3);
+        untouched(&mounting.flywheel[0].axes[0], 9);
+        untouched(&mounting.flywheel[1].mass, 1);
+        untouched(&mounting.flywheel[1].first_moment[0], 3);
+        untouched(&mounting.flywheel[1].inertia[0], 6);
+        untouched(&mounting.flywheel[1].origin[0], 3);
+        untouched(&mounting.flywheel[1].axes[0], 9);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&mounting.flywheel[0].mass, 1);
+        initialised(&mounting.flywheel[0].first_moment[0], 3);
+        initialised(&mounting.flywheel[0].inertia[0], 6);
+        initialised(&mounting.flywheel[0].origin[0], 3);
+        initialised(&mounting.flywheel[0].axes[0], 9);
+        initialised(&mounting.flywheel[1].mass, 1);
+        initialised(&mounting.flywheel[1].first_moment[0], 3);
+        initialised(&mounting.flywheel[1].inertia[0], 6);
+        initialised(&mounting.flywheel[1].origin[0], 3);
+        initialised(&mounting.flywheel[1].axes[0], 9);
+    }
+}
+
+void shaker2_eva_routine_sincos(void);
+void shaker2_eva_routine_sincos(void)
+{
+    shaker2_real x;
+    one_of_all(&x);
+    shaker2_real sine;
+    shaker2_real cosine;
+    shaker2_sincos(x, &sine, &cosine);
+    Frama_C_show_each_returned(0);
+}
+
+void shaker2_eva_routine_sqrt(void);
+void shaker2_eva_routine_sqrt(void)
+{
+    shaker2_real x;
+    one_of_all(&x);
+    (void)shaker2_sqrt(x);
+    Frama_C_show_each_returned(0);
+}
+
+void shaker2_eva_routine_atan2(void);
+void shaker2_eva_routine_atan2(void)
+{
+    shaker2_real y;
+    one_of_all(&y);
+    shaker2_real x;
+    one_of_all(&x);
+    (void)shaker2_atan2(y, x);
+    Frama_C_show_each_returned(0);
+}
