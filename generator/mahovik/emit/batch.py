@@ -7,10 +7,10 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.emit.declaration import prototype, struct_lines, summary
-from mahovik.emit.generate import Generated
+from mahovik.emit.expression import Expressions
+from mahovik.emit.generate import Generated, internal
 from mahovik.emit.layout import paragraph, wrapped
 from mahovik.emit.names import Names
-from mahovik.emit.expression import Expressions
 from mahovik.emit.statement import Statements, dimensions
 from mahovik.emit.templates import template
 from mahovik.lower.batch import Batch, Batches, batches
@@ -64,14 +64,10 @@ class _Printer:
         """The source: functions in lanes, then the loops over blocks."""
         base = (self._made.widener.wide.real, self._made.widener.wide.word)
         known = {s.name for s in self._program_structs()}
-        internal = [
-            s
-            for s in self._structs
-            if s not in base and s not in self._public_structs and s.name not in known
-        ]
+        own = [s for s in self._structs if s not in base and s not in self._public_structs and s.name not in known]
         return template("batch.c.j2").render(
             **self._common(),
-            internal=[struct_lines(s, self._names) for s in internal],
+            internal=[struct_lines(s, self._names) for s in own],
             bits=any(isinstance(e, BitCast) for f in self._program.functions for e in expressions(f.body)),
             functions=[self._function(f) for f in self._program.functions],
             put=_copied(self._generated.layout.table),
@@ -81,7 +77,7 @@ class _Printer:
 
     def _program_structs(self) -> list[Struct]:
         """Those of the header of the stand."""
-        return [s for s in self._generated.program.structs if not self._generated.internal(s)]
+        return [s for s in self._generated.program.structs if not internal(self._generated.layout, s)]
 
     def _common(self) -> dict[str, Any]:
         found = identities(self._stand)
@@ -142,8 +138,10 @@ class _Printer:
         counts = "size_t n, size_t first" if block else "size_t n"
         arguments[1:1] = [counts]
         arguments.append(f"{self._names.type(Kind.STATUS)} status[]")
-        what = f"static int {self._names.function(self._name(batch))}_block(" if block else (
-            f"{self._names.type(Kind.STATUS)} {self._names.function(self._name(batch))}("
+        what = (
+            f"static int {self._names.function(self._name(batch))}_block("
+            if block
+            else (f"{self._names.type(Kind.STATUS)} {self._names.function(self._name(batch))}(")
         )
         return "\n".join(wrapped(f"{what}{', '.join(arguments)})", ""))
 
@@ -177,15 +175,15 @@ class _Printer:
                 if a.direction == "in":
                     loads.append(f"{names.function('load')}({at}, n, first, count, wide_{place}, {rows});")
                 else:
-                    stores.append(f"{names.function('store')}(wide_{place}, &refused, whole, n, first, count, {at}, {rows});")
+                    where = "&refused, whole, n, first, count"
+                    stores.append(f"{names.function('store')}(wide_{place}, {where}, {at}, {rows});")
         passed = [self._passed(a, batch) for a in batch.narrow.arguments]
         call = f"{names.function(batch.wide.name)}({', '.join([*passed, '&refused'])});"
-        given = ["stands" if a.name == "stand" and batch.each else a.name for a in batch.narrow.arguments]
-        given[1:1] = ["n", f"(size_t)b * {self._made.lanes}"]
-        if batch.each:
-            given[0] = "stands"
-        block = f"any |= {names.function(self._name(batch))}_block({', '.join([*given, 'status'])});"
-        pointers = ["stands" if a.name == "stand" and batch.each else a.name for a in batch.narrow.arguments if a.shape or isinstance(a.type, Struct)]
+        given = {a.name: "stands" if a.name == "stand" and batch.each else a.name for a in batch.narrow.arguments}
+        first, *others = given.values()
+        handed = ", ".join([first, "n", f"(size_t)b * {self._made.lanes}", *others, "status"])
+        block = f"any |= {names.function(self._name(batch))}_block({handed});"
+        pointers = [given[a.name] for a in batch.narrow.arguments if a.shape or isinstance(a.type, Struct)]
         condition = " || ".join(f"{p} == NULL" for p in [*pointers, "status"])
         return {
             "name": names.function(self._name(batch)),

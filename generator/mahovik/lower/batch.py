@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from mahovik.program.function import Function, Program
 from mahovik.program.inline import Inliner
 from mahovik.program.refusal import without_returns
+from mahovik.program.walk import reachable
 from mahovik.program.wide import Wide
 from mahovik.program.widen import RESERVED, Widener
-from mahovik.program.walk import reachable
 
 BATCHED = ("forward", "coupled", "torque", "step")
 """Functions that have a batch, where the stand has them."""
