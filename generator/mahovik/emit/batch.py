@@ -72,8 +72,20 @@ class _Printer:
             functions=[self._function(f) for f in self._program.functions],
             put=_copied(self._generated.layout.table),
             alike=_compared(self._generated.layout.table),
+            load=self._moving("load", "const {real} from[], size_t n, size_t first, size_t count, {wide} to[restrict]"),
+            store=self._moving(
+                "store",
+                "const {wide} from[], const {wide}_word *refused, int whole, size_t n, size_t first, size_t count, "
+                "{real} to[restrict]",
+            ),
             batches=[self._batch(b) for b in self._made.batches],
         )
+
+    def _moving(self, name: str, arguments: str) -> str:
+        """Prototype of what moves rows between arrays and lanes."""
+        words = {"real": self._names.type(Kind.REAL), "wide": self._names.type(self._made.widener.wide.real)}
+        text = f"static void {self._names.function(name)}({arguments.format(**words)}, size_t rows)"
+        return "\n".join(wrapped(text, ""))
 
     def _program_structs(self) -> list[Struct]:
         """Those of the header of the stand."""
@@ -91,6 +103,7 @@ class _Printer:
             "physics": found.physics,
             "width": self._program.precision.width,
             "lanes": self._made.lanes,
+            "last": self._made.lanes - 1,
             "bytes": BYTES,
             "tables": f"{head}const {table} table[], size_t n, {wide} stands[])",
         }
