@@ -22,9 +22,9 @@ OPTIONS = {"dt": 1e-5, "order": 4}
 class Batched:
     """C of a stand with its batches, built by a compiler with flags; `tables` of stands that differ a little."""
 
-    def __init__(self, name, real="double", lanes=1, compiler="gcc", flags=("-O0",)):
+    def __init__(self, name, real="double", compiler="gcc", flags=("-O0",)):
         given = stand(name)
-        self.generated = generate_all(given, real, lanes)
+        self.generated = generate_all(given, real)
         self.layout, self.name = self.generated.layout, name
         self.batches = batches(self.generated.program).batches
         self.real = np.float32 if real == "float" else np.float64
@@ -32,11 +32,19 @@ class Batched:
         files["vary.c"] = _vary(name, self.layout.table, real)
         with TemporaryDirectory() as folder:
             write(files, Path(folder))
+            command = [compiler, *FIRMWARE_WARNINGS, "-Wno-missing-prototypes", "-ffp-contract=off", "-fPIC"]
+            base = [f for f in flags if "native" not in f]  # gcc 12 fuses in the functions for one state
+            objects = []
+            for source in files:
+                if source.endswith(".c"):
+                    objects.append(str(Path(folder) / f"{source}.o"))
+                    options = flags if source == f"{name}_batch.c" else base
+                    subprocess.run(
+                        [*command, *options, "-c", str(Path(folder) / source), "-o", objects[-1]], check=True
+                    )
+            self.object_code = Path(folder, f"{name}_batch.c.o").read_bytes()
             library = Path(folder) / "batch.so"
-            sources = [str(Path(folder) / f) for f in files if f.endswith(".c")]
-            command = [compiler, *FIRMWARE_WARNINGS, "-Wno-missing-prototypes", "-ffp-contract=off", *flags]
-            subprocess.run([*command, "-shared", "-fPIC", *sources, "-o", str(library)], check=True)
-            self.object_code = library.read_bytes()
+            subprocess.run([compiler, *flags, "-shared", *objects, "-o", str(library)], check=True)
             self.library = ctypes.CDLL(str(library))
 
     def inputs(self, rng, n):

@@ -13,6 +13,7 @@ from mahovik.emit.layout import paragraph, wrapped
 from mahovik.emit.names import Names
 from mahovik.emit.statement import Statements, dimensions
 from mahovik.emit.templates import template
+from mahovik.errors import UsageError
 from mahovik.lower.batch import Batch, Batches, batches
 from mahovik.program.apart import apart
 from mahovik.program.expression import BitCast
@@ -26,7 +27,9 @@ from mahovik.stand.model import Stand
 
 
 def batch_files(stand: Stand, generated: Generated) -> dict[str, str]:
-    """Header and source of the batches of generated C."""
+    """Header and source of the batches of generated C. Raises UsageError where it is not of one lane, or fast."""
+    if generated.layout.lanes > 1 or generated.fast:
+        raise UsageError("--batch: not with --lanes, --fast: it has lanes of its own, and the bits of single calls")
     printer = _Printer(stand, generated, batches(generated.program))
     return {f"{stand.name}_batch.h": printer.header(), f"{stand.name}_batch.c": printer.source()}
 
@@ -126,7 +129,8 @@ class _Printer:
         rows = [(self._given(a, batch), a) for a in batch.narrow.arguments]
         width = max(len("status[n]"), *(len(text) for text, _ in rows))
         for text, a in rows:
-            meaning = "; ".join(part for part in (a.unit, a.purpose) if part)
+            purpose = a.purpose.partition("; may overlap")[0]  # true of one state alone
+            meaning = "; ".join(part for part in (a.unit, purpose) if part)
             if a.name == "stand":
                 meaning = f"what {self._names.function('tables')} made" if batch.each else a.purpose
             direction = "out: " if a.direction != "in" else ""
