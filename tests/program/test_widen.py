@@ -3,12 +3,12 @@
 import pytest
 
 from mahovik.program.build import Body, call
-from mahovik.program.expression import Not, Status, both, equal, integer, real, unequal
+from mahovik.program.expression import Not, Select, Status, both, equal, integer, real, unequal
 from mahovik.program.function import STATUS_VALUES, Function
 from mahovik.program.inline import Inliner
 from mahovik.program.interpret import Interpreter
 from mahovik.program.refusal import without_returns
-from mahovik.program.statement import Do, Loop
+from mahovik.program.statement import Do, Loop, Set
 from mahovik.program.types import DOUBLE, FLOAT, Kind, NamedCount
 from mahovik.program.validate import validate
 from mahovik.program.wide import Wide
@@ -160,3 +160,21 @@ def test_a_status_must_be_returned_at_once():
 
     with pytest.raises(TypeError, match="the status of within is not returned at once"):
         without_returns((check, status_function("careless", [argument("x", shape=(COUNT,))], write)))
+
+
+def test_a_variable_that_both_branches_set_is_never_read_before_it_is_set():
+    def write(body, x, y):
+        value = body.local("value")
+        with body.when(x > real(0)):
+            body.set(value, x * real(2))
+        with body.otherwise():
+            body.set(value, -x)
+        body.set(y, value)
+
+    made, wide, count = widened([function("f", [argument("x"), argument("y", direction="out")], write)], ["x"])
+    numbers = [k - 3.5 for k in range(count)]
+    _, out = Interpreter(made).run(wide.name, {"x": {"at": numbers}})
+    assert list(out["y"]["at"]) == [2 * x if x > 0 else -x for x in numbers]
+    (loop,) = wide.body
+    first = next(s for s in loop.body if isinstance(s, Set))
+    assert not isinstance(first.value, Select)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from mahovik.program.expression import Call, Expr, Not, Variable, both, select, unequal, word
+from mahovik.program.expression import Call, Expr, Not, Place, Variable, both, select, unequal, word
 from mahovik.program.function import Argument, Function
 from mahovik.program.refusal import REFUSED
 from mahovik.program.rewrite import FreshNames
@@ -60,6 +60,7 @@ class _Widening:
         self._varying = Varying(narrow, names)
         locals_ = _declared(narrow.body)
         self._fresh = FreshNames(locals_ | {a.name for a in narrow.arguments})
+        self._unset: set[int] = set()
 
     def function(self) -> Function:
         wide = self._widener.wide
@@ -84,19 +85,32 @@ class _Widening:
         found: list[Statement] = []
         for s in body:
             match s:
-                case Set(place, value) if where is not None:
+                case Set(place, value) if where is not None and id(place.root) not in self._unset:
                     new = place + value if s.add else value
                     found.append(Set(place, select(where, new, place), s.comment))
+                case Set(place):
+                    self._unset.discard(id(place.root))
+                    found.append(s)
                 case When(condition) if self._varying.expression(condition):
                     found += self._when(s, where)
                 case When() if where is None:
                     yes, no = self._chosen(s.body, None), self._chosen(s.otherwise, None)
                     found.append(replace(s, body=tuple(yes), otherwise=tuple(no)))
                 case Loop() if where is None:
+                    # What was declared before the loop may have a value from the turn before.
+                    before, self._unset = self._unset, set()
                     found.append(replace(s, body=tuple(self._chosen(s.body, None))))
-                case Let() | Note() | Declare():
+                    self._unset = before
+                case Declare(variable):
+                    if variable.written:  # its first value is every state's: none reads it before its own
+                        self._unset.add(id(variable))
                     found.append(s)
-                case Set() | Do() | Copy() if where is None:
+                case Let() | Note():
+                    found.append(s)
+                case Do(call) if where is None:
+                    self._unset -= {id(a.root) for a in call.arguments if isinstance(a, Place)}
+                    found.append(s)
+                case Copy() if where is None:
                     found.append(s)
                 case _:
                     raise TypeError(f"{self._narrow.name}: {type(s).__name__} under a condition that varies")
