@@ -39,10 +39,14 @@ class Contestant:
         if self._library.peer_setup(peer.model.encode()) != 0:
             raise ToolchainError(f"{peer.name}: it refuses {peer.model}")
         self._size = int(self._library.peer_size())
-        self._records = np.zeros((len(case.states), self._size))
-        for flat, record in zip(np.ascontiguousarray(case.flat), self._records, strict=True):
-            self._library.peer_pack(pointer(flat), pointer(record))
-        self._out = np.zeros(max(work.size(case.N) for work in WORKS.values()) + 64)
+        self._states = peer.states
+        flat = np.ascontiguousarray(case.flat)
+        if self._states > 1:  # one record of all states, again and again
+            flat = np.resize(flat, (1, self._states * flat.shape[1]))
+        self._records = np.zeros((len(flat), self._size))
+        for row, record in zip(flat, self._records, strict=True):
+            self._library.peer_pack(pointer(row), pointer(record))
+        self._out = np.zeros(self._states * max(work.size(case.N) for work in WORKS.values()) + 64)
 
     @property
     def name(self) -> str:
@@ -52,11 +56,15 @@ class Contestant:
     def results(self, work: Work) -> Array:
         """What it gives, a row a state."""
         call = getattr(self._library, work.symbol)
+        size = work.size(self.case.N)
+        if self._states > 1:
+            call(pointer(self._records[0]), pointer(self._out))
+            return self._out[: size * self._states].reshape(size, self._states)[:, : len(self.case.states)].T.copy()
         rows = []
         for record in self._records:
             self._out[:] = np.nan
             call(pointer(record), pointer(self._out))
-            rows.append(self._out[: work.size(self.case.N)].copy())
+            rows.append(self._out[:size].copy())
         return np.array(rows)
 
     def block(self, work: Work, chained: bool) -> Callable[[int], float]:
@@ -69,7 +77,7 @@ class Contestant:
 
         def once(calls: int) -> float:
             if chained:
-                return float(timer.chained(call, records, *counts, calls, out, V, phi, N)) / work.states
-            return float(timer.independent(call, records, *counts, calls, out)) / work.states
+                return float(timer.chained(call, records, *counts, calls, out, V, phi, N)) / self._states
+            return float(timer.independent(call, records, *counts, calls, out)) / self._states
 
         return once

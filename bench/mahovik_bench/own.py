@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.emit.generate import host_lanes
+from mahovik.lower.batch import BATCHED
 from mahovik_bench.build import NATIVE, Recipe, generated
 from mahovik_bench.cases import Case
 from mahovik_bench.peer import Peer
@@ -37,6 +38,11 @@ BUILDS = (
 )
 
 
+BATCH = Build("batch native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=1)
+"""States side by side: so many in a call that records stay in the first cache."""
+STATES = 64
+
+
 def lanes(build: Build, N: int) -> int:
     """The argument of the generator; 0 where it has none."""
     if not HAS_LANES:
@@ -55,4 +61,15 @@ def peers(case: Case) -> list[Peer]:
         flags = ("-std=c99", f"-DSTAND={name}", f'-DHEADER="{name}.h"', f"-DFLYWHEELS={case.N}", *build.flags)
         recipe = Recipe("gcc", flags, {**files, "own_peer.c": adapter}, (f"{name}.c",))
         found.append(Peer("mahovik", build.name, WORKS, recipe, "", effort, counted=build.counted))
-    return found
+    return [*found, _batch(case)]
+
+
+def _batch(case: Case) -> Peer:
+    """Many states in a call."""
+    name = case.stand.name
+    folder, effort = generated("write_own", str(case.N), str(lanes(BATCH, case.N)), "batch")
+    files = {path.name: path.read_text(encoding="ascii") for path in sorted(folder.glob(f"{name}*.[ch]"))}
+    files["batch_peer.c"] = (NATIVE / "batch_peer.c").read_text(encoding="utf-8")
+    shape = (f"-DSTAND={name}", f'-DHEADER="{name}_batch.h"', f"-DFLYWHEELS={case.N}", f"-DSTATES={STATES}")
+    recipe = Recipe("gcc", ("-std=c99", *shape, *BATCH.flags), files, (f"{name}_batch.c",))
+    return Peer("mahovik", BATCH.name, BATCHED, recipe, "", effort, states=STATES)

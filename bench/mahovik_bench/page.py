@@ -33,7 +33,8 @@ independent calls unless a table says *chained*, where each call waits for the r
 * **The expressions for CasADi, SymPy and SymForce are the literal equations**, as one writes them from the paper, with
   zeros left out. A user who derives tables of harmonics by hand and gives these to CasADi would come near to ours.
 * mahovik checks every input on every call; the peers check none.
-* The batch of states that mahovik is to have is not here yet, nor are lanes where the generator has none.
+* *batch* takes 64 states in a call, side by side in vectors: its times are a state's, and none is chained. Its bits
+  are those of single calls, so it has no fused multiply-add, which bounds it where a peer's build may use them.
 * Instructions are those of one call at one state, counted by callgrind, which knows no AVX-512: builds for this
   processor are timed and not counted, and Pinocchio is counted in a build for AVX2. Instructions are exact, but no
   time: vector builds have fewer and longer ones.

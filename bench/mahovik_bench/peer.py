@@ -14,7 +14,8 @@ class Peer:
     """One build of a program for one case.
 
     `program` is whose it is, `build` how it was made; `model` is the file that `peer_setup` reads; `generation` what
-    writing its code took; `counted`: callgrind can run it and its figures are shown; `timed`: its times are.
+    writing its code took; `counted`: callgrind can run it and its figures are shown; `timed`: its times are;
+    `states`: of one call, which lie by component in its records and results where they are more than one.
     """
 
     program: str
@@ -25,6 +26,7 @@ class Peer:
     generation: Effort = NONE
     counted: bool = False
     timed: bool = True
+    states: int = 1
 
     @property
     def name(self) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 import statistics
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mahovik.reference import pieces
@@ -51,9 +51,13 @@ def ratio(slow: Times, fast: Times) -> float:
 def times(
     case: Case, work: Work, contestants: Sequence[Contestant], chained: bool, repetitions: int
 ) -> Mapping[str, Times]:
-    """All that have the work, in a new order every repetition; NumPy too, where the reference has it."""
-    blocks = {c.name: c.block(work, chained) for c in contestants if work.name in c.peer.works}
-    calls = {name: _calls(block) for name, block in blocks.items()}
+    """All that have the work, in a new order every repetition; NumPy too, where the reference has it.
+
+    States of a batch do not wait for one another: no batch is chained.
+    """
+    taking = [c for c in contestants if work.name in c.peer.works and not (chained and c.peer.states > 1)]
+    blocks = {c.name: c.block(work, chained) for c in taking}
+    calls = {c.name: _calls(blocks[c.name], c.peer.states) for c in taking}
     order = random.Random(0)
     found: dict[str, list[float]] = {name: [] for name in blocks}
     slow: list[float] = []
@@ -68,11 +72,10 @@ def times(
     return {**taken, NUMPY: Times(tuple(slow))} if slow else taken
 
 
-def _calls(block: object) -> int:
-    """How many calls fill a block."""
-    assert callable(block)
+def _calls(block: Callable[[int], float], states: int) -> int:
+    """How many calls of so many states fill a block."""
     block(1)
-    return max(1, int(BLOCK / min(block(4) for _ in range(3))))
+    return max(1, int(BLOCK / (states * min(block(4) for _ in range(3)))))
 
 
 def _numpy(case: Case, work: Work, repetition: int) -> float:

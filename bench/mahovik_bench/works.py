@@ -11,14 +11,13 @@ class Work:
     """One function of every peer that has it, `peer_NAME` in C.
 
     `size`: how many numbers it gives for N flywheels. `parts`: names and lengths of these by the reference, empty
-    where the reference has no such want. `states`: of one call, 1; a batch gives more.
+    where the reference has no such want.
     """
 
     name: str
     meaning: str
     size: Callable[[int], int]
     parts: Mapping[str, Callable[[int], int]]
-    states: int = 1
 
     @property
     def symbol(self) -> str:
@@ -47,4 +46,4 @@ WORKS = {
         Work("coupled_jacobian", "slopes of coupled", lambda N: (6 + N) * (6 + 3 * N), {}),
     )
 }
-"""Those of single states; batches join here, with `states` in a call, when the emitted C has them."""
+"""By name. A peer that takes many states in a call gives the same for each."""

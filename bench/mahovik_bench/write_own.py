@@ -1,4 +1,4 @@
-"""Writes mahovik's C of a case: python -m mahovik_bench.write_own FOLDER N LANES."""
+"""Writes mahovik's C of a case: python -m mahovik_bench.write_own FOLDER N LANES [batch]."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from mahovik.emit.batch import batch_files
 from mahovik.emit.generate import generate_all
 from mahovik_bench.cases import case
 
@@ -15,10 +16,13 @@ HAS_LANES = "lanes" in inspect.signature(generate_all).parameters
 
 
 def main() -> None:
-    """The files of `generate`, nothing else; 0 lanes: the generator's default."""
+    """The files of `generate`, with `batch` those of batches too, nothing else; 0 lanes: the generator's default."""
     folder, N, lanes = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     options: dict[str, Any] = {"lanes": lanes} if lanes else {}
-    for name, text in generate_all(case(N).stand, **options).files.items():
+    stand = case(N).stand
+    generated = generate_all(stand, **options)
+    batch = batch_files(stand, generated) if "batch" in sys.argv[4:] else {}
+    for name, text in {**generated.files, **batch}.items():
         (folder / name).write_text(text, encoding="ascii")
 
 

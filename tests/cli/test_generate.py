@@ -34,11 +34,13 @@ FILES = {
 def generated_once() -> Iterator[None]:
     """Each stand is generated once: what is tried here is what happens to the files."""
     original = delivery.delivery
-    known: dict[tuple[str, str, int, bool], dict[str, str]] = {}
+    known: dict[tuple[str, str, int, bool, bool], dict[str, str]] = {}
 
-    def once(stand: Stand, real: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
-        key = (stand.name, real, lanes, fast)
-        known[key] = known.get(key) or original(stand, real, lanes, fast)
+    def once(
+        stand: Stand, real: str = "double", lanes: int = 1, fast: bool = False, batch: bool = False
+    ) -> dict[str, str]:
+        key = (stand.name, real, lanes, fast, batch)
+        known[key] = known.get(key) or original(stand, real, lanes, fast, batch)
         return dict(known[key])
 
     with pytest.MonkeyPatch.context() as patch:
@@ -95,6 +97,25 @@ def test_float_takes_the_place_of_double(folder: Path) -> None:
     assert "typedef float demo3_real;" in (folder / "demo3.h").read_text()
     assert run("generate", DEMO3, "-o", str(folder), "--real", "float", "--check").exit_code == 0
     assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 1
+
+
+def test_batches_are_added_where_they_are_asked_for_and_taken_away_again(folder: Path) -> None:
+    before = contents(folder)
+    assert run("generate", DEMO3, "-o", str(folder), "--batch").exit_code == 0
+    found = contents(folder)
+    assert set(found) == FILES | {"demo3_batch.c", "demo3_batch.h"}
+    assert {name for name in FILES if found[name] != before[name]} == {"README.md", "manifest.json"}
+    assert {"demo3_batch.c", "demo3_batch.h"} < set(json.loads(found["manifest.json"])["files"])
+    assert "demo3_batch.h" in found["README.md"].decode()
+    assert run("generate", DEMO3, "-o", str(folder), "--batch", "--check").exit_code == 0
+    assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 1
+    assert "demo3_batch.c was removed" in run("generate", DEMO3, "-o", str(folder)).output
+    assert contents(folder) == before
+
+
+def test_batches_are_of_one_lane(folder: Path) -> None:
+    for options in (("--lanes", "4"), ("--fast",)):
+        assert "--batch: not with --lanes" in refused("generate", DEMO3, "-o", str(folder), "--batch", *options)
 
 
 def test_again_touches_nothing_that_is_the_same(folder: Path) -> None:

@@ -16,7 +16,8 @@ from pydantic import BaseModel
 
 from docs.pages import PAGES, ROOT, Block, anchors, blocks, cells, links, prose, rows, tables
 from mahovik.derive import flywheel
-from mahovik.emit.generate import generate
+from mahovik.emit.batch import batch_files
+from mahovik.emit.generate import generate, generate_all
 from mahovik.lower.limits import limits
 from mahovik.program.function import STATUS_VALUES
 from mahovik.program.types import DOUBLE
@@ -147,8 +148,12 @@ def emit(name: str, folder: Path) -> None:
 
 @pytest.mark.parametrize("block", SNIPPETS, ids=lambda b: b.name)
 def test_c_compiles_without_a_warning(block: Block, tmp_path: Path) -> None:
-    (name,) = re.findall(r'#include "(\w+)\.h"', block.text)
+    ((name, batch),) = re.findall(r'#include "(\w+?)(_batch)?\.h"', block.text)
     emit(name, tmp_path)
+    if batch:
+        made = generate_all(load(PACKAGE / "stands" / f"{name}.toml"))
+        for file, text in batch_files(load(PACKAGE / "stands" / f"{name}.toml"), made).items():
+            (tmp_path / file).write_text(text, encoding="ascii")
     (tmp_path / "snippet.c").write_text(block.text, encoding="utf-8")
     output = ["snippet.c", f"{name}.c", "-o", "main"] if "int main(" in block.text else ["-c", "snippet.c"]
     _compile([*WARNINGS, *MORE_WARNINGS, *BITS, "-O2", *output], tmp_path)

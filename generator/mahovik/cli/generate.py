@@ -19,12 +19,20 @@ if TYPE_CHECKING:
     "-o", "output", metavar="DIR", type=click.Path(), help="Folder to write into; default ./NAME of the stand."
 )
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 where the folder differs.")
+@click.option("--batch", is_flag=True, help="Also the functions for many states at once: NAME_batch.h, NAME_batch.c.")
 @click.option("--no-cache", is_flag=True, help="Derive everything anew, and leave the cache of formulas as it is.")
 @real_option
 @lanes_option
 @fast_option
 def generate(
-    stand_file: str, output: str | None, check: bool, no_cache: bool, real: str, lanes: int | None, fast: bool
+    stand_file: str,
+    output: str | None,
+    check: bool,
+    batch: bool,
+    no_cache: bool,
+    real: str,
+    lanes: int | None,
+    fast: bool,
 ) -> None:
     """Write the C of a stand.
 
@@ -47,7 +55,7 @@ def generate(
         lanes = host_lanes(len(stand.flywheels)) if fast else 1
     if lanes > 1 and not stand.flywheels:
         raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels to lay side by side: leave it out")
-    files = delivery(stand, real, lanes, fast)
+    files = delivery(stand, real, lanes, fast, batch)
     folder = Path(output if output is not None else stand.name)
     if check:
         found = differences(folder, stand, real, files, lanes, fast)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from mahovik.emit.batch import batch_files
 from mahovik.emit.eva import eva_files
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.readme import readme
@@ -24,21 +25,24 @@ def firmware(stand: Stand, precision_name: str = "double", lanes: int = 1) -> di
     return _firmware(stand, generate_all(stand, precision_name, lanes))
 
 
-def delivery(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
-    """All files of the folder but its manifest.
+def delivery(
+    stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False, batch: bool = False
+) -> dict[str, str]:
+    """All files of the folder but its manifest; `batch`: with the functions for many states.
 
     `fast`: without the recorder, whose logs want equal bits, and without the drivers of Frama-C, whose arithmetic has
     no contraction. Raises UsageError, StandError.
     """
     generated = generate_all(stand, precision_name, lanes, fast)
     proofs = {} if fast else eva_files(generated.program, identities(stand))
-    return {**_firmware(stand, generated), **proofs}
+    return {**_firmware(stand, generated, batch), **proofs}
 
 
-def _firmware(stand: Stand, generated: Generated) -> dict[str, str]:
+def _firmware(stand: Stand, generated: Generated, batch: bool = False) -> dict[str, str]:
     return {
         **generated.files,
         **selftest_files(stand, generated),
         **({} if generated.fast else recorder_files(stand, generated)),
-        "README.md": readme(stand, generated),
+        **(batch_files(stand, generated) if batch else {}),
+        "README.md": readme(stand, generated, batch),
     }

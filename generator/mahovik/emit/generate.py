@@ -75,6 +75,11 @@ def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1, f
     return Generated(layout, program, values, files, fast)
 
 
+def internal(layout: Layout, struct: Struct) -> bool:
+    """Is a struct of the source alone? By blocks, so is the row of one flywheel."""
+    return struct.name in _INTERNAL or (layout.lanes > 1 and struct is layout.row)
+
+
 class _Printer:
     """Collects the parts that the templates put in order."""
 
@@ -94,7 +99,7 @@ class _Printer:
         """The header: the manual of the generated code."""
         public = [f for f in self._program.functions if f.public]
         functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
-        structs = [struct_lines(s, self._names) for s in self._program.structs if not self._internal(s)]
+        structs = [struct_lines(s, self._names) for s in self._program.structs if not internal(self._layout, s)]
         return template("stand.h.j2").render(
             **self._common(),
             limits=self._limits(),
@@ -107,18 +112,14 @@ class _Printer:
 
     def source(self) -> str:
         """The source: routines, internal functions, public functions, tables."""
-        internal = [struct_lines(s, self._names) for s in self._program.structs if self._internal(s)]
+        own = [struct_lines(s, self._names) for s in self._program.structs if internal(self._layout, s)]
         return template("stand.c.j2").render(
             **self._common(),
             bits=any(isinstance(e, BitCast) for f in self._program.functions for e in expressions(f.body)),
-            internal=internal,
+            internal=own,
             functions=[self._function(f) for f in self._program.functions],
             tables=self._tables(),
         )
-
-    def _internal(self, struct: Struct) -> bool:
-        """Is it of the source alone? By blocks, so is the row of one flywheel."""
-        return struct.name in _INTERNAL or (self._layout.lanes > 1 and struct is self._layout.row)
 
     def _common(self) -> dict[str, Any]:
         stand = self._stand

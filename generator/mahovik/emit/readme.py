@@ -18,8 +18,8 @@ from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 
 
-def readme(stand: Stand, generated: Generated) -> str:
-    """Text of README.md."""
+def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
+    """Text of README.md; `batch`: of a folder with the functions for many states."""
     program = generated.program
     names = Names(program.name)
     found = identities(stand)
@@ -35,6 +35,7 @@ def readme(stand: Stand, generated: Generated) -> str:
         made_by=f"{f' --lanes {lanes}' if lanes > 1 or generated.fast else ''}{' --fast' if generated.fast else ''}",
         lanes=lanes,
         fast=generated.fast,
+        batch=batch,
         generator=f"mahovik {__version__}",
         structure=found.structure,
         physics=found.physics,

@@ -1,0 +1,158 @@
+"""Emitted C of batches in this process, beside the functions for one state, by ctypes on arrays."""
+
+import ctypes
+import subprocess
+from itertools import count
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from emit.stands import stand, write
+from mahovik.emit.batch import batch_files
+from mahovik.emit.generate import generate_all
+from mahovik.lower.batch import batches
+from mahovik.program.types import Kind, Struct
+from toolchain.tools import FIRMWARE_WARNINGS
+
+OPTIONS = {"dt": 1e-5, "order": 4}
+"""Arguments that are the same for all states."""
+
+
+class Batched:
+    """C of a stand with its batches, built by a compiler with flags; `tables` of stands that differ a little."""
+
+    def __init__(self, name, real="double", compiler="gcc", flags=("-O0",)):
+        given = stand(name)
+        self.generated = generate_all(given, real)
+        self.layout, self.name = self.generated.layout, name
+        self.batches = batches(self.generated.program).batches
+        self.real = np.float32 if real == "float" else np.float64
+        files = {**self.generated.files, **batch_files(given, self.generated)}
+        files["vary.c"] = _vary(name, self.layout.table, real)
+        with TemporaryDirectory() as folder:
+            write(files, Path(folder))
+            command = [compiler, *FIRMWARE_WARNINGS, "-Wno-missing-prototypes", "-ffp-contract=off", "-fPIC"]
+            base = [f for f in flags if "native" not in f]  # gcc 12 fuses in the functions for one state
+            objects = []
+            for source in files:
+                if source.endswith(".c"):
+                    objects.append(str(Path(folder) / f"{source}.o"))
+                    options = flags if source == f"{name}_batch.c" else base
+                    subprocess.run(
+                        [*command, *options, "-c", str(Path(folder) / source), "-o", objects[-1]], check=True
+                    )
+            self.object_code = Path(folder, f"{name}_batch.c.o").read_bytes()
+            library = Path(folder) / "batch.so"
+            subprocess.run([compiler, *flags, "-shared", *objects, "-o", str(library)], check=True)
+            self.library = ctypes.CDLL(str(library))
+
+    def inputs(self, rng, n):
+        """Inputs of n ordinary states by name, arrays of (components, n)."""
+        layout, count = self.layout, int(self.layout.count) if self.layout.flywheels else 0
+        attitude = rng.normal(size=(4, n))
+        rows = [rng.normal(size=(3, n)) * 0.1, attitude / np.linalg.norm(attitude, axis=0), rng.normal(size=(6, n))]
+        rows += [rng.uniform(-3, 3, (count, n)), rng.normal(size=(count, n)) * 100]
+        found = {"x": np.vstack(rows), "phi_ddot": rng.normal(size=(count, n)) * 300, "V_dot": rng.normal(size=(6, n))}
+        found |= {"tau": rng.normal(size=(count, n)), "wrench": rng.normal(size=(6 * len(layout.inputs), n))}
+        return {name: np.ascontiguousarray(values, dtype=self.real) for name, values in found.items()}
+
+    def one(self, batch, inputs, j, table=None):
+        """Status and results of the function for one state, of state j."""
+        columns = {name: np.ascontiguousarray(values[:, j]) for name, values in inputs.items()}
+        status, results = self._called(batch.narrow.name, batch, columns, 1, table or self._default(), None)
+        return status, {name: values[:, 0] for name, values in results.items()}
+
+    def many(self, batch, inputs, n, tables=None, fill=np.nan):
+        """What a batch returns, statuses and results."""
+        name = f"{batch.narrow.name}_batch{'_of' if batch.each else ''}"
+        statuses = np.full(n, 99, dtype=np.int32)
+        table = self._default()
+        if batch.each:
+            table = aligned(max(1, -(-n // 8)) * self.library.size_of_wide())
+            given = self.function("tables")
+            assert given(ctypes.c_char_p(tables), ctypes.c_size_t(n), table) == 0
+        returned, results = self._called(name, batch, inputs, n, table, statuses, fill)
+        return returned, statuses, results
+
+    def table(self, factor):
+        """A copy of the default table, every number a little larger."""
+        memory = ctypes.create_string_buffer(self.library.size_of_table())
+        self.library.vary(memory, ctypes.c_double(factor))
+        return memory.raw
+
+    def function(self, name):
+        return getattr(self.library, f"{self.name}_{name}")
+
+    def _default(self):
+        return ctypes.c_char_p(self.table(1.0))
+
+    def _called(self, name, batch, inputs, n, table, statuses, fill=np.nan):
+        passed, results = [], {}
+        for a in batch.narrow.arguments:
+            if a.name == "stand":
+                passed += [ctypes.c_char_p(table) if isinstance(table, bytes) else table]
+                passed += [ctypes.c_size_t(n)] if statuses is not None else []
+            elif a.name == "locked":
+                passed.append(locks(len(inputs["tau"])).ctypes.data_as(ctypes.c_void_p))
+            elif a.name in OPTIONS:
+                number = OPTIONS[a.name]
+                real = ctypes.c_float if self.real is np.float32 else ctypes.c_double
+                passed.append(ctypes.c_int(number) if a.type is Kind.INT else real(number))
+            elif a.direction == "in":
+                passed.append(inputs[a.name].ctypes.data_as(ctypes.c_void_p))
+            else:
+                rows = len(inputs["x"]) if isinstance(a.type, Struct) else int(a.shape[0])
+                results[a.name] = np.full((rows, n), fill, dtype=self.real)
+                passed.append(results[a.name].ctypes.data_as(ctypes.c_void_p))
+        if statuses is not None:
+            passed.append(statuses.ctypes.data_as(ctypes.c_void_p))
+        return self.function(name)(*passed), results
+
+
+def locks(flywheels):
+    """The second flywheel is locked."""
+    return np.array([int(s == 1) for s in range(flywheels)] or [0], dtype=np.int32)
+
+
+def aligned(size):
+    """Memory at a multiple of 64 bytes."""
+    memory = ctypes.create_string_buffer(size + 64)
+    place = (ctypes.addressof(memory) + 63) // 64 * 64
+    found = ctypes.c_void_p(place)
+    found.memory = memory
+    return found
+
+
+def _vary(name, table, real):
+    """C that scales every number of a copy of the default table."""
+    lines = _scaled(table, "t->", count())
+    return f"""#include "{name}_batch.h"
+int size_of_table(void);
+int size_of_wide(void);
+void vary({name}_table *t, double factor);
+int size_of_table(void) {{ return (int)sizeof({name}_table); }}
+int size_of_wide(void) {{ return (int)sizeof({name}_wide_table); }}
+void vary({name}_table *t, double factor)
+{{
+    const {real} f = ({real})factor;
+    *t = {name}_default;
+    {" ".join(lines)}
+}}
+"""
+
+
+def _scaled(struct, path, numbers):
+    found = []
+    for f in struct.fields:
+        at, heads = f"{path}{f.name}", []
+        for length in f.shape:
+            index = f"i{next(numbers)}"
+            heads.append(f"for (int {index} = 0; {index} < {int(length)}; ++{index}) {{")
+            at += f"[{index}]"
+        if isinstance(f.type, Struct):
+            inner = _scaled(f.type, f"{at}.", numbers)
+        else:
+            inner = [f"{at} *= f;"] if f.type is Kind.REAL else []
+        found += [*heads, *inner, *("}" for _ in heads)]
+    return found

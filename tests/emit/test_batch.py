@@ -1,0 +1,179 @@
+"""Batches of emitted C: every state gets the bits of the function for one state, and nothing else is touched."""
+
+import ctypes
+import re
+import subprocess
+from functools import cache
+
+import numpy as np
+import pytest
+
+from emit.batches import OPTIONS, Batched, aligned
+from toolchain.tools import require
+
+KINDS = ("bench8", "demo3", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7")
+LENGTHS = (1, 7, 8, 9, 41)
+
+native = cache(lambda: Batched("bench8", flags=("-O2", "-march=native", "-fopenmp")))
+
+
+@pytest.fixture(params=["everything6", *(pytest.param(name, marks=pytest.mark.slow) for name in KINDS)], scope="module")
+def built(request):
+    require("gcc", "gcc")
+    return Batched(request.param)
+
+
+def same_bits(a, b):
+    return np.ascontiguousarray(a).tobytes() == np.ascontiguousarray(b).tobytes()
+
+
+def check(built, batch, inputs, n):
+    """Statuses and bits of n states in a batch against one state at a time; nothing is written of a refused state."""
+    tables = b"".join(built.table(1 + 1e-4 * j) for j in range(n)) if batch.each else None
+    size = built.library.size_of_table()
+    some = {name: np.ascontiguousarray(values[:, :n]) for name, values in inputs.items()}
+    returned, statuses, results = built.many(batch, some, n, tables)
+    refused = []
+    for j in range(n):
+        table = tables[j * size : (j + 1) * size] if batch.each else None
+        status, expected = built.one(batch, some, j, table)
+        assert status == statuses[j], (batch.narrow.name, j)
+        refused += [status] if status < 0 else []
+        for name, values in expected.items():
+            assert same_bits(results[name][:, j], values), (batch.narrow.name, batch.each, name, j, n)
+    assert returned == (refused[0] if refused else 0)
+    return statuses
+
+
+def spoilt(built, inputs):
+    """The same, where states are refused for every reason, in lanes of all numbers."""
+    inputs = {name: values.copy() for name, values in inputs.items()}
+    n = inputs["x"].shape[1]
+    rows = len(inputs["x"])
+    bad = (np.nan, np.inf, -np.inf, 1e12)
+    for number, j in enumerate(range(0, n, 3)):
+        inputs["x"][(5 * number) % rows, j] = bad[number % 4]
+        inputs["x"][(7 * number + 3) % rows, j] = bad[(number + 1) % 4]
+    for number, j in enumerate(range(1, n, 5)):
+        for name in ("phi_ddot", "tau", "V_dot", "wrench"):
+            if len(inputs[name]):
+                inputs[name][number % len(inputs[name]), j] = bad[number % 4] * (1e12 if number % 4 == 3 else 1)
+    inputs["x"][3:7, 7::11] *= 1.1  # no unit quaternion
+    return inputs
+
+
+def test_every_state_has_the_bits_of_a_single_call(built):
+    inputs = built.inputs(np.random.default_rng(1), max(LENGTHS))
+    for batch in built.batches:
+        for n in LENGTHS:
+            assert not check(built, batch, inputs, n).any()
+
+
+def test_refused_states_are_told_and_left_alone_and_their_neighbours_do_not_notice(built):
+    inputs = spoilt(built, built.inputs(np.random.default_rng(2), 41))
+    for batch in built.batches:
+        assert {0, -1, -2} <= set(check(built, batch, inputs, 41))
+
+
+def test_the_whole_batch_where_the_step_is_wrong(built, monkeypatch):
+    batch = next(b for b in built.batches if b.narrow.name == "step")
+    inputs = built.inputs(np.random.default_rng(3), 9)
+    for option, value, status in (("order", 3, -5), ("dt", -1.0, -5), ("dt", np.nan, -1)):
+        with monkeypatch.context() as patch:
+            patch.setitem(OPTIONS, option, value)
+            assert set(check(built, batch, inputs, 9)) == {status}
+
+
+def test_a_step_may_be_written_over_its_state():
+    built = native()
+    batch = next(b for b in built.batches if b.narrow.name == "step" and not b.each)
+    inputs = built.inputs(np.random.default_rng(4), 19)
+    _, _, results = built.many(batch, inputs, 19)
+    x = inputs["x"].copy()
+    table = ctypes.c_char_p(built.table(1.0))
+    places = [a.ctypes.data_as(ctypes.c_void_p) for a in (x, inputs["tau"], np.array([0, 1, 0, 0, 0, 0, 0, 0], "i4"))]
+    status = np.zeros(19, dtype=np.int32).ctypes.data_as(ctypes.c_void_p)
+    step = built.function("step_batch")
+    assert step(table, ctypes.c_size_t(19), *places, ctypes.c_double(1e-5), 4, places[0], status) == 0
+    assert same_bits(x, results["next"])
+
+
+def test_no_states_at_all():
+    built = native()
+    for name in ("forward_batch", "coupled_batch_of", "tables"):
+        assert built.function(name)(*([None] + [ctypes.c_size_t(0)] + [None] * 8)) == 0
+
+
+def test_null_and_unaligned_pointers_are_refused():
+    built = native()
+    forward = built.function("forward_batch")
+    x = np.zeros((29, 2)).ctypes.data_as(ctypes.c_void_p)
+    status = np.full(2, 7, dtype=np.int32)
+    place = status.ctypes.data_as(ctypes.c_void_p)
+    table = ctypes.c_char_p(built.table(1.0))
+    two = ctypes.c_size_t(2)
+    assert forward(None, two, x, x, x, place) == -5
+    assert forward(table, two, x, None, x, place) == -5
+    assert forward(table, two, x, x, x, None) == -5
+    memory = aligned(built.library.size_of_wide() + 64)
+    beside = ctypes.c_void_p(memory.value + 8)
+    assert built.function("tables")(table, ctypes.c_size_t(1), beside) == -5
+    assert built.function("forward_batch_of")(beside, two, x, x, x, place) == -5
+    assert (status == 7).all()
+
+
+def test_the_number_of_threads_changes_no_bit():
+    built = native()
+    threads = ctypes.CDLL("libgomp.so.1").omp_set_num_threads
+    inputs = spoilt(built, built.inputs(np.random.default_rng(5), 100))
+    found = set()
+    for number in (1, 2, 3):
+        threads(number)
+        for batch in (b for b in built.batches if not b.each):
+            returned, statuses, results = built.many(batch, inputs, 100)
+            bits = b"".join(values.tobytes() for values in results.values())
+            found.add((batch.narrow.name, returned, statuses.tobytes(), bits))
+    assert len(found) == 4
+
+
+def test_optimised_for_this_machine():
+    built = native()
+    inputs = spoilt(built, built.inputs(np.random.default_rng(6), 41))
+    for batch in built.batches:
+        check(built, batch, inputs, 41)
+
+
+def test_no_multiply_add_is_fused_and_vectors_are_used(tmp_path):
+    library = tmp_path / "batch.o"
+    library.write_bytes(native().object_code)
+    command = [require("objdump", "binutils"), "-d", "--no-show-raw-insn", str(library)]
+    code = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert not re.findall(r"vfm\w+", code)
+    for name in ("sincos_each_wide", "rate_wide", "advance_wide"):
+        packed, single = (len(re.findall(rf"\bv?mul{kind}\b", _function(code, name))) for kind in ("pd", "sd"))
+        assert packed > 10
+        assert single == 0
+
+
+def _function(code, name):
+    """Assembly of one function."""
+    return re.search(rf"<bench8_{name}>:\n(.*?)(\n\n|\Z)", code, re.DOTALL)[1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("real", "compiler", "flags"),
+    [
+        ("float", "gcc", ("-O3", "-march=native")),
+        ("float", "clang", ("-O2",)),
+        ("double", "clang", ("-O3", "-march=native")),
+        ("double", "gcc", ("-O1", "-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")),
+    ],
+)
+@pytest.mark.parametrize("name", ["bench8", "everything6"])
+def test_other_builds(name, real, compiler, flags):
+    require(compiler, compiler)
+    built = Batched(name, real, compiler, flags)
+    inputs = spoilt(built, built.inputs(np.random.default_rng(7), 41))
+    for batch in built.batches:
+        check(built, batch, inputs, 41)
