@@ -44,5 +44,20 @@ def main() -> None:
     """
 
 
-for command in (new, check, derive, generate, verify, judge, cost, evidence, evaluate, rest, simulate, replay, judge_log, export):
+for command in (
+    new,
+    check,
+    derive,
+    generate,
+    verify,
+    judge,
+    cost,
+    evidence,
+    evaluate,
+    rest,
+    simulate,
+    replay,
+    judge_log,
+    export,
+):
     main.add_command(command)

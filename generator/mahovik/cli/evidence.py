@@ -22,9 +22,7 @@ if TYPE_CHECKING:
 @click.option("--quick", is_flag=True, help="A selection: fewer states, drivers, processors.")
 @click.option("--only", metavar="NAME,...", help="These pieces; the others are shown as left out.")
 @click.option("--without", metavar="NAME,...", help="All pieces but these.")
-@click.option(
-    "--seconds", type=click.IntRange(1, 1_000_000), help="Of fuzzing.  [default: 20, with --full 600]"
-)
+@click.option("--seconds", type=click.IntRange(1, 1_000_000), help="Of fuzzing.  [default: 20, with --full 600]")
 @click.option("--check", "checked", metavar="DIR", type=click.Path(), help="Check the SHA-256 sums of a folder only.")
 @real_option
 def evidence(

@@ -153,6 +153,7 @@ def _without(absent: Sequence[Need]) -> Outcome:
 
 def _cleaned(outcome: Outcome, subject: Subject) -> Outcome:
     """Without the names of the folders where it was made: they say nothing, and differ from machine to machine."""
+
     def clean(text: str) -> str:
         for place in (subject.folder, subject.scratch):
             for name in (str(place.resolve()), str(place)):
@@ -160,7 +161,8 @@ def _cleaned(outcome: Outcome, subject: Subject) -> Outcome:
         return text
 
     files = {name: clean(text) if isinstance(text, str) else text for name, text in outcome.files.items()}
-    return replace(outcome, figure=clean(outcome.figure), notes=tuple(map(clean, outcome.notes)), files=files)
+    figure = clean(outcome.figure).removeprefix("passed: ").removeprefix("FAILED: ")  # the verdict stands beside it
+    return replace(outcome, figure=figure, notes=tuple(map(clean, outcome.notes)), files=files)
 
 
 @contextmanager

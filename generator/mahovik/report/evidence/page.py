@@ -93,7 +93,10 @@ def _table(table: Table | None) -> dict[str, Any] | None:
         return None
     right = [name.endswith(">") for name in table.head]
     return {
-        "head": [(name.removesuffix(">"), "number" if is_right else "") for name, is_right in zip(table.head, right, strict=True)],
+        "head": [
+            (name.removesuffix(">"), "number" if is_right else "")
+            for name, is_right in zip(table.head, right, strict=True)
+        ],
         "rows": [
             [(cell, "number" if is_right else "") for cell, is_right in zip(row, right, strict=True)]
             for row in table.rows

@@ -28,9 +28,7 @@ def _run(subject: Subject, tell: Tell) -> Outcome:
     for proof in proved(script, wanted, _LIMITS[subject.full], logs):
         proofs.append(proof)
         tell(f"{len(proofs)} of {len(wanted)} drivers")
-    rows = tuple(
-        (p.function, p.set, "no end" if p.alarms is None else str(p.alarms), str(p.unproved)) for p in proofs
-    )
+    rows = tuple((p.function, p.set, "no end" if p.alarms is None else str(p.alarms), str(p.unproved)) for p in proofs)
     bad = [f"{p.set}_{p.function}" for p in proofs if not p.holds]
     alarms = sum(p.alarms or 0 for p in proofs)
     figure = f"0 alarms in {len(proofs)} drivers" if not bad else f"{alarms} alarms, {len(bad)} drivers without proof"

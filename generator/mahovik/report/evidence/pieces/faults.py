@@ -53,9 +53,7 @@ def _run(subject: Subject, tell: Tell) -> Outcome:
     files = {"diagnosis.json": json.dumps({"C": as_object(diagnosis), "faults": largest}, indent=1) + "\n"}
     table = Table(("fault", "equation", "largest error, of scale>", "outcome"), tuple(rows))
     notes = tuple(line.strip() for line in sentences(diagnosis))
-    return Outcome(
-        judged(clear), figure if clear else notes[0], (f"NumPy {version('numpy')}",), table, notes, files
-    )
+    return Outcome(judged(clear), figure if clear else notes[0], (f"NumPy {version('numpy')}",), table, notes, files)
 
 
 PIECE = Piece(
