@@ -372,7 +372,6 @@ static void take_mount_table(tally *sum, const auv6_mount_table *value)
     }
 }
 
-
 /* ---- every function: called with the inputs; its results taken ---- */
 
 static auv6_status call_forward(void)

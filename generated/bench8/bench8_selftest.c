@@ -347,7 +347,6 @@ static void take_mount_table(tally *sum, const bench8_mount_table *value)
     }
 }
 
-
 /* ---- every function: called with the inputs; its results taken ---- */
 
 static bench8_status call_forward(void)

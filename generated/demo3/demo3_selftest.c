@@ -332,7 +332,6 @@ static void take_mount_table(tally *sum, const demo3_mount_table *value)
     }
 }
 
-
 /* ---- every function: called with the inputs; its results taken ---- */
 
 static demo3_status call_forward(void)

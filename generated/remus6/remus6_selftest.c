@@ -379,7 +379,6 @@ static void take_mount_table(tally *sum, const remus6_mount_table *value)
     }
 }
 
-
 /* ---- every function: called with the inputs; its results taken ---- */
 
 static remus6_status call_forward(void)

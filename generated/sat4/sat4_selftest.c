@@ -353,7 +353,6 @@ static void take_mount_table(tally *sum, const sat4_mount_table *value)
     }
 }
 
-
 /* ---- every function: called with the inputs; its results taken ---- */
 
 static sat4_status call_forward(void)

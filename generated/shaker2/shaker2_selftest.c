@@ -347,7 +347,6 @@ static void take_mount_table(tally *sum, const shaker2_mount_table *value)
     }
 }
 
-
 /* ---- every function: called with the inputs; its results taken ---- */
 
 static shaker2_status call_forward(void)
