@@ -23,6 +23,8 @@ FILES = {
     "README.md",
     "demo3.c",
     "demo3.h",
+    "demo3_eva.c",
+    "demo3_eva.sh",
     "demo3_recorder.c",
     "demo3_recorder.h",
     "demo3_selftest.c",

@@ -132,6 +132,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         drivers=["\n".join(writer.driver(each)) for each in every],
         square_min=writer.real(UNIT_SQUARE_MIN),
         least=writer.real(round(sqrt(UNIT_SQUARE_MIN) / 2 - 5e-4, 3)),
+        octants=[(i, 2 * i, 2 * i + 1) for i in range(4)],
         below=writer.real(0.99),
         above=writer.real(1.01),
         zero=writer.real(0.0),

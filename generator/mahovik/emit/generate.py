@@ -133,6 +133,7 @@ class _Printer:
             "width": self._program.precision.width,
             "bodies": described(stand),
             "lanes": self._layout.lanes,
+            "wide": self._layout.lanes > 1,
             "fast": self._fast,
         }
 

@@ -34,6 +34,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
         option="" if program.precision.name == "double" else f" --real {program.precision.name}",
         made_by=f"{f' --lanes {lanes}' if lanes > 1 or generated.fast else ''}{' --fast' if generated.fast else ''}",
         lanes=lanes,
+        wide=lanes > 1,
         fast=generated.fast,
         batch=batch,
         generator=f"mahovik {__version__}",

@@ -63,6 +63,7 @@ class _SelfTest:
             physics=identities.physics,
             real=precision.name,
             lanes=lanes,
+            wide=lanes > 1,
             fast=fast,
             kind=f"{f' lanes {lanes}' if lanes > 1 else ''}{' fast' if fast else ''}",
             unit="units" if fast else "ulp",

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from mahovik.emit.generate import LANES, Generated, generate_all
+from mahovik.emit.header import read_header
 from mahovik.emit.log_format import fnv1a, state_hash, table_bytes, table_from_bytes
 from mahovik.emit.recorder import source_hash
 from mahovik.errors import CheckError, UsageError
@@ -19,7 +20,6 @@ from mahovik.simulate.flight_log import Damage, Reals, Start, Step
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.verify.c_backend import CBackend
-from mahovik.verify.header import read_header
 from mahovik.verify.program_backend import STATUS_NAMES
 
 Members = dict[str, Reals]

@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
+from mahovik.emit.header import read_header
 from mahovik.errors import CheckError, UsageError
 from mahovik.program.interpret import Interpreter
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.toolchain.library import Library
-from mahovik.verify.header import read_header
 from mahovik.verify.program_backend import ProgramBackend
 
 

@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.emit.generate import LANES, PRECISIONS, generate
+from mahovik.emit.header import read_header
 from mahovik.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.errors import UsageError
 from mahovik.stand.content import content
 from mahovik.stand.model import Stand
 from mahovik.verify.cost_files import COST, FIGURES, is_figures, is_page, speaks_of
 from mahovik.verify.files import write_all
-from mahovik.verify.header import read_header
 
 _MARK = "Generated: change the stand file instead."
 
