@@ -11,7 +11,7 @@ from mahovik.report.evidence.piece import Need, Outcome, Piece, Subject, Table, 
 from mahovik.stand import load
 from mahovik.stands import path
 
-DEMO3 = path("demo3")
+DEMO3 = str(path("demo3"))
 
 
 def piece(name: str, said: Outcome | BaseException, *needs: Need) -> Piece:

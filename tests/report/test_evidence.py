@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from mahovik.report.evidence.collect import chosen, failures
 from mahovik.report.evidence.folder import check
 from mahovik.report.evidence.page import conclusion
 from mahovik.report.evidence.piece import Outcome, Verdict
+from mahovik.report.evidence.pieces import equations
 from mahovik.stand import load
 from mahovik.stand.identity import identities
 from mahovik.stands import path
@@ -143,8 +145,6 @@ def test_places_where_it_was_made_are_not_told(tmp_path: Path) -> None:
         where.append(str(subject.folder))  # type: ignore[attr-defined]
         return passed(files={"output.txt": f"in {where[0]}/c/demo3.c\n"})
 
-    from dataclasses import replace
-
     collected(tmp_path / "out", [replace(GOOD, run=run)])
     assert (tmp_path / "out" / "raw" / "good" / "output.txt").read_text() == "in c/demo3.c\n"
 
@@ -222,6 +222,19 @@ def test_pieces_are_complete() -> None:
     assert chosen(all_pieces.PIECES, None, "fuzz") == set(names) - {"fuzz"}
     with pytest.raises(UsageError, match='"fuz", did you mean "fuzz"'):
         chosen(all_pieces.PIECES, "fuz", None)
+
+
+def test_every_function_is_found_in_the_C(tmp_path: Path) -> None:
+    """Its lines are a definition, from its name to its last brace; (8) is in `forward`."""
+    (found,) = collected(tmp_path / "out", [equations.PIECE])
+    assert found.outcome.verdict is Verdict.PASSED
+    lines = (tmp_path / "out" / "c" / "demo3.c").read_text().splitlines()
+    functions = json.loads((tmp_path / "out" / "raw" / "equations" / "functions.json").read_text())
+    for each in functions:
+        first, last = each["lines"]
+        assert f" {each['function']}(" in lines[first - 1]
+        assert (lines[last - 1], lines[first - 1 : last].count("}")) == ("}", 1)
+    assert {"(8)"} == {n for each in functions if each["function"] == "demo3_forward" for n in each["equations"]}
 
 
 @pytest.mark.slow

@@ -22,6 +22,15 @@ if TYPE_CHECKING:
 LONG = 14
 """Rows of a table from which on it is closed until it is asked for."""
 
+GENERAL = (
+    ("Sine, cosine, square root, arc tangent: error bounds, operation by operation", "docs/mathematics.md"),
+    ("Faults planted in emitted C and in the derivations, and what caught each", "docs/planted-faults.md"),
+    ("Equation, derivation, function, lines, and the tests that notice a mutant of it", "docs/traceability.md"),
+    ("Every file reader on spoiled input; millions of executions of the C of the example stands", "docs/fuzzing.md"),
+    ("Largest differences to other multibody programs over the example stands", "docs/judges.md"),
+)
+"""What is shown once for the generator and not for a stand; where, in its repository."""
+
 _STYLE = {
     Verdict.PASSED: "good",
     Verdict.FAILED: "bad",
@@ -45,6 +54,7 @@ def html(subject: Subject, found: Sequence[Collected]) -> str:
         stand_file=subject.stand_file,
         conclusion=conclusion(found),
         style="bad" if _failed(found) else "good" if _complete(found) else "open",
+        general=GENERAL,
         pieces=[_piece(each) for each in found],
     )
 

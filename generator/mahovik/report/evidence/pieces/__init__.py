@@ -7,6 +7,7 @@ from mahovik.report.evidence.pieces import (
     comparison,
     cost,
     delivery,
+    equations,
     eva,
     faults,
     fuzzing,
@@ -19,6 +20,7 @@ from mahovik.report.evidence.pieces import (
 
 PIECES: tuple[Piece, ...] = (
     delivery.PIECE,
+    equations.PIECE,
     selftest.PIECE,
     comparison.PIECE,
     rounding.PIECE,

@@ -30,9 +30,10 @@ PIECE = Piece(
     name="comparison",
     title="Three derivations",
     shows=(
-        "At random and extreme states every quantity of the C agrees with the literal equations (1)-(13) of the paper in "
-        "NumPy, and with a second derivation that knows only energies, by CasADi's differentiation; the three share "
-        "no formula. Bad inputs are refused and leave outputs untouched; the interpreter of the program has the same bits."
+        "At random and extreme states every quantity of the C agrees with the literal equations (1)-(13) of the paper "
+        "in NumPy, and with a second derivation that knows only energies, by CasADi's differentiation; the three share "
+        "no formula. Bad inputs are refused and leave outputs untouched; the interpreter of the program has the same "
+        "bits."
     ),
     limits=(
         "States between the sampled ones; that the equations describe a machine that bends, leaks or slips. Errors are "

@@ -44,7 +44,7 @@ PIECE = Piece(
         "The folder `c/` was generated from the stand file beside it, and again by another process that derived every "
         "formula anew: the same bytes. All other pieces are about these files."
     ),
-    limits="That the stand file describes the real machine: masses, mountings and unbalances are taken as they are written.",
+    limits="That the stand file describes the real machine: masses, mountings, unbalances are taken as it has them.",
     command=_command,
     run=_run,
 )

@@ -50,13 +50,13 @@ PIECE = Piece(
     name="eva",
     title="No undefined behaviour, by Frama-C Eva",
     shows=(
-        "For whole sets of inputs at once, no operation that C leaves undefined: no index out of an array, nothing read "
-        "before it was written, no overflow of integers. In `normal` and `any` also: results are finite, and written "
-        "where the status is not negative, untouched where it is."
+        "For whole sets of inputs at once, no operation that C leaves undefined: no index out of an array, nothing "
+        "read before it was written, no overflow of integers. In `normal` and `any` also: results are finite, and "
+        "written where the status is not negative, untouched where it is."
     ),
     limits=(
-        "`inverse` and the Jacobians, of which nothing is claimed; tables that firmware prepares of other parameters. Sine, "
-        "cosine, square root and arc tangent are seen by a contract, which Eva does not prove."
+        "`inverse` and the Jacobians, of which nothing is claimed; tables that firmware prepares of other parameters. "
+        "Sine, cosine, square root and arc tangent are seen by a contract, which Eva does not prove."
     ),
     command=_command,
     run=_run,

@@ -68,10 +68,10 @@ PIECE = Piece(
     title="Arbitrary arguments",
     shows=(
         "Every public function was called with arbitrary bytes as arguments, NaN, infinities and null pointers among "
-        "them, under clang's sanitizers: statuses as the header names them, nothing written on a refusal, finite results "
-        "otherwise, the same bits twice."
+        "them, under clang's sanitizers: statuses as the header names them, nothing written on a refusal, finite "
+        "results otherwise, the same bits twice."
     ),
-    limits="Inputs that were not tried: it looks for counter-examples, for the time that it is given, and proves nothing.",
+    limits="Inputs that were not tried: it looks for counter-examples, for the time that it has, and proves nothing.",
     command=_command,
     run=_run,
     needs=_needs,

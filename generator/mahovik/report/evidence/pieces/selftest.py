@@ -37,10 +37,10 @@ PIECE = Piece(
     name="selftest",
     title="Self-test that travels with the C",
     shows=(
-        "Every public function gives, bit for bit, what the interpreter of the program gave at generation: compiler and "
-        "processor have changed nothing. The same test runs on the real board; `mahovik judge-log` judges its log."
+        "Every public function gives, bit for bit, what the interpreter of the program gave at generation: compiler "
+        "and processor have changed nothing. The same test runs on the real board; `mahovik judge-log` judges its log."
     ),
-    limits="That the equations are right: it compares the C with its own program. The comparison below judges the equations.",
+    limits="That the equations are right: it compares the C with its own program. Other pieces judge the equations.",
     command=_command,
     run=_run,
     needs=lambda _: (program("gcc"),),

@@ -70,10 +70,10 @@ WARNINGS = Piece(
 MISRA = Piece(
     name="misra",
     title="cppcheck and its MISRA C:2012 addon",
-    shows="Everything that they find is listed, with the reason why it stays; a finding that is not listed is a failure.",
+    shows="Everything that they find is listed, with the reason why it stays; one that is not listed is a failure.",
     limits=(
-        "MISRA compliance, which is not claimed: the addon checks a part of the rules, some more strictly or more loosely "
-        "than their text."
+        "MISRA compliance, which is not claimed: the addon checks a part of the rules, some more strictly or more "
+        "loosely than their text."
     ),
     command=_misra_command,
     run=_misra,

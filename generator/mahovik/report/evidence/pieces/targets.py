@@ -13,7 +13,7 @@ def tools_of(names: str, real: str) -> tuple[Need, ...]:
     """Compilers and emulators of targets."""
     from mahovik.verify.targets import asked
 
-    found = {}
+    found: dict[str, Need] = {}
     for target, _ in asked(names, (real,)):
         packages = " ".join(target.packages)
         for command in (target.compiler[0], target.link[0], *target.emulator[:1]):
