@@ -90,7 +90,7 @@ def _piece(each: Collected) -> dict[str, Any]:
         "figure": outcome.figure,
         "shows": _text(piece.shows),
         "limits": _text(piece.limits),
-        "command": each.command,
+        "command": _command(each.command),
         "tools": ", ".join(outcome.tools),
         "notes": [_text(note) for note in outcome.notes],
         "table": _table(outcome.table),
@@ -114,6 +114,11 @@ def _table(table: Table | None) -> dict[str, Any] | None:
         "closed": len(table.rows) >= LONG,
         "count": len(table.rows),
     }
+
+
+def _command(text: str) -> Markup:
+    """A command whose words are not broken at their hyphens."""
+    return Markup(" ").join(Markup(f"<span>{escape(word)}</span>") for word in text.split(" "))
 
 
 def _text(text: str) -> Markup:

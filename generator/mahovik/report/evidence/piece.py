@@ -119,7 +119,7 @@ class Piece:
 
     shows    what a reader may conclude where it has passed
     limits   what it does not show
-    command  runs it again, in the folder of the evidence
+    command  runs it again, in a copy of the folder
     run      raises MahovikError, which is a failure
     needs    tools it cannot do without
     """
