@@ -184,7 +184,13 @@ def test_the_page_stands_alone(tmp_path: Path) -> None:
     for address in reader.addresses:
         assert address[1:] in reader.ids if address.startswith("#") else (tmp_path / "out" / address).is_file()
     found = identities(load(DEMO3))
-    for text in (found.structure, found.physics, f"mahovik {__version__}", "apt-get install no-such-tool", "<span>again</span> <span>bad</span>"):
+    for text in (
+        found.structure,
+        found.physics,
+        f"mahovik {__version__}",
+        "apt-get install no-such-tool",
+        "<span>again</span> <span>bad</span>",
+    ):
         assert text in page
     assert not re.search(r"\b(19|20)\d\d-\d\d-\d\d\b", page)
     assert str(tmp_path) not in page
