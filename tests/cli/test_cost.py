@@ -29,7 +29,9 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
     """Figures of the functions on every target: to be changed by a test."""
     found = list(FUNCTIONS)
 
-    def measure(stand: Stand, pairs: Sequence[tuple[Target, str]], progress: Callable[[int, int], None]) -> Costs:
+    def measure(
+        stand: Stand, pairs: Sequence[tuple[Target, str]], progress: Callable[[int, int], None], lanes: int
+    ) -> Costs:
         targets = [
             TargetCost(
                 *(target.name, target.title, real, "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
@@ -52,7 +54,7 @@ def made(name: str, real: str) -> dict[str, str]:
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The C of demo3 with its manifest."""
-    monkeypatch.setattr(delivery, "generate", lambda stand, real: made(stand.name, real))
+    monkeypatch.setattr(delivery, "generate", lambda stand, real, lanes: made(stand.name, real))
     delivery.deliver(tmp_path / "out", load(DEMO3), "double", made("demo3", "double"))
     return tmp_path / "out"
 
