@@ -1,0 +1,11 @@
+"""Why mutants are not noticed: those that change no result, and those that other checks have."""
+
+from __future__ import annotations
+
+REASONS: dict[tuple[str, str], str] = {}
+"""By function and the beginning of what the mutant does."""
+
+
+def reason(function: str, what: str) -> str:
+    """The reason of a survivor; empty where none is known."""
+    return next((why for (name, begin), why in REASONS.items() if name == function and what.startswith(begin)), "")
