@@ -31,7 +31,7 @@ FAULTS = (
           "accelerate", r"    name_sums sum;", "    static name_sums sum;"),
 
     Fault("output written before a refusal", ERRORS, ("refusals", "self-test"),
-          "forward", r"    name_status status = name_check_state", "    V_dot[2] = 0.0;\n    name_status status = name_check_state"),
+          "forward", r"(    name_status status = name_check_state)", r"    V_dot[2] = 0.0;\n\1"),
     Fault("a status is not handed on", ERRORS, ("refusals",),
           "forward", r"(status = name_within\(phi_ddot, NAME_N, NAME_MAX_ACCELERATION\);\n)[^\n]*\n", r"\1"),
     Fault("NaN let through: a comparison turned round", ERRORS, ("refusals",),

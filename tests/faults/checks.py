@@ -43,7 +43,7 @@ CHECKS: dict[str, Check] = {}
 
 
 def check(name: str, meaning: str, where: str) -> Callable[[Run], Run]:
-    """Enters a function among the checks. C that does not even compile counts as caught by none of them but the compiler."""
+    """Enters a function among the checks."""
 
     def enter(run: Run) -> Run:
         CHECKS[name] = Check(name, meaning, where, run)
@@ -54,7 +54,10 @@ def check(name: str, meaning: str, where: str) -> Callable[[Run], Run]:
 
 @check("compilers", "gcc and clang with the strict warnings", "`tests/emit/test_compilers.py`, every `verify`")
 def compilers(made: Emitted) -> str:
-    for compiler, package, flags in (("gcc", "gcc", ("-O2", "-c", "-o", "/dev/null")), ("clang", "clang", ("-fsyntax-only",))):
+    for compiler, package, flags in (
+        ("gcc", "gcc", ("-O2", "-c", "-o", "/dev/null")),
+        ("clang", "clang", ("-fsyntax-only",)),
+    ):
         command = [require(compiler, package), *FIRMWARE_WARNINGS, "-ffp-contract=off", *made.flags, *flags]
         done = subprocess.run([*command, str(made.source)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
@@ -99,9 +102,7 @@ def same_as_interpreter(made: Emitted) -> str:
 @check("comparison", "C, reference and second derivation", "every `verify`")
 def comparison(made: Emitted) -> str:
     backend, host = made.backend, made.host
-    rows = judge(
-        stand_of(host), backend, states_of(host), backend.wants, BOUNDS[host.real], second=second_of(host)
-    )
+    rows = judge(stand_of(host), backend, states_of(host), backend.wants, BOUNDS[host.real], second=second_of(host))
     found = [row.quantity for row in rows if row.failed]
     return f"{', '.join(found[:6])}{' ...' if len(found) > 6 else ''}"
 
@@ -117,7 +118,9 @@ def bad_numbers(made: Emitted) -> str:
     backend = made.backend
     inputs = {**backend.arguments(states_of(made.host)[0][1]), "angles": (0.1, 0.7, -0.2), "dt": 1e-4, "order": 4}
     return said(
-        refusals(backend.program, inputs, lambda name, given: backend.library.probe(backend.program.function(name), given))
+        refusals(
+            backend.program, inputs, lambda name, given: backend.library.probe(backend.program.function(name), given)
+        )
     )
 
 
@@ -133,7 +136,11 @@ def null_pointers(made: Emitted) -> str:
     return done.stdout.strip() if done.returncode == 0 else f"ended by signal {-done.returncode}"
 
 
-@check("no stand's table", "tables without mass or with a negative moment of inertia are refused", "`tests/lower/test_unphysical.py`")
+@check(
+    "no stand's table",
+    "tables without mass or with a negative moment of inertia are refused",
+    "`tests/lower/test_unphysical.py`",
+)
 def unphysical_tables(made: Emitted) -> str:
     backend = made.backend
     given = backend.arguments(states_of(made.host)[0][1]) | {"phi_ddot": [0.0] * len(stand_of(made.host).flywheels)}

@@ -56,7 +56,9 @@ def changed(fault: Fault, text: str) -> str:
     pattern, new = (t.replace("NAME", stand.upper()).replace("name_", f"{stand}_") for t in (fault.pattern, fault.new))
     start, stop = 0, len(text)
     if fault.function:
-        bodies = list(re.finditer(rf"^(?:static )?\w+ {stand}_{fault.function}\(.*?\n}}\n", text, re.DOTALL | re.MULTILINE))
+        bodies = list(
+            re.finditer(rf"^(?:static )?\w+ {stand}_{fault.function}\(.*?\n}}\n", text, re.DOTALL | re.MULTILINE)
+        )
         assert len(bodies) == 1, fault.function
         start, stop = bodies[0].span()
     edited, count = re.subn(pattern, new, text[start:stop])

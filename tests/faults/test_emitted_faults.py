@@ -54,6 +54,6 @@ def test_every_fault_is_caught(fault: Fault, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("host", "name"), USED, ids=lambda part: str(part))
+@pytest.mark.parametrize(("host", "name"), USED, ids=str)
 def test_checks_pass_without_a_fault(host: object, name: str, tmp_path: Path) -> None:
     assert outcome(name, Emitted(host, tmp_path)) == ""  # type: ignore[arg-type]

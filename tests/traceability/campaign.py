@@ -29,7 +29,7 @@ from mahovik.emit.statement import Statements
 from mahovik.lower.values import Values
 from mahovik.program.function import Function, Program
 from mahovik.program.types import DOUBLE
-from mahovik.verify.c_backend import InterpreterBackend
+from mahovik.verify.c_backend import InterpreterBackend, with_all_inputs
 from mahovik.verify.draw import draw
 from mahovik.verify.harness import judge
 from traceability.equations import ROOT, subjects
@@ -43,23 +43,53 @@ MUTANTS, TESTED = 12, 1
 LIMIT = 100
 """Seconds of the tests on a mutant: one that does not end is noticed by that."""
 
-HARNESS = ("tests/verify/test_mutations.py::test_what_is_right_passes[ship]",)
+HARNESS = (
+    "tests/verify/test_mutations.py::test_what_is_right_passes[ship]",
+    "tests/verify/test_harness.py::test_a_stand_with_everything_passes_as_c",
+)
 MOTION = ("tests/lower/test_motion.py",)
 PHASES = ("tests/lower/test_phases.py",)
-INVERSE = ("tests/lower/test_inverse.py", "tests/lower/test_target.py")
-JACOBIAN = (
-    "tests/lower/test_jacobian.py::test_derivatives_of_forward",
-    "tests/lower/test_jacobian.py::test_derivatives_of_coupled",
-    "tests/lower/test_jacobian.py::test_some_flywheels_locked",
+INVERSE = (
+    *(f"tests/lower/test_inverse.py::test_residual_and_equations_agree[{count}]" for count in (1, 5, 7)),
+    "tests/lower/test_inverse.py::test_limits_are_kept_and_told",
+    "tests/lower/test_inverse.py::test_damping_lowers_what_is_near_singular",
+    "tests/lower/test_inverse.py::test_weights_choose_among_flywheels",
+    "tests/lower/test_inverse.py::test_bad_options_are_refused",
+    *(f"tests/lower/test_inverse.py::test_others_give_what_a_limited_flywheel_cannot[{seed}-7]" for seed in range(4)),
+    *(f"tests/lower/test_target.py::test_the_cheap_inverse_agrees_with_the_careful_one[{count}]" for count in (5, 7)),
+    "tests/lower/test_target.py::test_damping_of_the_cheap_inverse_lowers_the_answer",
 )
-PARAMETERS = ("tests/lower/test_unphysical.py", "tests/lower/test_prepare.py")
+TARGET = (
+    "tests/lower/test_target.py::test_target_inverts_the_generalized_form",
+    "tests/lower/test_target.py::test_a_singular_attitude_is_refused",
+)
+JACOBIAN = tuple(
+    f"tests/lower/test_jacobian.py::test_derivatives_of_{function}[{case}]"
+    for function in ("forward", "coupled")
+    for case in ("everything 4-1", "everything 4-2")
+) + ("tests/lower/test_jacobian.py::test_some_flywheels_locked",)
+PARAMETERS = (
+    "tests/lower/test_unphysical.py",
+    "tests/lower/test_prepare.py::test_default_parameters_give_the_default_table[everything6]",
+    "tests/lower/test_prepare.py::test_parameters_of_another_stand_give_its_table[everything6]",
+    "tests/lower/test_prepare.py::test_a_mount_that_is_none",
+    "tests/lower/test_prepare.py::test_axes_without_a_direction",
+    "tests/lower/test_prepare.py::test_a_flywheel_without_spin_inertia",
+)
 ROUTINES = ("tests/routines/test_sincos.py", "tests/routines/test_square_root.py", "tests/routines/test_arc_tangent.py")
-REFUSALS = ("tests/lower/test_refusals.py",)
+REFUSALS = tuple(
+    f"tests/lower/test_refusals.py::{test}[everything6]"
+    for test in (
+        "test_not_finite_in_any_element",
+        "test_beyond_the_range_in_any_element",
+        "test_at_the_limit_every_element_is_accepted",
+    )
+)
 
 BY_NAME = {
     "sincos": ROUTINES[:1], "sqrt": ROUTINES[1:2], "atan2": ROUTINES[2:], "unwound": PHASES + MOTION,
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
-    "quaternion": INVERSE, "target": INVERSE, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
+    "quaternion": TARGET, "target": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "attitude": REFUSALS,
     "coupled": MOTION, "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
 }  # fmt: skip
@@ -99,19 +129,20 @@ class Found:
 @cache
 def judged_by() -> dict[str, tuple[Any, Any]]:
     """Stands whose programs hold the functions, by function: one with everything, else an example stand."""
-    made = generated(everything())
-    found: dict[str, tuple[Any, Any]] = {f.name: (everything(), made) for f in made.program.functions}
+    stand = with_all_inputs(everything())
+    made = generated(stand)
+    found: dict[str, tuple[Any, Any]] = {f.name: (stand, made) for f in made.program.functions}
     for name, function in functions().items():
         if name not in found:
-            stand = next(n for n in names() if function in examples.generated(n).program.functions)
-            found[name] = (examples.stand(stand), examples.generated(stand))
+            example = next(n for n in names() if function in examples.generated(n).program.functions)
+            found[name] = (examples.stand(example), examples.generated(example))
     return found
 
 
 def compared(name: str, numbers: Sequence[int]) -> list[list[str] | None]:
     """Of each mutant, quantities that the comparison with the reference finds wrong; None where it could not run."""
     stand, made = judged_by()[name]
-    states = draw(stand, 5, 4, wrenches=False)[1:3]
+    states = draw(stand, 5, 4, wrenches=stand == with_all_inputs(stand))[1:3]
     return [_quantities(stand, made, states, name, number) for number in numbers]
 
 

@@ -11,8 +11,21 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.derive import accumulate, attitude, carrier, drive, flywheel, motion, point, sensitivity, wrench
+from mahovik.derive.document import generalized as document
 from mahovik.program.function import Function
-from mahovik.reference import forward, generalized, inverse, mass, momentum, partition, torque, wrenches
+from mahovik.reference import (
+    coupled,
+    forward,
+    generalized,
+    inverse,
+    mass,
+    momentum,
+    partition,
+    points,
+    screw,
+    torque,
+    wrenches,
+)
 from mahovik.reference import rotation as reference_rotation
 from mahovik.second import problems
 from mahovik.second import system as second_system
@@ -45,7 +58,14 @@ OTHERS = {
 
 DERIVED: dict[str, tuple[Any, ...]] = {
     "(1)": (carrier.momentum_in_E0,),
-    "(2)": (flywheel.literal, flywheel.spun_inertia, flywheel.shifted_inertia, accumulate.sums, carrier.mass_matrix, carrier.momentum),
+    "(2)": (
+        flywheel.literal,
+        flywheel.spun_inertia,
+        flywheel.shifted_inertia,
+        accumulate.sums,
+        carrier.mass_matrix,
+        carrier.momentum,
+    ),
     "(4)": (carrier.remainder,),
     "(5)": (accumulate.sums, carrier.remainder),
     "(6)": (flywheel.literal, accumulate.weights, carrier.mass_matrix_rate),
@@ -53,8 +73,8 @@ DERIVED: dict[str, tuple[Any, ...]] = {
     "(8)": (carrier.remainder, carrier.reduced_inertia, carrier.reduced_moment, carrier.linear_part, sensitivity),
     "(9)": (flywheel.literal, flywheel.spin_momentum, accumulate.columns, carrier.velocity_column),
     "(10)": (attitude.attitude, attitude.kinematics, motion),
-    "(11)": (attitude.kinematics,),
-    "(12)": (accumulate.columns, carrier.remainder),
+    "(11)": (document,),
+    "(12)": (),
     "(13)": (),
     "drive torque": (drive.literal_torque, drive.bias_torque),
     "whole system": (drive,),
@@ -67,7 +87,7 @@ REFERENCE: dict[str, tuple[Any, ...]] = {
     "(1)": (momentum,),
     "(2)": (mass, momentum),
     "(4)": (torque,),
-    "(5)": (forward,),
+    "(5)": (screw, forward),
     "(6)": (mass,),
     "(7)": (wrenches,),
     "(8)": (forward,),
@@ -77,12 +97,10 @@ REFERENCE: dict[str, tuple[Any, ...]] = {
     "(12)": (inverse,),
     "(13)": (partition,),
     "drive torque": (torque,),
-    "whole system": (second_system,),
+    "whole system": (coupled,),
     "motion in time": (),
-    "points": (),
+    "points": (points,),
 }
-REFERENCE["whole system"] = (__import__("mahovik.reference.coupled", fromlist=["coupled"]),)
-REFERENCE["points"] = (__import__("mahovik.reference.points", fromlist=["points"]),)
 
 SECOND: dict[str, tuple[Any, ...]] = {
     "(1)": (problems,), "(2)": (problems, second_system), "(4)": (second_system,), "(5)": (second_system,),
@@ -94,12 +112,15 @@ ROLES: dict[str, tuple[str, ...]] = {
     "whole system": ("coupled", "move", "eliminate", "solve_schur", "coupled_jacobian"),
     "motion in time": ("advance", "finish", "rate", "step", "rate_driven", "step_driven"),
     "points": ("sense", "measure", "place_point"),
-    "rotations and placement": ("rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel"),
+    "rotations and placement": (
+        "rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel",
+    ),
     "phases and encoders": ("wrap", "phase_of_counts", "speed_of_counts", "accumulate"),
     "own mathematics": ("sincos", "sincos_each", "sqrt", "atan2", "unwound", "wrapped", "orthogonalise"),
     "linear algebra": ("solve3", "factor", "solve_gram"),
     "checks of inputs": (
-        "within", "check_state", "check_inertia", "check_body", "check_dry_body", "check_added_mass", "check_parameters",
+        "within", "check_state", "check_inertia", "check_body", "check_dry_body", "check_added_mass",
+        "check_parameters",
     ),
 }  # fmt: skip
 """What a function without an equation of the paper is for."""

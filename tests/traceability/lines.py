@@ -36,7 +36,9 @@ def spans() -> dict[str, tuple[str, int, int]]:
     found: dict[str, tuple[str, int, int]] = {}
     for name in names():
         text = (GENERATED / name / f"{name}.c").read_text(encoding="ascii")
-        for match in re.finditer(rf"^(?:static )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", text, re.DOTALL | re.MULTILINE):
+        for match in re.finditer(
+            rf"^(?:static )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", text, re.DOTALL | re.MULTILINE
+        ):
             first = text.count("\n", 0, match.start()) + 1
             found.setdefault(match[1], (name, first, first + match[0].count("\n") - 1))
     return found

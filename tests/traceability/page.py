@@ -23,7 +23,7 @@ A mutant is one operation changed: a sign, a term dropped, a number times 1.5, a
 turn short. `comparison` is that of `mahovik verify`, the program against the literal reference, at two states; of
 mutants that it lets through, one is planted into every program that the tests make, and they are run. Where it lets
 none through, the first is. The tests named last are those that failed. What nothing noticed is
-[listed](#what-nothing-noticed).
+[listed](#what-nothing-noticed). (12) is (8) with other unknowns and needs no derivation; (13) is not emitted.
 
 """
 
@@ -64,7 +64,10 @@ def noticed(found: dict[str, Any]) -> int:
 
 def equations(found: dict[str, dict[str, Any]]) -> str:
     """One row an equation: derivations and program functions."""
-    lines = ["| equation | says | derived in | literally in | by energies in | functions |", "|---|---|---|---|---|---|"]
+    lines = [
+        "| equation | says | derived in | literally in | by energies in | functions |",
+        "|---|---|---|---|---|---|",
+    ]
     for key, says in {**EQUATIONS, **OTHERS}.items():
         by = [f"[`{name}`](#functions)" for name, f in found.items() if key in f["subjects"]]
         cells = [", ".join(called(thing) for thing in of.get(key, ())) or "–" for of in (DERIVED, REFERENCE, SECOND)]
@@ -81,7 +84,7 @@ def functions(found: dict[str, dict[str, Any]]) -> str:
         place = "–"
         if name in where:
             stand, first, last = where[name]
-            place = f"[{stand}.c {first}-{last}](../generated/{stand}/{stand}.c#L{first}-L{last})"
+            place = f"[{stand}.c {first}-{last}](../generated/{stand}/{stand}.c)"
         quantities = f["quantities"][:5] + (["..."] if len(f["quantities"]) > 5 else [])
         tests = [f"`{t}`" if "::" in t else t for t in f["noticed"][:4]]
         tests += [f"{len(f['noticed']) - 4} more"] if len(f["noticed"]) > 4 else []
