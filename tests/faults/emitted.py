@@ -110,6 +110,9 @@ class Emitted:
 class Planted(ProgramBackend):
     """The C of `Emitted`, loaded, beside the interpreter of the program without the fault."""
 
+    fast = False
+    """No C of `--fast`: its bits are the interpreter's."""
+
     def __init__(self, made: Emitted) -> None:
         self.generated = generated_of(made.host)
 

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from faults.catalogue import FAULTS
 from faults.checks import CHECKS
 from faults.derivation import DERIVED
+from fuzz.test_harness import FAULTS as FUZZED
 from second.test_mutations import MUTATIONS
+from toolchain.test_eva import FAULTS as EVA
 
+SHOWN = Path(__file__).parent / "shown.json"
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "planted-faults.md"
 
 HEAD = """# Planted faults
@@ -21,14 +25,26 @@ that stands beside it must catch it, and finds nothing without the fault. `make 
 """
 
 
-def write(how: Mapping[str, Sequence[str]], derived: Mapping[str, Sequence[str]]) -> None:
-    """Writes the page. `how`: what each check of a fault said; `derived`: quantities that showed a fault."""
-    PAGE.write_text(text(how, derived), encoding="utf-8")
+def keep(how: Mapping[str, Sequence[str]], derived: Mapping[str, Sequence[str]]) -> None:
+    """Keeps what was shown. `how`: what each check of a fault said; `derived`: quantities that showed a fault."""
+    SHOWN.write_text(json.dumps({"how": how, "derived": derived}, indent=1) + "\n", encoding="utf-8")
+
+
+def write() -> None:
+    """Writes the page from what was kept."""
+    PAGE.write_text(kept(), encoding="utf-8")
+
+
+def kept() -> str:
+    """The page from what was kept."""
+    shown = json.loads(SHOWN.read_text(encoding="utf-8"))
+    return text(shown["how"], shown["derived"])
 
 
 def text(how: Mapping[str, Sequence[str]], derived: Mapping[str, Sequence[str]]) -> str:
     """The page."""
-    parts = [HEAD, f"{len(FAULTS)} in the C, {len(DERIVED)} in the derivation, {len(MUTATIONS)} in the second one.\n"]
+    parts = [HEAD, f"{len(FAULTS)} in the C, {len(DERIVED)} in the derivation, {len(MUTATIONS)} in the second one, "]
+    parts.append(f"{len(EVA)} for Frama-C Eva, {len(FUZZED)} for the fuzzer.\n")
     kinds = dict.fromkeys(fault.kind for fault in FAULTS)
     for kind in kinds:
         parts.append(
@@ -46,6 +62,12 @@ def text(how: Mapping[str, Sequence[str]], derived: Mapping[str, Sequence[str]])
     parts.append("\n## The second derivation\n\nCaught by the comparison with the reference, in ")
     parts.append("`tests/second/test_mutations.py`.\n\n| fault | planted in |\n|---|---|\n")
     parts += [f"| {name} | `second/{module}.py` |\n" for name, (module, _, _) in MUTATIONS.items()]
+    parts.append("\n## Seen by Frama-C Eva\n\nPlanted in the C of demo3, in `tests/toolchain/test_eva.py`.\n\n")
+    parts.append("| fault | driver that sees it |\n|---|---|\n")
+    parts += [f"| {name} | `{driver}` |\n" for name, (driver, _, _) in EVA.items()]
+    parts.append("\n## Found by fuzzing\n\nPlanted in the C of demo3, in `tests/fuzz/test_harness.py`.\n\n")
+    parts.append("| fault | what the harness says |\n|---|---|\n")
+    parts += [f"| {f.name} | {f.said} |\n" for f in FUZZED]
     parts.append("\n## The checks\n\n| check | what it does | where the project runs it |\n|---|---|---|\n")
     parts += [f"| {c.name} | {c.meaning} | {c.where} |\n" for c in CHECKS.values()]
     return "".join(parts)

@@ -20,9 +20,9 @@ Written by `make traceability` (the lines of C alone: `make traceability-page`).
 where these stand in the C of an example stand; how many mutants of each were made, and what noticed them.
 
 A mutant is one operation changed: a sign, a term dropped, a number times 1.5, a comparison turned round, a loop one
-turn short. `comparison` is that of `mahovik verify`, the program against the literal reference, at two states; of
-mutants that it lets through, one is planted into every program that the tests make, and they are run. Where it lets
-none through, the first is. The tests named last are those that failed. What nothing noticed is
+turn short. `comparison` is that of `mahovik verify`, the program against the literal reference, at two states; the
+quantities that differed are named. Of the mutants that it lets through, the first is planted into every program that
+the tests of such a function make, and the tests that failed are named. What nothing noticed is
 [listed](#what-nothing-noticed). (12) is (8) with other unknowns and needs no derivation; (13) is not emitted.
 
 """
