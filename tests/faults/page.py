@@ -25,9 +25,9 @@ that stands beside it must catch it, and finds nothing without the fault. `make 
 """
 
 
-def keep(how: Mapping[str, Sequence[str]], derived: Mapping[str, Sequence[str]]) -> None:
-    """Keeps what was shown. `how`: what each check of a fault said; `derived`: quantities that showed a fault."""
-    SHOWN.write_text(json.dumps({"how": how, "derived": derived}, indent=1) + "\n", encoding="utf-8")
+def keep(how: Mapping[str, Sequence[str]]) -> None:
+    """Keeps what each check of a fault said."""
+    SHOWN.write_text(json.dumps(how, indent=1) + "\n", encoding="utf-8")
 
 
 def write() -> None:
@@ -37,11 +37,10 @@ def write() -> None:
 
 def kept() -> str:
     """The page from what was kept."""
-    shown = json.loads(SHOWN.read_text(encoding="utf-8"))
-    return text(shown["how"], shown["derived"])
+    return text(json.loads(SHOWN.read_text(encoding="utf-8")))
 
 
-def text(how: Mapping[str, Sequence[str]], derived: Mapping[str, Sequence[str]]) -> str:
+def text(how: Mapping[str, Sequence[str]]) -> str:
     """The page."""
     parts = [HEAD, f"{len(FAULTS)} in the C, {len(DERIVED)} in the derivation, {len(MUTATIONS)} in the second one, "]
     parts.append(f"{len(EVA)} for Frama-C Eva, {len(FUZZED)} for the fuzzer.\n")
@@ -57,8 +56,8 @@ def text(how: Mapping[str, Sequence[str]], derived: Mapping[str, Sequence[str]])
                     f"| {f.name} | {f.place}, {f.host} | {', '.join(f.caught_by)} | {cell(how[f.name][0])} |\n"
                 )
     parts.append("\n## The derivation\n\nCaught by `comparison`, in `tests/verify/test_mutations.py`.\n\n")
-    parts.append("| fault | planted in | what differed |\n|---|---|---|\n")
-    parts += [f"| {cell(name)} | {DERIVED[name]} | {', '.join(found)} |\n" for name, found in derived.items()]
+    parts.append("| fault | planted in | what must differ |\n|---|---|---|\n")
+    parts += [f"| {cell(name)} | {where} | {', '.join(found)} |\n" for name, (where, found) in DERIVED.items()]
     parts.append("\n## The second derivation\n\nCaught by the comparison with the reference, in ")
     parts.append("`tests/second/test_mutations.py`.\n\n| fault | planted in |\n|---|---|\n")
     parts += [f"| {name} | `second/{module}.py` |\n" for name, (module, _, _) in MUTATIONS.items()]
