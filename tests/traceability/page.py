@@ -90,7 +90,9 @@ def functions(found: dict[str, dict[str, Any]]) -> str:
         tests += [f"{len(f['noticed']) - 4} more"] if len(f["noticed"]) > 4 else []
         cells = [f"`{name}`", ", ".join(f["subjects"]), place, str(f["mutants"]), str(noticed(f))]
         lines.append(f"| {' | '.join([*cells, ', '.join(quantities) or '–', ', '.join(tests) or '–'])} |")
-    return "\n".join(lines) + "\n"
+    left = [f"`{name}`" for name in where if name not in found]
+    rest = f"\nNot examined yet: {', '.join(left)}.\n" if left else ""
+    return "\n".join(lines) + "\n" + rest
 
 
 def survivors(found: dict[str, dict[str, Any]]) -> str:

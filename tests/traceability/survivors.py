@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-REASONS: dict[tuple[str, str], str] = {}
+REASONS: dict[tuple[str, str], str] = {
+    ("sincos_each", "number times 1.5: const _real r_tail"): "the third part of pi/2 acts below what these tests "
+    "resolve; `sincos`, the same text, is held to 0.9 ulp in `tests/routines/test_sincos.py`",
+}
 """By function and the beginning of what the mutant does."""
 
 
