@@ -30,7 +30,7 @@ prove() {
         -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "auv6_eva_$1"
     case $1 in
     routine_* | bits_*) ;;
-    *) set -- "$@" -eva-use-spec "auv6_sincos" \
+    *) set -- "$@" -eva-use-spec "auv6_sincos,auv6_sincos_each" \
         -eva-builtin "auv6_sqrt:Frama_C_sqrt" ;;
     esac
     driver=$1

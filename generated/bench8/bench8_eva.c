@@ -27,6 +27,52 @@
     ensures -1.0000002 <= *cosine <= 1.0000002; */
 static void bench8_sincos(bench8_real x, bench8_real *restrict sine, bench8_real *restrict cosine);
 
+/*@
+    requires -10000000.0 <= x[0] <= 10000000.0;
+    requires -10000000.0 <= x[1] <= 10000000.0;
+    requires -10000000.0 <= x[2] <= 10000000.0;
+    requires -10000000.0 <= x[3] <= 10000000.0;
+    requires -10000000.0 <= x[4] <= 10000000.0;
+    requires -10000000.0 <= x[5] <= 10000000.0;
+    requires -10000000.0 <= x[6] <= 10000000.0;
+    requires -10000000.0 <= x[7] <= 10000000.0;
+    assigns sine[0 .. 7], cosine[0 .. 7] \from x[0 .. 7];
+    ensures \initialized(sine + 0) && \initialized(cosine + 0);
+    ensures \is_finite(sine[0]) && \is_finite(cosine[0]);
+    ensures -1.0000002 <= sine[0] <= 1.0000002;
+    ensures -1.0000002 <= cosine[0] <= 1.0000002;
+    ensures \initialized(sine + 1) && \initialized(cosine + 1);
+    ensures \is_finite(sine[1]) && \is_finite(cosine[1]);
+    ensures -1.0000002 <= sine[1] <= 1.0000002;
+    ensures -1.0000002 <= cosine[1] <= 1.0000002;
+    ensures \initialized(sine + 2) && \initialized(cosine + 2);
+    ensures \is_finite(sine[2]) && \is_finite(cosine[2]);
+    ensures -1.0000002 <= sine[2] <= 1.0000002;
+    ensures -1.0000002 <= cosine[2] <= 1.0000002;
+    ensures \initialized(sine + 3) && \initialized(cosine + 3);
+    ensures \is_finite(sine[3]) && \is_finite(cosine[3]);
+    ensures -1.0000002 <= sine[3] <= 1.0000002;
+    ensures -1.0000002 <= cosine[3] <= 1.0000002;
+    ensures \initialized(sine + 4) && \initialized(cosine + 4);
+    ensures \is_finite(sine[4]) && \is_finite(cosine[4]);
+    ensures -1.0000002 <= sine[4] <= 1.0000002;
+    ensures -1.0000002 <= cosine[4] <= 1.0000002;
+    ensures \initialized(sine + 5) && \initialized(cosine + 5);
+    ensures \is_finite(sine[5]) && \is_finite(cosine[5]);
+    ensures -1.0000002 <= sine[5] <= 1.0000002;
+    ensures -1.0000002 <= cosine[5] <= 1.0000002;
+    ensures \initialized(sine + 6) && \initialized(cosine + 6);
+    ensures \is_finite(sine[6]) && \is_finite(cosine[6]);
+    ensures -1.0000002 <= sine[6] <= 1.0000002;
+    ensures -1.0000002 <= cosine[6] <= 1.0000002;
+    ensures \initialized(sine + 7) && \initialized(cosine + 7);
+    ensures \is_finite(sine[7]) && \is_finite(cosine[7]);
+    ensures -1.0000002 <= sine[7] <= 1.0000002;
+    ensures -1.0000002 <= cosine[7] <= 1.0000002;
+*/
+static void bench8_sincos_each(const bench8_real *x, bench8_real *restrict sine,
+    bench8_real *restrict cosine);
+
 __PUSH_FC_STDLIB
 /*@ requires x >= 0.0;
     assigns \result \from x; */

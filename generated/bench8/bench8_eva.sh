@@ -30,7 +30,7 @@ prove() {
         -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "bench8_eva_$1"
     case $1 in
     routine_* | bits_*) ;;
-    *) set -- "$@" -eva-use-spec "bench8_sincos,bench8_atan2" \
+    *) set -- "$@" -eva-use-spec "bench8_sincos,bench8_sincos_each,bench8_atan2" \
         -eva-builtin "bench8_sqrt:Frama_C_sqrt" ;;
     esac
     driver=$1

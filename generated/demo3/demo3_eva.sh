@@ -30,7 +30,7 @@ prove() {
         -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "demo3_eva_$1"
     case $1 in
     routine_* | bits_*) ;;
-    *) set -- "$@" -eva-use-spec "demo3_sincos" \
+    *) set -- "$@" -eva-use-spec "demo3_sincos,demo3_sincos_each" \
         -eva-builtin "demo3_sqrt:Frama_C_sqrt" ;;
     esac
     driver=$1

@@ -30,7 +30,7 @@ prove() {
         -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "remus6_eva_$1"
     case $1 in
     routine_* | bits_*) ;;
-    *) set -- "$@" -eva-use-spec "remus6_sincos" \
+    *) set -- "$@" -eva-use-spec "remus6_sincos,remus6_sincos_each" \
         -eva-builtin "remus6_sqrt:Frama_C_sqrt" ;;
     esac
     driver=$1

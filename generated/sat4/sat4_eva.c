@@ -27,6 +27,32 @@
     ensures -1.0000002 <= *cosine <= 1.0000002; */
 static void sat4_sincos(sat4_real x, sat4_real *restrict sine, sat4_real *restrict cosine);
 
+/*@
+    requires -10000000.0 <= x[0] <= 10000000.0;
+    requires -10000000.0 <= x[1] <= 10000000.0;
+    requires -10000000.0 <= x[2] <= 10000000.0;
+    requires -10000000.0 <= x[3] <= 10000000.0;
+    assigns sine[0 .. 3], cosine[0 .. 3] \from x[0 .. 3];
+    ensures \initialized(sine + 0) && \initialized(cosine + 0);
+    ensures \is_finite(sine[0]) && \is_finite(cosine[0]);
+    ensures -1.0000002 <= sine[0] <= 1.0000002;
+    ensures -1.0000002 <= cosine[0] <= 1.0000002;
+    ensures \initialized(sine + 1) && \initialized(cosine + 1);
+    ensures \is_finite(sine[1]) && \is_finite(cosine[1]);
+    ensures -1.0000002 <= sine[1] <= 1.0000002;
+    ensures -1.0000002 <= cosine[1] <= 1.0000002;
+    ensures \initialized(sine + 2) && \initialized(cosine + 2);
+    ensures \is_finite(sine[2]) && \is_finite(cosine[2]);
+    ensures -1.0000002 <= sine[2] <= 1.0000002;
+    ensures -1.0000002 <= cosine[2] <= 1.0000002;
+    ensures \initialized(sine + 3) && \initialized(cosine + 3);
+    ensures \is_finite(sine[3]) && \is_finite(cosine[3]);
+    ensures -1.0000002 <= sine[3] <= 1.0000002;
+    ensures -1.0000002 <= cosine[3] <= 1.0000002;
+*/
+static void sat4_sincos_each(const sat4_real *x, sat4_real *restrict sine,
+    sat4_real *restrict cosine);
+
 __PUSH_FC_STDLIB
 /*@ requires x >= 0.0;
     assigns \result \from x; */

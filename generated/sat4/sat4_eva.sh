@@ -30,7 +30,7 @@ prove() {
         -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "sat4_eva_$1"
     case $1 in
     routine_* | bits_*) ;;
-    *) set -- "$@" -eva-use-spec "sat4_sincos" \
+    *) set -- "$@" -eva-use-spec "sat4_sincos,sat4_sincos_each" \
         -eva-builtin "sat4_sqrt:Frama_C_sqrt" ;;
     esac
     driver=$1

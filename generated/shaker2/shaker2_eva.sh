@@ -30,7 +30,7 @@ prove() {
         -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "shaker2_eva_$1"
     case $1 in
     routine_* | bits_*) ;;
-    *) set -- "$@" -eva-use-spec "shaker2_sincos,shaker2_atan2" \
+    *) set -- "$@" -eva-use-spec "shaker2_sincos,shaker2_sincos_each,shaker2_atan2" \
         -eva-builtin "shaker2_sqrt:Frama_C_sqrt" ;;
     esac
     driver=$1

@@ -13,6 +13,7 @@ from mahovik.cli.check import check
 from mahovik.cli.cost import cost
 from mahovik.cli.derive import derive
 from mahovik.cli.evaluate import evaluate
+from mahovik.cli.evidence import evidence
 from mahovik.cli.export import export
 from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
@@ -43,5 +44,20 @@ def main() -> None:
     """
 
 
-for command in (new, check, derive, generate, verify, judge, cost, evaluate, rest, simulate, replay, judge_log, export):
+for command in (
+    new,
+    check,
+    derive,
+    generate,
+    verify,
+    judge,
+    cost,
+    evidence,
+    evaluate,
+    rest,
+    simulate,
+    replay,
+    judge_log,
+    export,
+):
     main.add_command(command)

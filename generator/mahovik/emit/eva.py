@@ -98,6 +98,16 @@ def drivers(program: Program) -> tuple[Driver, ...]:
     return (*found, *(Driver(name, ROUTINE) for name in ROUTINES if name in known))
 
 
+def _angles(program: Program) -> dict[str, Any] | None:
+    """Places of `sincos_each`: of its angles, and those beyond, which it sets to zero; None where there is none."""
+    found = next((f for f in program.functions if f.name == "sincos_each"), None)
+    if found is None:
+        return None
+    x, sine, _ = found.arguments
+    count, room = int(x.shape[0]), int(sine.shape[0])
+    return {"given": range(count), "beyond": range(count, room), "last": count - 1, "last_place": room - 1}
+
+
 def eva_files(program: Program, identities: Identities) -> dict[str, str]:
     """`<stand>_eva.c` and `<stand>_eva.sh`."""
     writer = _Writer(program)
@@ -111,6 +121,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         "real": program.precision.name,
         "suffix": "" if program.precision.name == "double" else "f",
         "atan2": any(f.name == "atan2" for f in program.functions),
+        "angles": _angles(program),
         "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
         "public": [f.name for f in program.functions if f.public],
         "checks": [f.name for f in program.functions if f.returns is Kind.STATUS and not f.public],

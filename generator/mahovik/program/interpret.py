@@ -125,7 +125,7 @@ def plain(value: Any) -> Any:
 
 def _number(precision: Precision) -> Any:
     """What makes a real of that precision."""
-    return float if precision.width == 64 else precision.scalar
+    return float if precision.scalar is np.float64 else precision.scalar
 
 
 def _word_of_double(x: float) -> int:

@@ -7,7 +7,7 @@ to the literal equations.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -35,6 +35,12 @@ def sincos(x: arb, sine: list[arb], cosine: list[arb]) -> None:
     sine[0], cosine[0] = x.sin_cos()
 
 
+def sincos_each(x: Sequence[arb], sine: list[arb], cosine: list[arb]) -> None:
+    """The program's function of that name; places beyond the angles are zero."""
+    for place in range(len(sine)):
+        sine[place], cosine[place] = x[place].sin_cos() if place < len(x) else (arb(0), arb(0))
+
+
 def square_root(x: arb) -> arb:
     """The program's `sqrt`: of a ball that reaches below zero, of what is not."""
     return x.nonnegative_part().sqrt()
@@ -45,7 +51,12 @@ def arc_tangent(y: arb, x: arb) -> arb:
     return arb.atan2(y, x)
 
 
-ROUTINES: Mapping[str, Callable[..., Any]] = {"sincos": sincos, "sqrt": square_root, "atan2": arc_tangent}
+ROUTINES: Mapping[str, Callable[..., Any]] = {
+    "sincos": sincos,
+    "sincos_each": sincos_each,
+    "sqrt": square_root,
+    "atan2": arc_tangent,
+}
 
 
 class ExactProgram(ProgramBackend):

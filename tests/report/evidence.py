@@ -1,0 +1,47 @@
+"""Pieces of evidence that say what a test wants, and the demo's stand."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from mahovik.errors import MahovikError
+from mahovik.report.evidence.collect import Collected, collect
+from mahovik.report.evidence.piece import Need, Outcome, Piece, Subject, Table, Tell, Verdict
+from mahovik.stand import load
+from mahovik.stands import path
+
+DEMO3 = str(path("demo3"))
+
+
+def piece(name: str, said: Outcome | BaseException, *needs: Need) -> Piece:
+    """A piece that comes out so, or raises."""
+
+    def run(subject: Subject, tell: Tell) -> Outcome:
+        tell("runs")
+        if isinstance(said, BaseException):
+            raise said
+        return said
+
+    return Piece(name, f"Title of {name}", "shows `that`", "not this", lambda s: f"again {name}", run, lambda _: needs)
+
+
+def passed(**more: object) -> Outcome:
+    """A good outcome."""
+    return Outcome(Verdict.PASSED, "a figure", ("gcc 1.2.3",), **more)  # type: ignore[arg-type]
+
+
+ABSENT = Need("no-such-tool", lambda: False, "apt-get install no-such-tool")
+GOOD = piece("good", passed(files={"output.txt": "fine\n"}, table=Table(("a", "b>"), (("x", "1"),))))
+BAD = piece("bad", Outcome(Verdict.FAILED, "a difference"))
+ABLE = piece("able", AssertionError("must not run"), ABSENT)
+
+
+def refusing(error: MahovikError) -> Piece:
+    """A piece that ends in an error."""
+    return piece("refusing", error)
+
+
+def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[Collected]:
+    """The evidence of demo3."""
+    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, **options)  # type: ignore[arg-type]

@@ -1,0 +1,262 @@
+"""`mahovik evidence`: verdicts, exit status, a folder that is whole or not there, a page that stands alone."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+import mahovik.report.evidence.pieces as all_pieces
+from mahovik import __version__
+from mahovik.cli import main
+from mahovik.errors import CheckError, ToolchainError, UsageError
+from mahovik.report.evidence.collect import chosen, failures
+from mahovik.report.evidence.folder import check
+from mahovik.report.evidence.page import conclusion
+from mahovik.report.evidence.piece import Outcome, Verdict
+from mahovik.report.evidence.pieces import equations
+from mahovik.stand import load
+from mahovik.stand.identity import identities
+from mahovik.stands import path
+from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed, piece, refusing
+from toolchain.tools import require
+
+VOID = {"meta", "link", "br", "img", "input", "hr"}
+
+
+def command(monkeypatch: pytest.MonkeyPatch, pieces: tuple[object, ...], *arguments: str) -> Result:
+    """The command with other pieces."""
+    monkeypatch.setattr(all_pieces, "PIECES", pieces)
+    monkeypatch.delenv("CI", raising=False)
+    return CliRunner().invoke(main, ["evidence", *arguments])
+
+
+def test_the_folder_is_whole_and_sealed(tmp_path: Path) -> None:
+    """C, stand file, raw output, page, summary; sums that `sha256sum` takes, and a change is seen."""
+    folder = tmp_path / "out"
+    collected(folder, [GOOD, BAD, ABLE])
+    names = {each.relative_to(folder).as_posix() for each in folder.rglob("*") if each.is_file()}
+    wanted = {"index.html", "evidence.json", "SHA256SUMS", "demo3.toml", "c/demo3.c", "c/manifest.json"}
+    assert wanted | {"raw/good/output.txt"} <= names
+    assert (folder / "demo3.toml").read_bytes() == Path(DEMO3).read_bytes()
+    assert list(tmp_path.iterdir()) == [folder]
+    assert check(folder) == []
+    require("sha256sum", "coreutils")
+    done = subprocess.run(["sha256sum", "--quiet", "-c", "SHA256SUMS"], cwd=folder, capture_output=True, check=False)
+    assert (done.returncode, done.stdout + done.stderr) == (0, b"")
+    (folder / "raw" / "good" / "output.txt").write_text("better\n")
+    (folder / "c" / "demo3.h").unlink()
+    (folder / "more.txt").write_text("")
+    found = [line.replace(str(folder), "") for line in check(folder)]
+    assert found == ["/c/demo3.h: is missing", "/raw/good/output.txt: was changed", "/more.txt: is not listed"]
+
+
+def test_verdicts_are_summed_up(tmp_path: Path) -> None:
+    """A failure fails; a missing tool fails only where that is asked; what is left out never runs."""
+    unwanted = piece("unwanted", AssertionError("must not run"))
+    found = collected(tmp_path / "out", [GOOD, BAD, ABLE, unwanted], wanted={"good", "bad", "able"})
+    assert [each.outcome.verdict for each in found] == [
+        Verdict.PASSED,
+        Verdict.FAILED,
+        Verdict.MISSING,
+        Verdict.LEFT_OUT,
+    ]
+    assert failures(found) == ["bad"]
+    assert failures(found, strict=True) == ["bad", "able"]
+    assert conclusion(found) == (
+        "1 of 2 pieces passed; FAILED: bad; not run: tool missing: able; left out by option: unwanted"
+    )
+    summary = json.loads((tmp_path / "out" / "evidence.json").read_text())
+    assert [each["verdict"] for each in summary["pieces"]] == [each.outcome.verdict.value for each in found]
+    assert summary["structure"] == identities(load(DEMO3)).structure
+
+
+@pytest.mark.parametrize("error", [CheckError("it differs\nby 1"), ToolchainError("it differs\nby 1")])
+def test_an_error_of_a_piece_is_its_failure(tmp_path: Path, error: CheckError) -> None:
+    """The others run on; what was said is kept."""
+    found = collected(tmp_path / "out", [refusing(error), GOOD])
+    assert [each.outcome.verdict for each in found] == [Verdict.FAILED, Verdict.PASSED]
+    assert (found[0].outcome.figure, found[0].outcome.notes) == ("it differs", ("by 1",))
+    assert (tmp_path / "out" / "raw" / "refusing" / "error.txt").read_text() == "it differs\nby 1\n"
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt(), RuntimeError("a bug")])
+def test_an_interrupted_run_leaves_nothing(tmp_path: Path, stop: BaseException) -> None:
+    """Not even beside the place; what was there stays as it was."""
+    with pytest.raises(type(stop)):
+        collected(tmp_path / "out", [GOOD, piece("stops", stop)])
+    assert list(tmp_path.iterdir()) == []
+    collected(tmp_path / "out", [GOOD])
+    before = (tmp_path / "out" / "SHA256SUMS").read_text()
+    with pytest.raises(type(stop)):
+        collected(tmp_path / "out", [BAD, piece("stops", stop)])
+    assert (tmp_path / "out" / "SHA256SUMS").read_text() == before
+    assert list(tmp_path.iterdir()) == [tmp_path / "out"]
+    assert check(tmp_path / "out") == []
+
+
+def test_own_evidence_is_replaced(tmp_path: Path) -> None:
+    """As a whole: nothing of the old is left."""
+    collected(tmp_path / "out", [GOOD])
+    collected(tmp_path / "out", [BAD])
+    assert not (tmp_path / "out" / "raw").exists()
+    assert list(tmp_path.iterdir()) == [tmp_path / "out"]
+
+
+@pytest.mark.parametrize("what", ["foreign", "file", "other stand", "added", "changed", "link"])
+def test_what_is_somebody_elses_is_refused(tmp_path: Path, what: str) -> None:
+    """Before anything is run, and nothing is touched."""
+    folder = tmp_path / "out"
+    if what == "foreign":
+        folder.mkdir()
+        (folder / "letter.txt").write_text("dear reader\n")
+    elif what == "file":
+        folder.write_text("dear reader\n")
+    elif what == "link":
+        (tmp_path / "elsewhere").mkdir()
+        folder.symlink_to(tmp_path / "elsewhere")
+    else:
+        collected(folder, [GOOD])
+        if what == "other stand":
+            text = (folder / "evidence.json").read_text()
+            (folder / "evidence.json").write_text(text.replace('"stand": "demo3"', '"stand": "demo4"'))
+        elif what == "added":
+            (folder / "letter.txt").write_text("dear reader\n")
+        else:
+            (folder / "index.html").write_text("all is well\n")
+    before = {each: each.read_bytes() for each in tmp_path.rglob("*") if each.is_file()}
+    with pytest.raises(UsageError, match="nothing was written"):
+        collected(folder, [piece("unrun", AssertionError("must not run"))])
+    assert {each: each.read_bytes() for each in tmp_path.rglob("*") if each.is_file()} == before
+
+
+def test_places_where_it_was_made_are_not_told(tmp_path: Path) -> None:
+    """The folder's own name is taken out of what tools have said."""
+    where: list[str] = []
+
+    def run(subject: object, tell: object) -> Outcome:
+        where.append(str(subject.folder))  # type: ignore[attr-defined]
+        return passed(files={"output.txt": f"in {where[0]}/c/demo3.c\n"})
+
+    collected(tmp_path / "out", [replace(GOOD, run=run)])
+    assert (tmp_path / "out" / "raw" / "good" / "output.txt").read_text() == "in c/demo3.c\n"
+
+
+class Reader(HTMLParser):
+    """Every element is closed, in order; what it refers to is collected."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: set[str] = set()
+        self.addresses: list[str] = []
+        self.ids: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.add(tag)
+        if tag not in VOID:
+            self.open.append(tag)
+        self.addresses += [value or "" for name, value in attrs if name in ("src", "href")]
+        self.ids += [value or "" for name, value in attrs if name == "id"]
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def test_the_page_stands_alone(tmp_path: Path) -> None:
+    """Well-formed, no script, every address is a place on it or a file of the folder; no date; markup is escaped."""
+    hostile = piece("hostile", passed(notes=("<script>alert(1)</script> & `<b>`",), files={"a.txt": ""}))
+    collected(tmp_path / "out", [GOOD, BAD, ABLE, hostile])
+    page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    reader = Reader()
+    reader.feed(page)
+    reader.close()
+    assert reader.open == []
+    assert not reader.tags & {"script", "link", "img", "iframe", "b"}
+    assert not re.search(r"https?:|url\(|@import", page)
+    for address in reader.addresses:
+        assert address[1:] in reader.ids if address.startswith("#") else (tmp_path / "out" / address).is_file()
+    found = identities(load(DEMO3))
+    for text in (
+        found.structure,
+        found.physics,
+        f"mahovik {__version__}",
+        "apt-get install no-such-tool",
+        "<span>again</span> <span>bad</span>",
+    ):
+        assert text in page
+    assert not re.search(r"\b(19|20)\d\d-\d\d-\d\d\b", page)
+    assert str(tmp_path) not in page
+
+
+def test_exit_status_and_options(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """1 for a failure, and in CI for a missing tool; 2 for a name that is no piece."""
+    place = ["-o", str(tmp_path / "out")]
+    assert command(monkeypatch, (GOOD, ABLE), DEMO3, *place).exit_code == 0
+    done = command(monkeypatch, (GOOD, BAD), DEMO3, *place)
+    assert (done.exit_code, done.stderr.splitlines()[-1]) == (
+        1,
+        "error: demo3: bad: failed, or not run for want of a tool",
+    )
+    assert command(monkeypatch, (GOOD, BAD), DEMO3, *place, "--without", "bad").exit_code == 0
+    assert command(monkeypatch, (GOOD, BAD), "--check", str(tmp_path / "out")).exit_code == 0
+    (tmp_path / "out" / "demo3.toml").write_text("")
+    done = command(monkeypatch, (GOOD, BAD), "--check", str(tmp_path / "out"))
+    assert (done.exit_code, done.stderr.splitlines()) == (1, [f"error: {tmp_path / 'out' / 'demo3.toml'}: was changed"])
+    for wrong in (["--only", "goood"], ["--only", "good", "--without", "good"], ["--full", "--quick"]):
+        assert command(monkeypatch, (GOOD, BAD), DEMO3, "-o", str(tmp_path / "new"), *wrong).exit_code == 2
+    assert not (tmp_path / "new").exists()
+    assert command(monkeypatch, (GOOD,)).exit_code == 2
+    assert command(monkeypatch, (GOOD,), "--check", str(tmp_path)).exit_code == 2
+    monkeypatch.setattr(all_pieces, "PIECES", (GOOD, ABLE))
+    strict = CliRunner().invoke(main, ["evidence", DEMO3, "-o", str(tmp_path / "ci")], env={"CI": "true"})
+    assert strict.exit_code == 1
+
+
+def test_pieces_are_complete() -> None:
+    """Names are apart, and each says what it shows, what it does not, and how to run it again; --only knows them."""
+    names = [each.name for each in all_pieces.PIECES]
+    assert len(set(names)) == len(names)
+    assert all(each.shows.endswith(".") and each.limits.endswith(".") for each in all_pieces.PIECES)
+    assert chosen(all_pieces.PIECES, None, "fuzz") == set(names) - {"fuzz"}
+    with pytest.raises(UsageError, match='"fuz", did you mean "fuzz"'):
+        chosen(all_pieces.PIECES, "fuz", None)
+
+
+def test_every_function_is_found_in_the_C(tmp_path: Path) -> None:
+    """Its lines are a definition, from its name to its last brace; (8) is in `forward`."""
+    (found,) = collected(tmp_path / "out", [equations.PIECE])
+    assert found.outcome.verdict is Verdict.PASSED
+    lines = (tmp_path / "out" / "c" / "demo3.c").read_text().splitlines()
+    functions = json.loads((tmp_path / "out" / "raw" / "equations" / "functions.json").read_text())
+    for each in functions:
+        first, last = each["lines"]
+        assert f" {each['function']}(" in lines[first - 1]
+        assert (lines[last - 1], lines[first - 1 : last].count("}")) == ("}", 1)
+    assert {"(8)"} == {n for each in functions if each["function"] == "demo3_forward" for n in each["equations"]}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_demo3_passes(tmp_path: Path, real: str) -> None:
+    """All of it, in a process of its own; nothing in the folder tells where it was made."""
+    for tool, package in (("clang", "clang"), ("cppcheck", "cppcheck"), ("frama-c", "frama-c-base")):
+        require(tool, package)
+    words = ["evidence", str(path("demo3")), "-o", "out", "--seconds", "5", "--real", real]
+    done = subprocess.run(
+        [sys.executable, "-m", "mahovik", *words], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert check(tmp_path / "out") == []
+    for each in (tmp_path / "out").rglob("*"):
+        if each.is_file():
+            text = each.read_text(encoding="utf-8", errors="replace")
+            assert str(tmp_path) not in text, each
+            assert "mahovik-" not in text or "mahovik-dev" in text, each
