@@ -32,6 +32,9 @@ help:
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/lanes.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make generation-time  generation cold and warm, start of commands, gcc: docs/generation.md"
+	@echo "make faults     plants faults in the C and in the derivation, each caught: docs/planted-faults.md; minutes"
+	@echo "make traceability  mutants of every function, and the tests that notice them: docs/traceability.md; a quarter hour"
+	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
@@ -124,6 +127,15 @@ verify-time: setup
 
 generation-time: setup
 	$(BIN)/python tools/generation_time.py
+
+faults: setup
+	$(BIN)/python tools/planted_faults.py
+
+traceability: setup
+	$(BIN)/python tools/traceability.py
+
+traceability-page: setup
+	$(BIN)/python tools/traceability.py --page
 
 bench: $(BENCH_READY)
 	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench bench

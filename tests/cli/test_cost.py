@@ -30,7 +30,7 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
     found = list(FUNCTIONS)
 
     def measure(
-        stand: Stand, pairs: Sequence[tuple[Target, str]], progress: Callable[[int, int], None], lanes: int
+        stand: Stand, pairs: Sequence[tuple[Target, str]], progress: Callable[[int, int], None], lanes: int = 1
     ) -> Costs:
         targets = [
             TargetCost(
@@ -54,7 +54,7 @@ def made(name: str, real: str) -> dict[str, str]:
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The C of demo3 with its manifest."""
-    monkeypatch.setattr(delivery, "generate", lambda stand, real, lanes: made(stand.name, real))
+    monkeypatch.setattr(delivery, "generate", lambda stand, real, lanes=1: made(stand.name, real))
     delivery.deliver(tmp_path / "out", load(DEMO3), "double", made("demo3", "double"))
     return tmp_path / "out"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from emit.stands import generated
 from mahovik.lower import golden
 from mahovik.lower.layout import Layout
 from mahovik.lower.program import lower_layout
@@ -18,3 +19,11 @@ def test_only_answers_too_large_for_a_board_are_left_out(flywheels: int, left_ou
     stand = random_stand(np.random.default_rng(0), flywheels, BARE)
     program = lower_layout(Layout(structure(stand), DOUBLE))
     assert {f.name for f in program.functions if f.public} - {f.name for f in golden.tested(program)} == left_out
+
+
+@pytest.mark.parametrize("name", ["bench8", "demo3"])
+def test_both_orders_of_the_time_step_are_taken(name: str) -> None:
+    made = generated(name)
+    vectors = golden.golden(made.program, made.values)
+    assert [case["order"] for case in vectors.inputs[:2]] == [4, 2]
+    assert [answer.status for answer in vectors.answers["step"][:2]] == [0, 0]

@@ -15,8 +15,8 @@ FAULTS = {
     "unwritten": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
     "written on refusal": (
         "any_forward",
-        "    status = demo3_accelerate(stand, x, phi_ddot, result);",
-        "    V_dot[0] = 0.0;\n    status = demo3_accelerate(stand, x, phi_ddot, result);",
+        "    status = demo3_accelerate(stand, x, sine, cosine, phi_ddot, result);",
+        "    V_dot[0] = 0.0;\n    status = demo3_accelerate(stand, x, sine, cosine, phi_ddot, result);",
     ),
     "unchecked": ("any_torque", "demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION)", "DEMO3_OK"),
     "division": ("any_forward", "const demo3_real r1 = 1.0 / S[0]", "const demo3_real r1 = 1.0 / (S[0] - S[0])"),

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from mahovik.derive import accumulate, attitude, carrier, flywheel, wrench
+from mahovik.derive import accumulate, attitude, carrier, carrying, flywheel, wrench
 from mahovik.derive.symbols import matrix, vector
 from mahovik.lower import forward, laws, values, wrenches
 from mahovik.lower.thresholds import THRESHOLDS
@@ -149,7 +149,7 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
         {"K"},
     ),
     "mounting by C2 C3 C1": (
-        derivation(values, "elementary", lambda original: lambda axis, angle: original((0, 1, 3, 2)[axis], angle)),
+        derivation(carrying, "elementary", lambda original: lambda axis, angle: original((0, 1, 3, 2)[axis], angle)),
         {"K", "I"},
     ),
     "weight of a flywheel at its hub": (derivation(wrenches, "_weight", hub_weight), {"F", "V_dot"}),

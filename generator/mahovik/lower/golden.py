@@ -108,8 +108,10 @@ def _cases(planned: tuple[Input, ...], precision: Precision) -> Iterator[dict[st
     """The golden inputs, in the order of CASES, by a generator of their own."""
     generator = Generator(0x9E3779B9)
     largest_phase = 2.0 ** floor(log2(precision.max_phase))
-    yield draw(planned, generator, precision)
-    yield draw(planned, generator, precision, {"phi": largest_phase / 16.0, "phi_dot": 64.0, "V": 4.0, "V_dot": 4.0})
+    # each order of the time step once, whatever is drawn
+    yield draw(planned, generator, precision) | {"order": 4}
+    large = {"phi": largest_phase / 16.0, "phi_dot": 64.0, "V": 4.0, "V_dot": 4.0}
+    yield draw(planned, generator, precision, large) | {"order": 2}
     beyond = dict.fromkeys(("angles", "phi", "position", "zero"), 2.0**40) | {"attitude": 2.0, "sine": 2.0}
     beyond |= {"dt": 0.0, "per_turn": 0.0, MASS_FACTOR: -1.0}
     yield draw(planned, generator, precision, beyond)

@@ -1,0 +1,78 @@
+"""docs/planted-faults.md: the table of faults and what catches them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from faults.catalogue import FAULTS
+from faults.checks import CHECKS
+from faults.derivation import DERIVED
+from fuzz.test_harness import FAULTS as FUZZED
+from second.test_mutations import MUTATIONS
+from toolchain.test_eva import FAULTS as EVA
+
+SHOWN = Path(__file__).parent / "shown.json"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "planted-faults.md"
+
+HEAD = """# Planted faults
+
+Written by `make faults`. Each fault is planted in a copy of what the generator emits, or in the derivation; every check
+that stands beside it must catch it, and finds nothing without the fault. `make test` plants some of them,
+`make test-slow` all.
+
+"""
+
+
+def keep(how: Mapping[str, Sequence[str]]) -> None:
+    """Keeps what each check of a fault said."""
+    SHOWN.write_text(json.dumps(how, indent=1) + "\n", encoding="utf-8")
+
+
+def write() -> None:
+    """Writes the page from what was kept."""
+    PAGE.write_text(kept(), encoding="utf-8")
+
+
+def kept() -> str:
+    """The page from what was kept."""
+    return text(json.loads(SHOWN.read_text(encoding="utf-8")))
+
+
+def text(how: Mapping[str, Sequence[str]]) -> str:
+    """The page."""
+    parts = [HEAD, f"{len(FAULTS)} in the C, {len(DERIVED)} in the derivation, {len(MUTATIONS)} in the second one, "]
+    parts.append(f"{len(EVA)} for Frama-C Eva, {len(FUZZED)} for the fuzzer.\n")
+    kinds = dict.fromkeys(fault.kind for fault in FAULTS)
+    for kind in kinds:
+        parts.append(
+            f"\n## {kind[0].upper()}{kind[1:]}\n\n| fault | planted in | caught by | how it showed |\n"
+            "|---|---|---|---|\n"
+        )
+        for f in FAULTS:
+            if f.kind == kind:
+                parts.append(
+                    f"| {f.name} | {f.place}, {f.host} | {', '.join(f.caught_by)} | {cell(how[f.name][0])} |\n"
+                )
+    parts.append("\n## The derivation\n\nCaught by `comparison`, in `tests/verify/test_mutations.py`.\n\n")
+    parts.append("| fault | planted in | what must differ |\n|---|---|---|\n")
+    parts += [f"| {cell(name)} | {where} | {', '.join(found)} |\n" for name, (where, found) in DERIVED.items()]
+    parts.append("\n## The second derivation\n\nCaught by the comparison with the reference, in ")
+    parts.append("`tests/second/test_mutations.py`.\n\n| fault | planted in |\n|---|---|\n")
+    parts += [f"| {name} | `second/{module}.py` |\n" for name, (module, _, _) in MUTATIONS.items()]
+    parts.append("\n## Seen by Frama-C Eva\n\nPlanted in the C of demo3, in `tests/toolchain/test_eva.py`.\n\n")
+    parts.append("| fault | driver that sees it |\n|---|---|\n")
+    parts += [f"| {name} | `{driver}` |\n" for name, (driver, _, _) in EVA.items()]
+    parts.append("\n## Found by fuzzing\n\nPlanted in the C of demo3, in `tests/fuzz/test_harness.py`.\n\n")
+    parts.append("| fault | what the harness says |\n|---|---|\n")
+    parts += [f"| {f.name} | {f.said} |\n" for f in FUZZED]
+    parts.append("\n## The checks\n\n| check | what it does | where the project runs it |\n|---|---|---|\n")
+    parts += [f"| {c.name} | {c.meaning} | {c.where} |\n" for c in CHECKS.values()]
+    return "".join(parts)
+
+
+def cell(words: str) -> str:
+    """Words for a cell of a table, not too many."""
+    plain = words.replace("|", "\\|").replace("‘", "'").replace("’", "'")
+    return plain if len(plain) <= 110 else f"{plain[:107].rstrip()}..."

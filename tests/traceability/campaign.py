@@ -1,0 +1,294 @@
+"""Mutants of each program function, and the tests that notice them.
+
+A mutant is planted into every program that a forked process makes: the interpreter, the tables, the C that tests
+compile, all have it. The comparison with the literal reference goes first; what it lets through, tests are run on.
+"""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+import os
+import signal
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import asdict, dataclass, field, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from emit import stands as examples
+from mahovik.emit.expression import Expressions
+from mahovik.emit.generate import Generated
+from mahovik.emit.names import Names
+from mahovik.emit.statement import Statements
+from mahovik.lower.values import Values
+from mahovik.program.function import Function, Program
+from mahovik.program.types import DOUBLE
+from mahovik.verify.c_backend import InterpreterBackend, with_all_inputs
+from mahovik.verify.draw import draw
+from mahovik.verify.harness import judge
+from traceability.equations import ROOT, subjects
+from traceability.lines import functions, names
+from traceability.mutants import chosen, mutant, planted, sites
+from verify.build import everything, generated
+
+MUTANTS, TESTED = 10, 1
+"""Mutants of a function; of those that the comparison lets through, how many the tests are run on."""
+
+LIMIT = 400
+"""Seconds of the tests on a mutant: one on which they take longer is not counted."""
+
+LATE = ["(does not end)"]
+
+HARNESS = ("tests/verify/test_harness.py::test_a_stand_with_everything_passes_as_c",)
+MOTION = ("tests/lower/test_motion.py",)
+PHASES = ("tests/lower/test_phases.py",)
+INVERSE = (
+    *(f"tests/lower/test_inverse.py::test_residual_and_equations_agree[{count}]" for count in (1, 5, 7)),
+    "tests/lower/test_inverse.py::test_limits_are_kept_and_told",
+    "tests/lower/test_inverse.py::test_damping_lowers_what_is_near_singular",
+    "tests/lower/test_inverse.py::test_weights_choose_among_flywheels",
+    "tests/lower/test_inverse.py::test_bad_options_are_refused",
+    *(f"tests/lower/test_inverse.py::test_others_give_what_a_limited_flywheel_cannot[{seed}-7]" for seed in range(4)),
+    *(f"tests/lower/test_target.py::test_the_cheap_inverse_agrees_with_the_careful_one[{count}]" for count in (5, 7)),
+    "tests/lower/test_target.py::test_damping_of_the_cheap_inverse_lowers_the_answer",
+)
+TARGET = (
+    "tests/lower/test_target.py::test_target_inverts_the_generalized_form",
+    "tests/lower/test_target.py::test_a_singular_attitude_is_refused",
+)
+JACOBIAN = (
+    *(f"tests/lower/test_jacobian.py::test_derivatives_of_forward[everything 4-{seed}]" for seed in (1, 2)),
+    *(f"tests/lower/test_jacobian.py::test_derivatives_of_coupled[everything 4-{seed}]" for seed in (1, 2)),
+    "tests/lower/test_jacobian.py::test_some_flywheels_locked",
+)
+PARAMETERS = (
+    "tests/lower/test_unphysical.py",
+    "tests/lower/test_prepare.py::test_default_parameters_give_the_default_table[everything6]",
+    "tests/lower/test_prepare.py::test_parameters_of_another_stand_give_its_table[everything6]",
+    "tests/lower/test_prepare.py::test_a_mount_that_is_none",
+    "tests/lower/test_prepare.py::test_axes_without_a_direction",
+    "tests/lower/test_prepare.py::test_a_flywheel_without_spin_inertia",
+)
+ROUTINES = ("tests/routines/test_sincos.py", "tests/routines/test_square_root.py", "tests/routines/test_arc_tangent.py")
+REFUSALS = tuple(
+    f"tests/lower/test_refusals.py::{test}[everything6]"
+    for test in (
+        "test_not_finite_in_any_element",
+        "test_beyond_the_range_in_any_element",
+        "test_at_the_limit_every_element_is_accepted",
+    )
+)
+
+BY_NAME = {
+    "sincos": ROUTINES[:1], "sqrt": ROUTINES[1:2], "atan2": ROUTINES[2:], "unwound": MOTION,
+    "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
+    "quaternion": TARGET, "target": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
+    "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "attitude": REFUSALS,
+    "coupled": MOTION, "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
+}  # fmt: skip
+BY_SUBJECT = {
+    "(12)": INVERSE, "motion in time": MOTION, "whole system": MOTION, "checks of inputs": PARAMETERS,
+}  # fmt: skip
+
+
+def tests_of(function: Function) -> tuple[str, ...]:
+    """The tests that are run on mutants of a function."""
+    if function.name in BY_NAME:
+        return BY_NAME[function.name]
+    if function.name.endswith(("_slope", "_jacobian")):
+        return JACOBIAN
+    for subject in subjects(function):
+        if subject in BY_SUBJECT:
+            return BY_SUBJECT[subject]
+    if function.name.startswith("place_") or function.name == "frame_of_axes":
+        return PARAMETERS
+    return HARNESS
+
+
+@dataclass
+class Found:
+    """What became of the mutants of one function."""
+
+    function: str
+    sites: int
+    mutants: int = 0
+    comparison: int = 0
+    tests: int = 0
+    quantities: list[str] = field(default_factory=list)
+    noticed: list[str] = field(default_factory=list)
+    survivors: list[str] = field(default_factory=list)
+
+
+@cache
+def judged_by() -> dict[str, tuple[Any, Any]]:
+    """Stands whose programs hold the functions, by function: one with everything, else an example stand."""
+    stand = with_all_inputs(everything())
+    made = generated(stand)
+    found: dict[str, tuple[Any, Any]] = {f.name: (stand, made) for f in made.program.functions}
+    for name, function in functions().items():
+        if name not in found:
+            example = next(n for n in names() if function in examples.generated(n).program.functions)
+            found[name] = (examples.stand(example), examples.generated(example))
+    return found
+
+
+def compared(name: str, numbers: Sequence[int]) -> list[list[str] | None]:
+    """Of each mutant, quantities that the comparison with the reference finds wrong; None where it could not run."""
+    stand, made = judged_by()[name]
+    states = draw(stand, 5, 4, wrenches=stand == with_all_inputs(stand))[1:3]
+    return [_quantities(stand, made, states, name, number) for number in numbers]
+
+
+def _quantities(stand: Any, made: Any, states: Any, name: str, number: int) -> list[str] | None:
+    try:
+        with TimeLimit(30):
+            program = _with(made.program, name, number)
+            values = Values(stand, made.layout, program)
+            backend = InterpreterBackend(Generated(made.layout, program, values, {}))
+            return sorted({r.quantity for r in judge(stand, backend, states, backend.wants) if r.failed})
+    except Exception as error:  # a mutant may do anything: that it cannot run is a way to be noticed
+        return [f"{type(error).__name__}"]
+
+
+class TimeLimit:
+    """Raises TimeoutError after so many seconds."""
+
+    def __init__(self, seconds: int) -> None:
+        self._seconds = seconds
+
+    def __enter__(self) -> None:
+        def stop(*_: Any) -> None:
+            raise TimeoutError
+
+        signal.signal(signal.SIGALRM, stop)
+        signal.alarm(self._seconds)
+
+    def __exit__(self, *_: Any) -> None:
+        signal.alarm(0)
+
+
+def _with(program: Program, name: str, number: int) -> Program:
+    return replace(program, functions=planted(name, number)(program.functions))
+
+
+class _Noticed:
+    """Collects failed tests of a pytest run."""
+
+    def __init__(self) -> None:
+        self.failed: list[str] = []
+        self.ran = 0
+
+    def pytest_runtest_logreport(self, report: Any) -> None:
+        self.ran += report.when == "call"
+        if report.failed:
+            self.failed.append(report.nodeid)
+
+
+def tested(function: Function, number: int | None, first: bool) -> list[str]:
+    """Tests that fail with a mutant (None: with none) in all programs, in a process of their own."""
+    return in_a_fork(lambda: _tested(function, number, first), LIMIT, LATE)
+
+
+def _tested(function: Function, number: int | None, first: bool) -> list[str]:
+    if number is not None:
+        change, original = planted(function.name, number), Program.__init__
+
+        def init(self: Program, name: str, precision: Any, counts: Any, structs: Any, functions: Any) -> None:
+            original(self, name, precision, counts, structs, change(functions))
+
+        Program.__init__ = init  # type: ignore[method-assign]
+    seen = _Noticed()
+    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-o", "addopts=", "-m", "not slow", "--tb=no"]
+    with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
+        status = pytest.main([*options, *(["-x"] if first else []), *tests_of(function)], plugins=[seen])
+    if status not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):
+        return [f"(pytest: {status!r})"]
+    assert seen.ran or seen.failed
+    return seen.failed
+
+
+def in_a_fork(work: Callable[[], Any], seconds: int, late: Any) -> Any:
+    """What `work` returns in a forked process; `late` where it takes too long or dies."""
+    with tempfile.TemporaryDirectory() as folder:
+        answer = Path(folder) / "answer"
+
+        def child() -> None:
+            os.setpgrp()
+            answer.with_suffix(".part").write_text(json.dumps(work()))
+            answer.with_suffix(".part").rename(answer)
+
+        process = multiprocessing.get_context("fork").Process(target=child)
+        process.start()
+        process.join(seconds)
+        if process.is_alive():
+            os.killpg(process.pid, signal.SIGKILL)  # type: ignore[arg-type]
+            process.join()
+        return json.loads(answer.read_text()) if answer.exists() else late
+
+
+def examined(function: Function) -> Found:
+    """All about the mutants of one function."""
+    judged = judged_by()[function.name][1].program.function(function.name) if function.name in judged_by() else function
+    count = sites(judged)
+    found = Found(function.name, count)
+    numbers = chosen(count, MUTANTS)
+    if not numbers:
+        return found
+    quantities = in_a_fork(lambda: compared(function.name, numbers), 400, [["(does not end)"]] * len(numbers))
+    through = []
+    for number, wrong in zip(numbers, quantities, strict=True):
+        if wrong:
+            found.comparison += 1
+            found.quantities = sorted({*found.quantities, *wrong})
+        else:
+            through.append(number)
+    found.mutants = found.comparison
+    for number in through[:TESTED]:
+        found.mutants += 1
+        failing = tested(judged, number, first=False)
+        if failing == LATE:  # says nothing: the machine may be busy
+            found.mutants -= 1
+        elif failing:
+            found.tests += 1
+            found.noticed = sorted({*found.noticed, *map(short, failing)})
+        else:
+            found.survivors.append(described(judged, number))
+    return found
+
+
+def short(node: str) -> str:
+    """A test's name without its parameters."""
+    return node.partition("[")[0].removeprefix("tests/")
+
+
+def described(function: Function, number: int) -> str:
+    """What a mutant changes: the kind, and the lines of C before and after."""
+    changed, kind = mutant(function, number)
+    names = Names("")
+    print_ = Statements(names, Expressions(names, DOUBLE))
+    before, after = (set(print_.block(f.body, "")) for f in (function, changed))
+    gone = " ".join(line.strip() for line in print_.block(function.body, "") if line in before - after)
+    return f"{kind}: {gone}"
+
+
+def campaign(wanted: Sequence[str], jobs: int, say: Callable[[Found], None]) -> Iterator[dict[str, Any]]:
+    """Found of each function named, as plain data, in their order."""
+    judged_by()
+    with ThreadPoolExecutor(jobs) as pool:
+        for found in pool.map(examined, [functions()[name] for name in wanted]):
+            say(found)
+            yield asdict(found)
+
+
+def collected() -> None:
+    """Imports every test module that is run, so that forks need not."""
+    nodes = sorted({node.partition("::")[0] for f in functions().values() for node in tests_of(f)})
+    with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere):
+        status = pytest.main(["--collect-only", "-q", "-p", "no:cacheprovider", *(str(ROOT / n) for n in nodes)])
+    assert status == pytest.ExitCode.OK

@@ -1,0 +1,91 @@
+"""Every equation has derivations, functions and tests; the page says what is there."""
+
+from __future__ import annotations
+
+import inspect
+import re
+
+import pytest
+
+from emit.stands import generated
+from traceability import page
+from traceability.equations import DERIVED, EQUATIONS, OTHERS, REFERENCE, ROLES, ROOT, SECOND, numbers, subjects
+from traceability.lines import functions, spans
+from traceability.mutants import chosen, mutant, sites
+from traceability.survivors import REASONS, reason
+
+
+def test_the_equations_are_those_of_the_model() -> None:
+    model = (ROOT / "docs" / "model.md").read_text(encoding="utf-8")
+    assert set(EQUATIONS) <= set(numbers(model))
+    assert list(EQUATIONS) == [f"({n})" for n in range(1, 14) if n != 3]
+    assert set(DERIVED) == set(REFERENCE) == {*EQUATIONS, *OTHERS}
+    assert set(SECOND) <= set(EQUATIONS)
+
+
+def test_who_derives_an_equation_says_so() -> None:
+    for equation in EQUATIONS:
+        for things in (DERIVED[equation], REFERENCE[equation]):
+            said = {n for thing in things for n in numbers(inspect.getsource(inspect.getmodule(thing) or thing))}
+            assert not things or equation in said, equation
+    assert [equation for equation in EQUATIONS if not DERIVED[equation]] == ["(12)", "(13)"]
+    assert all(REFERENCE[equation] for equation in EQUATIONS)
+
+
+def test_every_function_of_a_stand_has_an_equation_or_a_purpose() -> None:
+    for function in generated("bench8").program.functions:
+        assert subjects(function)
+        assert function.purpose
+
+
+@pytest.mark.slow
+def test_every_function_of_every_stand_has_been_examined() -> None:
+    names = set(functions())
+    assert {name for of in functions().values() for name in subjects(of)} >= set(EQUATIONS) - {"(13)"}
+    assert {name for listed in ROLES.values() for name in listed} - {"balance"} <= names
+    assert set(page.stored()) == names
+    for name, found in page.stored().items():
+        assert found["subjects"] == subjects(functions()[name])
+
+
+def test_the_page_is_what_was_found_with_the_lines_of_today() -> None:
+    assert page.text() == page.PAGE.read_text(encoding="utf-8"), "make traceability-page"
+
+
+def test_most_mutants_are_noticed_and_the_others_are_explained() -> None:
+    found = page.stored()
+    for name, f in found.items():
+        assert page.noticed(f) + len(f["survivors"]) == f["mutants"], name
+        assert f["mutants"] or not f["sites"], name
+        assert all(reason(name, what) for what in f["survivors"]), (name, f["survivors"])
+    told = {(name, what) for name, f in found.items() for what in f["survivors"]}
+    assert all(any(n == name and w.startswith(begin) for n, w in told) for name, begin in REASONS)
+
+
+def test_lines_are_those_of_the_definition() -> None:
+    stand, first, last = spans()["forward"]
+    lines = (ROOT / "generated" / stand / f"{stand}.c").read_text().splitlines()[first - 1 : last]
+    assert re.match(rf"{stand}_status {stand}_forward\(", lines[0])
+    assert lines[-1] == "}"
+    assert "}" not in lines[:-1]
+
+
+def test_mutants_differ_and_are_numbered() -> None:
+    function = generated("bench8").program.function("solve3")
+    kinds = [mutant(function, number)[1] for number in range(sites(function))]
+    assert {"sign of a term", "term dropped", "comparison turned round", "minus dropped"} & set(kinds)
+    assert kinds.count("sign of a term") == kinds.count("term dropped") > 5
+    with pytest.raises(IndexError, match="solve3 has"):
+        mutant(function, sites(function))
+
+
+def test_chosen_mutants_are_spread() -> None:
+    assert chosen(3, 6) == [0, 1, 2]
+    assert len(chosen(100, 6)) == 6
+    assert chosen(100, 6)[0] < 20
+    assert chosen(100, 6)[-1] > 80
+
+
+def test_numbers_of_equations() -> None:
+    assert numbers("(2), (6)-(9)") == ["(2)", "(6)", "(7)", "(8)", "(9)"]
+    assert numbers("") == []

@@ -1,0 +1,59 @@
+"""Plants every fault, runs the checks that must catch it, and writes docs/planted-faults.md.
+
+python tools/planted_faults.py [--page]
+
+Exit status 1 where a fault is not caught, or a check finds something where none is planted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests"))
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--page", action="store_true", help="only write the page anew, from what was shown before")
+    given = parser.parse_args()
+    os.chdir(ROOT)
+    from faults import page
+    from faults.catalogue import FAULTS
+    from faults.checks import outcome
+    from faults.emitted import Emitted
+    from faults.fault import planted
+
+    if given.page:
+        page.write()
+        return 0
+    missed = []
+    how: dict[str, list[str]] = {}
+    for host, check in sorted({(fault.host, name) for fault in FAULTS for name in fault.caught_by}, key=str):
+        with tempfile.TemporaryDirectory() as folder:
+            if said := outcome(check, Emitted(host, Path(folder))):
+                missed.append(f"without a fault, {check} finds in {host}: {said}")
+    for fault in FAULTS:
+        with tempfile.TemporaryDirectory() as folder:
+            made = planted(fault, Path(folder))
+            how[fault.name] = [outcome(check, made) for check in fault.caught_by]
+        missed += [
+            f"{fault.name} is not caught by {check}"
+            for check, said in zip(fault.caught_by, how[fault.name], strict=True)
+            if not said
+        ]
+        print(f"{fault.name}: {how[fault.name][0]}", flush=True)
+    for line in missed:
+        print(line, file=sys.stderr)
+    if not missed:
+        page.keep(how)
+        page.write()
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
