@@ -19,7 +19,7 @@ from mahovik.cli import main
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.report.evidence.collect import chosen, failures
 from mahovik.report.evidence.folder import check
-from mahovik.report.evidence.page import conclusion
+from mahovik.report.evidence.page import GENERAL, conclusion
 from mahovik.report.evidence.piece import Outcome, Verdict
 from mahovik.report.evidence.pieces import equations
 from mahovik.stand import load
@@ -194,6 +194,11 @@ def test_the_page_stands_alone(tmp_path: Path) -> None:
         assert text in page
     assert not re.search(r"\b(19|20)\d\d-\d\d-\d\d\b", page)
     assert str(tmp_path) not in page
+
+
+def test_pages_that_are_named_are_there() -> None:
+    """What is shown once for the generator."""
+    assert all((Path(__file__).resolve().parents[2] / where).is_file() for _, where in GENERAL)
 
 
 def test_exit_status_and_options(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
