@@ -70,6 +70,7 @@ def test_verify_finds_the_lanes_of_a_folder(folders: dict[str, Path]) -> None:
     assert said.endswith("its C has lanes 4, asked was for 2: leave --lanes out\n")
 
 
+@pytest.mark.slow
 def test_verify_holds_fast_c_to_the_same_tolerances(folders: dict[str, Path]) -> None:
     found = verify_c(stand("demo3"), count=12, against=folders["fast"])
     assert found.passed
@@ -89,7 +90,7 @@ def test_cost_and_replay_refuse_fast_c(folders: dict[str, Path], tmp_path: Path)
     assert "its C is for speed (--fast), its bits are not reproducible" in said
 
 
-@pytest.mark.parametrize("backend", ["c", "interpreter"])
+@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.slow), "interpreter"])
 def test_replay_finds_the_lanes_that_flew(backend: str, tmp_path: Path) -> None:
     flown = Recorder("demo3", "double", tmp_path, lanes=2)
     flown.fly(10)
@@ -100,6 +101,7 @@ def test_replay_finds_the_lanes_that_flew(backend: str, tmp_path: Path) -> None:
     assert CMachine(stand("demo3"), "double", lanes=2).source != CMachine(stand("demo3"), "double").source
 
 
+@pytest.mark.slow
 def test_judge_log_finds_the_lanes_of_the_board(tmp_path: Path) -> None:
     files = delivery(stand("demo3"), "double", 4)
     code = {name: text for name, text in files.items() if name in ("demo3.h", "demo3.c", "demo3_selftest.c")}

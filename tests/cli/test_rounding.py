@@ -15,6 +15,7 @@ from mahovik.rigorous import WANTS
 from mahovik.stand import load
 
 
+@pytest.mark.slow
 def test_the_table_and_its_files() -> None:
     result = run("verify", DEMO3, "--rigorous", "--states", "3", "--junit", "report.xml", "-o", "worst.jsonl")
     assert result.exit_code == 0

@@ -84,6 +84,7 @@ def test_the_whole_batch_where_the_step_is_wrong(built, monkeypatch):
             assert set(check(built, batch, inputs, 9)) == {status}
 
 
+@pytest.mark.slow
 def test_a_step_may_be_written_over_its_state():
     built = native()
     batch = next(b for b in built.batches if b.narrow.name == "step" and not b.each)

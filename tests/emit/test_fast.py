@@ -28,7 +28,12 @@ def built(files: dict[str, str], name: str, folder: Path, compiler: str = "gcc")
 
 
 @pytest.mark.parametrize(
-    ("name", "real", "lanes"), [("demo3", "double", 2), ("demo3", "float", 2), ("everything6", "double", 4)]
+    ("name", "real", "lanes"),
+    [
+        ("demo3", "double", 2),
+        pytest.param("demo3", "float", 2, marks=pytest.mark.slow),
+        pytest.param("everything6", "double", 4, marks=pytest.mark.slow),
+    ],
 )
 def test_rounding_is_accepted_with_room(name: str, real: str, lanes: int, tmp_path: Path) -> None:
     """A self-test that just passes would fail on the next processor."""

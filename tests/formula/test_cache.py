@@ -206,6 +206,7 @@ def test_no_home_means_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
     assert remembered([]) == carrier.momentum(True)
 
 
+@pytest.mark.slow
 def test_processes_side_by_side(tmp_path: Path) -> None:
     """All start without a cache, of different stands; afterwards the cache is whole and serves all of them."""
     env = {**os.environ, cache.VARIABLE: str(tmp_path / "cache")}
@@ -224,7 +225,7 @@ def test_processes_side_by_side(tmp_path: Path) -> None:
         assert (done.returncode, done.stderr) == (0, "")
 
 
-QUICK = ("bench8", "auv6")
+QUICK = ("bench8",)
 
 
 @pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in stands.names()])
