@@ -39,7 +39,7 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
             )
             for target, real in pairs
         ]
-        return Costs(stand.name, "0", "1", 3, tuple(targets))
+        return Costs(stand.name, "0", "1", 3, lanes, tuple(targets))
 
     monkeypatch.setattr(measuring, "measure", measure)
     return found
