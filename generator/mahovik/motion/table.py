@@ -43,7 +43,7 @@ def read(path: Path, known: Mapping[str, Dimension], until: float) -> Table:
         text = content(path, TABLE).decode("utf-8-sig")
         lines = [line for line in csv.reader(io.StringIO(text, newline="")) if any(cell.strip() for cell in line)]
     except OSError as error:
-        raise TableError(f"{path}: cannot be read: {error.strerror or error}") from None
+        raise TableError(f"{_short(path)}: cannot be read: {error.strerror or error}") from None
     except (UnicodeDecodeError, ValueError, csv.Error) as error:
         raise TableError(f"{name}: not a CSV file: {error}") from None
     if len(lines) < 3:
@@ -102,3 +102,9 @@ def _check_times(name: str, times: Array, until: float) -> None:
         raise TableError(
             f"{name}: covers t = {times[0]:g} s to {times[-1]:g} s, but the simulation runs from 0 to {until:g} s"
         )
+
+
+def _short(path: Path) -> str:
+    """A path as a message shows it: what no system takes as a name is cut."""
+    text = str(path)
+    return text if len(text) <= 500 else f"{text[:200]} ... {text[-200:]}"
