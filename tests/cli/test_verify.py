@@ -46,7 +46,7 @@ def test_the_table_as_json_and_no_files_when_all_is_well(tmp_path: Path) -> None
 def test_broken_c_fails_and_leaves_a_state_that_replays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     for name, text in generate(load(BENCH8)).items():
-        Path(name).write_text(text.replace("sum->J[i] += ", "sum->J[i] -= ") if name.endswith(".c") else text)
+        Path(name).write_text(text.replace("sum->J[0] += ", "sum->J[0] -= ") if name.endswith(".c") else text)
     result = run("verify", BENCH8, "--states", "12", "--against", ".", "--junit", "report.xml")
     assert result.exit_code == 1
     assert "FAILED: " in result.stdout
