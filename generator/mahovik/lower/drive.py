@@ -5,7 +5,7 @@ from __future__ import annotations
 from mahovik.lower import lanes
 from mahovik.lower.checks import check_within
 from mahovik.lower.coupling import Carried, along, carried, couple_blocks, couple_flywheel
-from mahovik.lower.flywheels import AT_NOTES, places_of, turns_of
+from mahovik.lower.flywheels import AT_NOTES, places_of
 from mahovik.lower.forward import (
     STATE_STATUSES,
     Scene,
@@ -248,9 +248,10 @@ def coupled(lib: Library, at: bool = False) -> Function:
     check_drive(lib, body, arguments)
     motion = body.local("V_result", (6,))
     spins = body.local("phi_result", (layout.count,))
-    stand, x, *inputs = places_of(arguments[:-2])
-    if not at:
-        inputs = [*turns_of(lib, body, x), *inputs]
+    stand, x = places_of(arguments[:2])
+    turns = turns_in(arguments)
+    others = places_of([a for a in arguments[2:-2] if a not in turns])
+    inputs = [*all_turns(lib, body, x, turns), *others]
     lib.check(body, "move", stand, x, *inputs, motion, spins)
     body.copy_array(V_dot.place, motion)
     with body.loop("s", layout.count) as s:
