@@ -15,10 +15,10 @@ FAULTS = {
     "unwritten": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
     "written on refusal": (
         "any_forward",
-        "    status = demo3_accelerate(stand, x, sine, cosine, phi_ddot, result);",
-        "    V_dot[0] = 0.0;\n    status = demo3_accelerate(stand, x, sine, cosine, phi_ddot, result);",
+        "    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);",
+        "    V_dot[0] = 0.0;\n    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);",
     ),
-    "unchecked": ("any_torque", "demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION)", "DEMO3_OK"),
+    "unchecked": ("any_forward", "demo3_check_state(x)", "DEMO3_OK"),
     "division": ("any_forward", "const demo3_real r1 = 1.0 / S[0]", "const demo3_real r1 = 1.0 / (S[0] - S[0])"),
 }
 """Driver that must see it, what is replaced, by what."""
