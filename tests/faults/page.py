@@ -66,7 +66,7 @@ def text(how: Mapping[str, Sequence[str]]) -> str:
     parts += [f"| {name} | `{driver}` |\n" for name, (driver, _, _) in EVA.items()]
     parts.append("\n## Found by fuzzing\n\nPlanted in the C of demo3, in `tests/fuzz/test_harness.py`.\n\n")
     parts.append("| fault | what the harness says |\n|---|---|\n")
-    parts += [f"| {f.name} | {f.said} |\n" for f in FUZZED]
+    parts += [f"| {f.name} | {cell(f.said)} |\n" for f in FUZZED]
     parts.append("\n## The checks\n\n| check | what it does | where the project runs it |\n|---|---|---|\n")
     parts += [f"| {c.name} | {c.meaning} | {c.where} |\n" for c in CHECKS.values()]
     return "".join(parts)
