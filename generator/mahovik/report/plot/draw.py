@@ -1,0 +1,84 @@
+"""Draws panels with matplotlib, one below the other; the same panels give the same bytes of SVG."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any
+
+from mahovik.errors import UsageError
+from mahovik.report.plot.panel import Line, Panel
+
+SUFFIXES = (".svg", ".png")
+
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d31")
+"""Eight that people with any colour vision tell apart (Okabe and Ito), brown in place of yellow."""
+
+GREY = "#777777"
+
+WIDTH, HEIGHT = 8.6, 2.0
+"""Of the picture, and of a panel, inches."""
+
+LEGEND = 8
+"""Names in a column beside a panel."""
+
+STYLE = {
+    "svg.hashsalt": "mahovik",
+    "svg.fonttype": "path",
+    "font.size": 8.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#e4e4e4",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+}
+
+
+def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
+    """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
+    try:
+        matplotlib, figures = import_module("matplotlib"), import_module("matplotlib.figure")
+    except ImportError:
+        raise UsageError('plot needs matplotlib: pip install "mahovik[report]"') from None
+    with matplotlib.rc_context(STYLE):
+        figure = figures.Figure(figsize=(WIDTH, HEIGHT * len(panels) + 0.7), layout="constrained")
+        figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
+        rows = figure.subplots(len(panels), 1, squeeze=False)[:, 0]
+        for axes, panel in zip(rows, panels, strict=True):
+            _panel(axes, panel)
+        rows[-1].set_xlabel("t, s")
+        buffer = io.BytesIO()
+        metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
+        figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
+    return buffer.getvalue()
+
+
+def _panel(axes: Any, panel: Panel) -> None:
+    for line in panel.lines:
+        _line(axes, line)
+    axes.set_title(panel.quantity, loc="left", fontsize="medium")
+    axes.margins(x=0)
+    if panel.log:
+        axes.set_yscale("log")
+    if panel.note:
+        axes.text(0.995, 0.97, panel.note, transform=axes.transAxes, ha="right", va="top", color=GREY)
+    named = sum(bool(line.name) for line in panel.lines)
+    if named:
+        columns = -(-named // LEGEND)
+        axes.legend(
+            loc="upper left", bbox_to_anchor=(1.005, 1.02), frameon=False, ncols=columns, handlelength=1.6,
+            labelspacing=0.25, columnspacing=1.0, borderaxespad=0.0,
+        )  # fmt: skip
+
+
+def _line(axes: Any, line: Line) -> None:
+    colour = GREY if line.colour is None else COLOURS[line.colour % len(COLOURS)]
+    turn = 0 if line.colour is None else line.colour // len(COLOURS)
+    style: Any = (0, (4, 3)) if line.dashed else ("-", "-.", ":")[turn % 3]
+    level = line.dashed and line.colour is None
+    axes.plot(
+        line.x, line.y, color=colour, linestyle=style, linewidth=0.9 if level else 1.6 if line.dashed else 1.2,
+        alpha=0.55 if line.dashed and not level else 1.0, label=line.name or None,
+    )  # fmt: skip

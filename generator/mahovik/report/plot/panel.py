@@ -1,0 +1,45 @@
+"""What a picture shows, as data: panels one below the other, lines in each. Nothing here knows how it is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """y over x. `colour`: number of the line's colour, None for grey; `dashed`: what is required, or a limit.
+
+    Without a name it is not in the legend.
+    """
+
+    name: str
+    x: Array
+    y: Array
+    colour: int | None = 0
+    dashed: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """Lines in one frame. `quantity` stands above with its unit; `log`: by powers of ten; `note`: below."""
+
+    quantity: str
+    lines: tuple[Line, ...]
+    log: bool = False
+    note: str = ""
+
+
+def family(names: Sequence[str], x: Array, columns: Array, dashed: bool = False) -> tuple[Line, ...]:
+    """A line a column of (M, n), in colours one after the other."""
+    return tuple(Line(name, x, columns[:, i], i, dashed) for i, name in enumerate(names))
+
+
+def limit(name: str, x: Array, value: float) -> Line:
+    """A level."""
+    return Line(name, x[[0, -1]], np.full(2, value), None, dashed=True)

@@ -1,0 +1,105 @@
+"""Panels of a run that `mahovik simulate` wrote: the carrier's motion, speeds and torques of the flywheels."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+
+from mahovik.errors import UsageError
+from mahovik.report.plot.panel import Array, Line, Panel
+
+SUFFIXES = (".csv", ".parquet")
+
+RPM = 30 / np.pi
+
+_FLYWHEEL = re.compile(r"(phi_dot|tau|margin) (\w+) \[[^]]*\]")
+
+
+def read(path: Path) -> dict[str, Array]:
+    """The columns of a run by their whole names. Raises UsageError."""
+    try:
+        found = _csv(path) if path.suffix == ".csv" else _parquet(path)
+    except OSError as error:
+        raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except (ValueError, csv.Error) as error:
+        raise UsageError(f"{path}: no run of `mahovik simulate`: {error}") from None
+    if "t [s]" not in found or not len(found["t [s]"]):
+        raise UsageError(f'{path}: no run of `mahovik simulate`: expected a column "t [s]" and rows')
+    return found
+
+
+def _csv(path: Path) -> dict[str, Array]:
+    with path.open(encoding="utf-8", newline="") as file:
+        head, *rows = list(csv.reader(file)) or [[]]
+    if any(len(row) != len(head) for row in rows):
+        raise ValueError(f"a row has not as many numbers as there are names, {len(head)}")
+    data = np.array(rows, dtype=np.float64).reshape(len(rows), len(head))
+    return {name: data[:, i] for i, name in enumerate(head)}
+
+
+def _parquet(path: Path) -> dict[str, Array]:
+    try:
+        parquet = import_module("pyarrow.parquet")
+    except ImportError:
+        raise UsageError(f'{path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
+    with path.open("rb") as file:
+        table = parquet.read_table(file)
+    return {name: np.asarray(table[name], dtype=np.float64) for name in table.column_names}
+
+
+def panels(columns: Mapping[str, Array]) -> list[Panel]:
+    """What there is of: place of O1, turn of the carrier, speeds and torques of the flywheels, margins of motors."""
+    t = columns["t [s]"]
+    found = [
+        _group("O1, mm, from the start", t, columns, [f"{a} [m]" for a in "xyz"], 1e3, from_start=True),
+        _turn(t, columns),
+        _group("carrier, rad/s", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
+        *(_flywheels(quantity, t, columns, kind, unit) for quantity, kind, unit in _WHEELS),
+    ]
+    return [panel for panel in found if panel.lines]
+
+
+_WHEELS = (("speed, rpm", "phi_dot", RPM), ("drive torque, N m", "tau", 1.0), ("margin of motors, N m", "margin", 1.0))
+
+
+def _group(
+    quantity: str,
+    t: Array,
+    columns: Mapping[str, Array],
+    names: Sequence[str],
+    unit: float = 1.0,
+    from_start: bool = False,
+) -> Panel:
+    there = [name for name in names if name in columns]
+    lines = []
+    for i, name in enumerate(there):
+        y = columns[name] - columns[name][0] if from_start else columns[name]
+        lines.append(Line(name.split(" ")[0], t, unit * y, i))
+    return Panel(quantity, tuple(lines))
+
+
+def _turn(t: Array, columns: Mapping[str, Array]) -> Panel:
+    """Rotation vector of the carrier from its attitude at the start, in E1."""
+    from scipy.spatial.transform import Rotation
+
+    names = ("qx", "qy", "qz", "qw")
+    if any(name not in columns for name in names):
+        return Panel("", ())
+    attitude = Rotation.from_quat(np.stack([columns[name] for name in names], axis=1))
+    vector = 1e3 * (attitude[0].inv() * attitude).as_rotvec()
+    lines = tuple(Line(f"about {a}", t, vector[:, i], i) for i, a in enumerate("xyz"))
+    return Panel("turn, mrad, from the start", lines)
+
+
+def _flywheels(quantity: str, t: Array, columns: Mapping[str, Array], kind: str, unit: float) -> Panel:
+    found = []
+    for name, column in columns.items():
+        match = _FLYWHEEL.fullmatch(name)
+        if match and match[1] == kind:
+            found.append(Line(match[2], t, unit * column, len(found)))
+    return Panel(quantity, tuple(found))

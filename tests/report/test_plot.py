@@ -1,0 +1,140 @@
+"""Pictures: what panels show, and that the command writes them; the same input gives the same bytes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+from mahovik import stands
+from mahovik.cli import main
+from mahovik.motion.programme import RunUpTable, Samples, save_programme
+from mahovik.motion.required.model import Bounds
+from mahovik.report.plot import run
+from mahovik.report.plot.draw import draw
+from mahovik.report.plot.panel import Line, Panel
+from mahovik.report.plot.programme import RPM, panels
+from verify.programme.programmes import shaker
+
+SPIN = next(path for path in stands.motions("shaker2") if "spin" in path.name)
+WITH = ["--stand", str(stands.path("shaker2")), "--motion", str(SPIN)]
+
+
+def plot(*arguments: object) -> Result:
+    return CliRunner().invoke(main, ["plot", *map(str, arguments)])
+
+
+@pytest.fixture
+def programme(tmp_path: Path) -> Path:
+    path = tmp_path / "p.json"
+    save_programme(shaker()[2], path)
+    return path
+
+
+def by_quantity(found: list[Panel], word: str) -> Panel:
+    (panel,) = (panel for panel in found if panel.quantity.startswith(word))
+    return panel
+
+
+def test_a_right_programme_achieves_what_is_required() -> None:
+    stand, motion, found = shaker()
+    shown = panels(found, stand, motion)
+    for word in ("O1", "attitude"):
+        lines = by_quantity(shown, word).lines
+        for line, wanted in zip(lines[:3], lines[3:], strict=True):
+            assert not line.dashed and wanted.dashed and line.colour == wanted.colour
+            assert np.allclose(line.y, wanted.y, atol=1e-5)
+    z = by_quantity(shown, "O1").lines[2].y
+    assert z.max() == pytest.approx(0.577162538232, rel=1e-6)  # mm, by the motion file
+    residual = by_quantity(shown, "residual")
+    assert residual.log and residual.lines[0].y.max() < residual.lines[1].y[0]
+
+
+def test_speeds_are_the_windings() -> None:
+    stand, motion, found = shaker()
+    speeds = by_quantity(panels(found, stand, motion), "speed").lines
+    assert [line.name for line in speeds] == [s.name for s in stand.flywheels]
+    for line, turns in zip(speeds, found.winding, strict=True):
+        assert np.allclose(line.y, 60 * turns / found.span)
+
+
+def test_bounds_are_shown_where_they_matter() -> None:
+    from dataclasses import replace
+
+    stand, motion, found = shaker()
+    fast = replace(motion, bounds=Bounds(speed=(130.0, 130.0)))
+    assert [line.y[0] for line in by_quantity(panels(found, stand, fast), "speed").lines[2:]] == [
+        130.0 * RPM,
+        -130.0 * RPM,
+    ]
+    loose = by_quantity(panels(found, stand, replace(motion, bounds=Bounds(speed=(1e4, 1e4)))), "speed")
+    assert len(loose.lines) == 2 and loose.note == "bound: 95493"
+
+
+def test_run_ups_have_a_panel_of_their_own() -> None:
+    from dataclasses import replace
+
+    _, _, found = shaker()
+    rest = np.zeros((2, 2))
+    table = RunUpTable(1.0, Samples(np.array([0.0, 1.0]), rest, np.array([[0.0, 0.0], [100.0, -100.0]]), rest))
+    panel = by_quantity(panels(replace(found, runup=table)), "run-up")
+    assert panel.lines[0].y[-1] == pytest.approx(100.0 * RPM)
+
+
+def test_the_command_writes_pictures(programme: Path, tmp_path: Path) -> None:
+    assert plot(programme, *WITH, "-o", tmp_path / "a.png").exit_code == 0
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    for name in ("a.svg", "b.svg"):
+        assert plot(programme, "-o", tmp_path / name).exit_code == 0
+    first = (tmp_path / "a.svg").read_bytes()
+    assert first.startswith(b"<?xml") and b"dc:date" not in first
+    assert (tmp_path / "b.svg").read_bytes() == first
+
+
+def test_a_run_is_drawn(tmp_path: Path) -> None:
+    rows = [[0.1 * i, 1e-3 * i, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 10.0 * i, 0.5] for i in range(5)]
+    head = "t [s],x [m],y [m],z [m],qw,qx,qy,qz,phi_dot w1 [rad/s],tau w1 [N m]"
+    path = tmp_path / "run.csv"
+    path.write_text("\n".join([head, *(",".join(map(repr, row)) for row in rows)]) + "\n")
+    shown = run.panels(run.read(path))
+    assert by_quantity(shown, "O1").lines[0].y[-1] == pytest.approx(4.0)  # mm
+    assert by_quantity(shown, "speed").lines[0].y[-1] == pytest.approx(40.0 * RPM)
+    assert {line.name for panel in shown for line in panel.lines} >= {"x", "y", "z", "w1"}
+    assert plot(path, "-o", tmp_path / "run.png").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", 'expected a column "t [s]" and rows'),
+        ("t [s],x [m]\n", 'expected a column "t [s]" and rows'),
+        ("t [s],x [m]\n0.0,a\n", "no run of `mahovik simulate`"),
+        ("t [s],x [m]\n0.0\n", "no run of `mahovik simulate`"),
+    ],
+)
+def test_what_is_no_run_is_refused(text: str, words: str, tmp_path: Path) -> None:
+    (tmp_path / "run.csv").write_text(text)
+    found = plot(tmp_path / "run.csv", "-o", tmp_path / "run.svg")
+    assert found.exit_code == 2 and words in found.output and not (tmp_path / "run.svg").exists()
+
+
+def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
+    other = ["--stand", str(stands.path("demo3")), "--motion", str(stands.motions("demo3")[0])]
+    for arguments, words in (
+        ([programme, "-o", tmp_path / "a.pdf"], ".svg or .png"),
+        ([programme, *WITH[:2], "-o", tmp_path / "a.svg"], "go together"),
+        ([programme, *other, "-o", tmp_path / "a.svg"], "programme of another stand"),
+        ([tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
+        ([tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
+    ):
+        found = plot(*arguments)
+        assert found.exit_code == 2 and words in found.output, found.output
+    assert not (tmp_path / "a.svg").exists()
+
+
+def test_many_flywheels_stay_apart() -> None:
+    t = np.linspace(0.0, 1.0, 5)
+    lines = tuple(Line(f"w{i}", t, t * i, i) for i in range(24))
+    assert draw("many", [Panel("speed", lines)], ".svg").count(b"<path") > 24
