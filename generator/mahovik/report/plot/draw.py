@@ -60,6 +60,8 @@ def _panel(axes: Any, panel: Panel) -> None:
         _line(axes, line)
     axes.set_title(panel.quantity, loc="left", fontsize="medium")
     axes.margins(x=0)
+    if panel.least and max(abs(y) for y in axes.get_ylim()) < panel.least:
+        axes.set_ylim(-panel.least, panel.least)
     if panel.log:
         axes.set_yscale("log")
     if panel.note:

@@ -27,11 +27,15 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """Lines in one frame. `quantity` stands above with its unit; `log`: by powers of ten; `note`: below."""
+    """Lines in one frame. `quantity` stands above with its unit; `log`: by powers of ten.
+
+    `least`: the ordinate reaches at least so far up and down: rounding is no picture. `note`: in a corner.
+    """
 
     quantity: str
     lines: tuple[Line, ...]
     log: bool = False
+    least: float = 0.0
     note: str = ""
 
 

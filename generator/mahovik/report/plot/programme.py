@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 POINTS = 400
 """Along each line of a programme."""
 
+ROUNDING = 1e-6
+"""mm, mrad: less is not looked at closely."""
+
 NEAR = 0.3
 """A bound is drawn where the lines reach this share of it."""
 
@@ -60,7 +63,7 @@ def _carrier(programme: Programme, stand: Stand, motion: RequiredMotion, scale: 
     for part, names, unit in ((slice(0, 3), AXES, "O1, mm"), (slice(3, 6), ANGLES, "attitude, mrad")):
         lines = family(names, t, achieved[:, part])
         wanted = family(["", "", ""], t, required[:, part], dashed=True)
-        found.append(Panel(f"{unit}, about the mean; dashed: required", (*lines, *wanted)))
+        found.append(Panel(f"{unit}, about the mean; dashed: required", (*lines, *wanted), least=ROUNDING))
     return found
 
 
