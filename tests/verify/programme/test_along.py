@@ -1,4 +1,4 @@
-"""Twists along a motion: V* is the derivative of V, and V turns the axes of E1 as the motion does, in every sequence."""
+"""Twists along a motion: V* is the derivative of V, and V turns E1 as the motion does, in every sequence."""
 
 from __future__ import annotations
 
