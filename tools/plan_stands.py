@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 PERIOD = 0.1  # s: 10 Hz
 SUSPENDED = 1.5  # Hz
 GRAVITY = 9.81
+NO_BOUNDS = Bounds()
 
 
 def campaign_stand(seed: int, N: int, unbalance: float = 1.0) -> Stand:
@@ -57,7 +58,7 @@ def campaign_motion(
     harmonics: tuple[int, ...] = (1,),
     period: float = PERIOD,
     winding: Any = "any",
-    bounds: Bounds = Bounds(),
+    bounds: Bounds = NO_BOUNDS,
 ) -> RequiredMotion:
     """Harmonic motion of x, y, z to 0.2 mm and of psi, theta (six axes: phi) to 0.6 mrad, times `amplitude`."""
     rng = np.random.default_rng([seed, 77])

@@ -7,12 +7,15 @@ residual and its damped amplitude. Rocking flywheels are told apart by the ampli
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.plan.array import Array
 from mahovik.plan.budget import Budget
 from mahovik.plan.fourier import Angles, Periodic
 from mahovik.plan.problem import Problem
 from mahovik.plan.residual import Linear, Prescribed, linear, prescribe
+
+Numbers = NDArray[np.intp]
 
 _AMPLITUDE = 1e-2
 """Square of the residual that a wave of 1 rad counts for in the score."""
@@ -58,7 +61,7 @@ class Crowd:
 
     def rows(self, found: Linear) -> Array:
         """Scaled residual (K, 6 M), its square the mean over the times."""
-        return self.problem.norm.scaled(found.R).reshape(self.K, -1) / np.sqrt(self.M)
+        return np.asarray(self.problem.norm.scaled(found.R).reshape(self.K, -1) / np.sqrt(self.M))
 
     def jacobian(self, found: Linear) -> Array:
         """Derivatives (K, 6 M, N (2H + 1)) of the rows by the waves."""
@@ -108,7 +111,7 @@ class Crowd:
         """Root mean square of the scaled residual (K)."""
         return np.asarray(np.linalg.norm(self.rows(self.now), axis=1))
 
-    def with_harmonics(self, which: Array, H: int) -> Crowd:
+    def with_harmonics(self, which: Numbers, H: int) -> Crowd:
         """Those of the numbers `which`, with H harmonics."""
         motions = [self.motion(int(k)).with_harmonics(H).waves for k in which]
         return Crowd(self.problem, self.windings[which], np.array(motions), self.bias)

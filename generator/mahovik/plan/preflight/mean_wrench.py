@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.motion.required import Course
 from mahovik.plan.array import Array
 from mahovik.plan.fourier import uniform
 from mahovik.plan.problem import Problem
 from mahovik.plan.residual.kinematics import in_E1, twists
-from mahovik.motion.required import Course
 
 _STEPS = 60
 _TIMES = 32
