@@ -13,7 +13,7 @@ from mahovik.verify.programme.along import twist
 from mahovik.verify.programme.finding import Finding
 from mahovik.verify.programme.simulation import rate
 
-STEPS = 32
+STEPS = 20
 """A period at least; three more for every harmonic of the programme and six for every turn."""
 
 STEP = 1e-6
