@@ -100,7 +100,8 @@ def damping_of(grid: Grid, N: int, J: Array) -> Array:
     orders = np.tile(1.0 + grid.basis.orders**2, N)
     n = len(orders)
     squares = np.einsum("ij,ij->j", J, J)
-    first = float(squares[:n][orders == 2.0].max(initial=1e-300))
+    nearest = np.abs(orders - 2.0) <= np.abs(orders - 2.0).min() * (1.0 + 1e-9)
+    first = max(float(squares[:n][nearest].mean()), 1e-30)
     return np.concatenate([orders, 2.0 * squares[n:] / first + 1e-6])
 
 
