@@ -1,0 +1,142 @@
+"""From a flywheel motion that nearly solves (12) to one that does, keeps the bounds, and is locally best: (13).
+
+Bounds first, the objective weighted little: limits start where the motion is and are tightened by TIGHTER a round until
+they are those asked for. Then the objective. Then the finish with more harmonics and a heavy tail, by the same steps:
+anything else would slide along nearly free directions and break the bounds again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.plan.bounds import KNEE, Exceeded, exceeded
+from mahovik.plan.budget import Budget
+from mahovik.plan.fourier import Periodic
+from mahovik.plan.objective import Cost
+from mahovik.plan.optimise.merit import Point, Stage
+from mahovik.plan.optimise.step import descend
+from mahovik.plan.problem import Grid, Problem
+from mahovik.plan.rows import Rows
+
+HARMONICS = 16
+TAIL = 300.0
+FINISHES = ((24, 12), (32, 12), (48, 8))
+"""Harmonics and steps of the finish, until the residual is accepted."""
+TAIL_OF_FINISH = 3e4
+TIGHTER = 0.6
+ROUNDS = 12
+STEPS_A_ROUND = 8
+STEPS = 30
+MEANWHILE = 0.17
+"""Weight of the objective rows while bounds are not met: 0.03 in squares."""
+GAIN = 0.97
+"""A round that leaves more than this of the excess has gained nothing."""
+_IDLE_ROUNDS = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Improved:
+    """What became of a start.
+
+    motion      the flywheel motion with its bias
+    objective   J of (13), and the part of each kind
+    used        largest part of a bound that is used; above 1 one is exceeded
+    residual    relative, on a fine grid
+    steps       that were taken
+    """
+
+    motion: Periodic
+    objective: float
+    parts: dict[str, float]
+    used: float
+    residual: float
+    steps: int
+
+
+def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> Improved:
+    """Bounds, then objective; the residual is left at what the finish can deal with. Ends with the budget."""
+    stage = stage_of(problem, cost, harmonics(problem, start, HARMONICS), TAIL)
+    motion, steps = start.with_harmonics(stage.H), 0
+    point = stage.at(motion)
+    if bounded(problem):
+        point, steps = _within(problem, cost, stage, point, budget)
+    if point.used <= 1.0 + 1e-3:
+        run = descend(stage, point.motion, STEPS, budget)
+        point, steps = run.point, steps + run.steps
+    return judged(problem, cost, point.motion, steps)
+
+
+def _within(problem: Problem, cost: Cost, asked: Stage, point: Point, budget: Budget) -> tuple[Point, int]:
+    """Rounds of tightened limits, until the bounds are kept or nothing is gained."""
+    taken, idle = 0, 0
+    for _ in range(ROUNDS):
+        before = point.used
+        if before < KNEE + 0.02 and taken:
+            break
+        wider = max(1.0, TIGHTER * before)
+        stage = stage_of(problem, cost, asked.H, asked.tail, MEANWHILE, wider)
+        run = descend(stage, point.motion, STEPS_A_ROUND, budget, enough=(KNEE + 0.01) * wider)
+        point, taken = run.point, taken + run.steps
+        idle = idle + 1 if point.used > GAIN * before and point.used > 1.0 else 0
+        if idle >= _IDLE_ROUNDS or budget.exhausted:
+            break
+    return point, taken
+
+
+def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Improved:
+    """The same motion with a residual that is accepted, if it can be had, bounds and objective kept."""
+    for H, steps in FINISHES:
+        stage = stage_of(problem, cost, harmonics(problem, found.motion, H), TAIL_OF_FINISH)
+        run = descend(stage, found.motion.with_harmonics(stage.H), steps, budget)
+        found = judged(problem, cost, run.point.motion, found.steps + run.steps)
+        if found.residual < 0.5 * problem.tolerance or budget.exhausted:
+            break
+    return found
+
+
+def judged(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> Improved:
+    """Figures of a motion on a fine grid."""
+    point = stage_of(problem, cost, motion.H, TAIL, fine=True).at(motion)
+    speed = point.stage.Omega * motion.winding
+    parts = cost.value(point.angles, speed, Rows.torque(point.linear))
+    return Improved(motion, sum(parts.values()), parts, point.used, problem.relative(motion), steps)
+
+
+def over(problem: Problem, cost: Cost, motion: Periodic) -> tuple[Exceeded, ...]:
+    """Bounds that a motion exceeds on a fine grid; the worst first."""
+    point = stage_of(problem, cost, motion.H, TAIL, fine=True).at(motion)
+    t, stand = point.stage.grid.t, problem.stand
+    return exceeded(problem.motion.bounds, stand, t, point.angles, point.swing, point.linear.tau, motion.bias)
+
+
+def stage_of(
+    problem: Problem,
+    cost: Cost,
+    H: int,
+    tail: float,
+    objective: float = 1.0,
+    wider: float = 1.0,
+    *,
+    fine: bool = False,
+) -> Stage:
+    """A stage with H harmonics; `fine`: on a grid for judging, 20 times finer than they need."""
+    return Stage(problem, cost, grid_of(problem, H, fine), H, tail, objective, wider)
+
+
+def grid_of(problem: Problem, H: int, fine: bool) -> Grid:
+    """Samples that tell 2 H harmonics of the residual apart, from what the motion and windings add."""
+    M = 20 * (2 * H + 2) if fine else max(64, 4 * H + 8 * problem.highest + 16)
+    return problem.grid(M, H, 0.381966 if fine else 0.0)
+
+
+def harmonics(problem: Problem, motion: Periodic, least: int) -> int:
+    """Harmonics to work with: more for motions and windings of high order."""
+    order = max(problem.highest, int(abs(motion.winding).max(initial=0)))
+    return least + 4 * (order - 1)
+
+
+def bounded(problem: Problem) -> bool:
+    """Whether a bound was asked for that a periodic motion can exceed."""
+    bounds = problem.motion.bounds
+    kinds = (bounds.speed, bounds.speed_min, bounds.acceleration, bounds.torque, bounds.angle, bounds.bias)
+    return any(kind is not None for kind in kinds)

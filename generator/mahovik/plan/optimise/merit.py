@@ -1,0 +1,167 @@
+"""What the optimiser makes least, and what it keeps at zero, at one flywheel motion.
+
+Least: half the mean square of objective rows, hinge rows of the bounds, and residual harmonics H + 1..2H times TAIL.
+Zero: residual harmonics 0..H (Galerkin). Both with derivatives by the waves and the free bias.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from mahovik.motion.required import Course
+from mahovik.plan.array import Array
+from mahovik.plan.bounds import bias_hinges, hinges, utilisation
+from mahovik.plan.fourier import Angles, Periodic
+from mahovik.plan.objective import Cost
+from mahovik.plan.optimise.galerkin import coefficients, derivatives, rows
+from mahovik.plan.problem import Grid, Problem
+from mahovik.plan.residual import Linear, Prescribed, linear, prescribe
+from mahovik.plan.rows import Rows, sums
+
+_STEP = 1e-6
+"""m, rad: of the differences by the bias."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """How a point is judged: grid and harmonics, and weights of the rows.
+
+    tail        of residual harmonics H + 1..2H
+    objective   of the objective rows; small while bounds are not met
+    wider       limits are this many times those of the bounds
+    """
+
+    problem: Problem
+    cost: Cost
+    grid: Grid
+    H: int
+    tail: float
+    objective: float = 1.0
+    wider: float = 1.0
+
+    @property
+    def Omega(self) -> float:
+        """Of the period, rad/s."""
+        return 2.0 * np.pi / self.problem.motion.span
+
+    def at(self, motion: Periodic) -> Point:
+        """The point of a motion with H harmonics."""
+        prescribed, found = self.problem.linear(self.grid, motion)
+        return Point(self, motion, motion.at(self.grid.basis), prescribed, found)
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """Linear and quadratic model at a point, n unknowns.
+
+    c, A        constraints (6 (2H + 1)) and derivatives
+    gradient, curvature   of what is to be least
+    """
+
+    c: Array
+    A: Array
+    gradient: Array
+    curvature: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A motion seen through a stage."""
+
+    stage: Stage
+    motion: Periodic
+    angles: Angles
+    prescribed: Prescribed
+    linear: Linear
+
+    @property
+    def swing(self) -> Array:
+        """phi less its winding and its mean (M, N; rad)."""
+        return np.asarray(self.stage.grid.basis.value[:, 1:] @ self.motion.waves[:, 1:].T)
+
+    @cached_property
+    def scaled(self) -> Array:
+        """Relative residual (M, 6)."""
+        return self.stage.problem.norm.scaled(self.linear.R)
+
+    @cached_property
+    def c(self) -> Array:
+        """Residual harmonics 0..H."""
+        return coefficients(self.scaled, 0, self.stage.H)
+
+    @cached_property
+    def tail(self) -> Array:
+        """Residual harmonics H + 1..2H, weighted."""
+        return self.stage.tail * coefficients(self.scaled, self.stage.H + 1, 2 * self.stage.H)
+
+    def _kinds(self, by_bias: Array | None) -> list[Rows]:
+        stage, torque = self.stage, Rows.torque(self.linear, by_bias)
+        speed = stage.Omega * self.motion.winding
+        wanted = stage.cost.rows(self.angles, speed, torque).values() if stage.objective > 0.0 else ()
+        bounds = stage.problem.motion.bounds
+        kept = hinges(bounds, self.angles, self.swing, torque, self.motion.winding, stage.wider).values()
+        return [rows.times(stage.objective) for rows in wanted] + [rows for rows in kept if rows.value.any()]
+
+    @cached_property
+    def value(self) -> float:
+        """Half the sum of squares."""
+        held, _ = bias_hinges(self.stage.problem.motion.bounds, self.motion.bias)
+        whole = sum(rows.mean_square for rows in self._kinds(None))
+        return (whole + float(held @ held) + float(self.tail @ self.tail)) / 2.0
+
+    @cached_property
+    def used(self) -> float:
+        """Largest part of any bound that is used at the stage's times; 1 is the limit."""
+        bounds = self.stage.problem.motion.bounds
+        motion = self.motion
+        return utilisation(bounds, self.angles, self.swing, self.linear.tau, motion.bias, motion.winding)
+
+    def model(self) -> Model:
+        """Derivatives at this point."""
+        stage, H = self.stage, self.stage.H
+        problem = stage.problem
+        free = problem.free
+        root = problem.norm.root / problem.norm.demand
+        found = self.linear
+        by_waves = (root @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))
+        spectrum = derivatives(*by_waves, stage.Omega, H, 2 * H)
+        R_by_bias, tau_by_bias = self._by_bias()
+        own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.scaled)
+        whole = np.concatenate([spectrum, own[..., free]], axis=2)
+        A, T = rows(whole[: H + 1], 0), stage.tail * rows(whole[H + 1 :], H + 1)
+        total = sums(self._kinds(tau_by_bias), stage.grid.basis, problem.N, free)
+        held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)
+        gradient = total.gradient + T.T @ self.tail
+        curvature = total.curvature + T.T @ T
+        n = problem.N * (2 * H + 1)
+        gradient[n:] += (held * slope)[free]
+        curvature[n:, n:] += np.diag((slope**2)[free])
+        return Model(self.c, A, gradient, curvature)
+
+    def _by_bias(self) -> tuple[Array, Array]:
+        """Derivatives of the relative residual (M, 6, 6) and of tau (M, N, 6) by the bias; fixed components: 0."""
+        problem, course, M = self.stage.problem, self.stage.grid.course, len(self.stage.grid.t)
+        R, tau = np.zeros((M, 6, 6)), np.zeros((M, problem.N, 6))
+        moved = np.flatnonzero(problem.free)
+        F = len(moved)
+        if F == 0:
+            return R, tau
+        steps = np.zeros((2, F, 6))
+        steps[0, np.arange(F), moved], steps[1, np.arange(F), moved] = _STEP, -_STEP
+        steps = steps.reshape(2 * F, 6)
+        tiled = Course(*(np.tile(x, (2 * F, 1)) for x in course))
+        at = prescribe(problem.mechanics, tiled, self.motion.bias + np.repeat(steps, M, axis=0))
+        there = linear(at, *(np.tile(x, (2 * F, 1)) for x in self.angles))
+        apart = problem.norm.scaled(there.R).reshape(2, F, M, 6)
+        R[..., moved] = np.moveaxis((apart[0] - apart[1]) / (2 * _STEP), 0, 2)
+        torque = there.tau.reshape(2, F, M, problem.N)
+        tau[..., moved] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)
+        return R, tau
+
+
+def widened(stage: Stage, wider: float, objective: float) -> Stage:
+    """The same with other limits and another weight of the objective."""
+    return replace(stage, wider=wider, objective=objective)
