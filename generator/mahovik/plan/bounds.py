@@ -49,7 +49,8 @@ class Exceeded(NamedTuple):
         when = "" if self.time is None else f" at {self.time:.6g} s"
         side = "least is" if self.kind == "speed_min" else "bound is"
         percent = 100.0 * abs(self.value - self.limit) / self.limit if self.limit else float("inf")
-        return f"{self.kind} of {self.of}: {self.value:.6g} {self.unit}{when}, {side} {self.limit:.6g}: {percent:.3g} % off"
+        found = f"{self.value:.6g} {self.unit}{when}"
+        return f"{self.kind} of {self.of}: {found}, {side} {self.limit:.6g}: {percent:.3g} % off"
 
 
 def magnitudes(bounds: Bounds, angles: Angles, swing: Array, torque: Array) -> dict[str, tuple[Array, Array]]:
@@ -67,17 +68,13 @@ def hinges(
     bounds: Bounds, angles: Angles, swing: Array, torque: Rows, winding: Array, wider: float = 1.0
 ) -> dict[str, Rows]:
     """Hinge rows by kind, of limits `wider` times those of the bounds (least speeds: divided by it)."""
-    slopes: dict[str, dict[str, Array | float]] = {
-        "speed": {"by_phi_dot": 1.0},
-        "acceleration": {"by_phi_ddot": 1.0},
-        "angle": {"by_phi": 1.0},
-    }
+    slopes = {"speed": (0.0, 1.0, 0.0), "acceleration": (0.0, 0.0, 1.0), "angle": (1.0, 0.0, 0.0)}
     found = {}
     for kind, (y, limit) in magnitudes(bounds, angles, swing, torque.value).items():
         over = np.abs(y) / (wider * limit) - KNEE
         active = over > 0.0
         factor = np.where(active, np.sign(y) * (RHO / (wider * limit)), 0.0)
-        own = torque if kind == "torque" else Rows.of(y, **slopes[kind])
+        own = torque if kind == "torque" else Rows.of(y, *slopes[kind])
         found[kind] = replace(own.times(factor), value=RHO * np.where(active, over, 0.0), about_mean=kind == "angle")
     if bounds.speed_min is not None:
         found["speed_min"] = _least_speed(np.array(bounds.speed_min), angles.phi_dot, winding, wider)

@@ -21,7 +21,7 @@ def coefficients(R: Array, first: int, last: int) -> Array:
 
 
 def rows(spectrum: Complex, first: int) -> Array:
-    """Real rows (.., ...) of complex coefficients (J, 6, ...) of harmonics `first` and on; of the mean the real ones."""
+    """Real rows of complex coefficients (J, 6, ...) of harmonics `first` and on; of the mean its real part."""
     double = np.sqrt(2.0)
     mean = 1 if first == 0 else 0
     parts = [spectrum[:mean].real, double * spectrum[mean:].real, double * spectrum[mean:].imag]

@@ -1,4 +1,4 @@
-"""Steps to and along c(x) = 0: the least step that solves the linear model of c, and a basis of what leaves it alone."""
+"""Steps to and along c(x) = 0: the shortest that solves the linear model of c, and a basis of what leaves it alone."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _DOUBTFUL = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Range:
-    """Of A (r, n): `least(c)` is the shortest x with A x = c (least squares where there is none), `null` (n, n - rank)."""
+    """Of A (r, n): `least(c)` is the shortest x with A x = c, or nearly where none is; `null` (n, n - rank)."""
 
     _left: Array
     _right: Array
@@ -27,7 +27,7 @@ class Range:
 
     @staticmethod
     def of(A: Array) -> Range:
-        """By QR of A^T; by its singular values where a row depends on the others, or there are more rows than unknowns."""
+        """By QR of A^T; by singular values where a row depends on the others, or rows are more than unknowns."""
         r, n = A.shape
         if r <= n:
             Q, R = qr(A.T, mode="full", check_finite=False)
