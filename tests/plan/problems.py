@@ -14,6 +14,7 @@ from mahovik.stand.model import Stand
 from mahovik.stand.random import Features, random_stand
 
 PERIOD = 0.2
+NONE = Bounds()
 
 
 def required(
@@ -22,7 +23,7 @@ def required(
     *,
     seed: int = 1,
     harmonics: tuple[int, ...] = (1,),
-    bounds: Bounds = Bounds(),
+    bounds: Bounds = NONE,
     free: tuple[bool, ...] = (True,) * 6,
     **weights: Any,
 ) -> RequiredMotion:

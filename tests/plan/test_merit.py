@@ -37,7 +37,7 @@ def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple
 
 
 def test_coefficients_hold_the_mean_square() -> None:
-    """Of a signal with harmonics 0..9, split at 4: squares of both parts add to the mean square; harmonics sit in place."""
+    """Of a signal with harmonics 0..9, split at 4: squares of both parts add to the mean square."""
     rng = np.random.default_rng(0)
     t = np.arange(40) / 40
     wave = [np.cos(2 * np.pi * k * t)[:, None] * rng.normal(size=6) for k in range(10)]

@@ -23,7 +23,7 @@ WEIGHTS = (0.5, 2.0, 1.0)
 
 def setting(kind: str) -> tuple[Cost, Drawn, object]:
     """A cost with one kind weighted, on a stand with motors, and a drawn motion."""
-    stand, mechanics, motion = drawn(21, N, replace(EVERYTHING, motors=True))
+    _, mechanics, motion = drawn(21, N, replace(EVERYTHING, motors=True))
     cost = Cost.of(mechanics, required(N, **{kind: WEIGHTS}).objective, OMEGA)
     return cost, motion, prescribe(mechanics, motion)
 

@@ -41,10 +41,8 @@ class Rows:
         by_bias: Array | None = None,
     ) -> Rows:
         """Rows whose derivatives may be numbers."""
-        wide = (
-            np.broadcast_to(np.asarray(x, dtype=np.float64), value.shape) for x in (by_phi, by_phi_dot, by_phi_ddot)
-        )
-        return Rows(value, *wide, by_bias)
+        a, b, c = (np.broadcast_to(np.asarray(x, dtype=float), value.shape) for x in (by_phi, by_phi_dot, by_phi_ddot))
+        return Rows(value, a, b, c, by_bias)
 
     @staticmethod
     def torque(linear: Linear, by_bias: Array | None = None) -> Rows:
@@ -54,8 +52,8 @@ class Rows:
     def times(self, factor: Array | float) -> Rows:
         """Every row times a factor (one, N, or M x N)."""
         by_bias = None if self.by_bias is None else self.by_bias * np.broadcast_to(factor, self.value.shape)[..., None]
-        scaled = (x * factor for x in (self.value, self.by_phi, self.by_phi_dot, self.by_phi_ddot))
-        return Rows(*scaled, by_bias, self.about_mean)
+        value, a, b, c = (x * factor for x in (self.value, self.by_phi, self.by_phi_dot, self.by_phi_ddot))
+        return Rows(value, a, b, c, by_bias, self.about_mean)
 
     @property
     def mean_square(self) -> float:
@@ -75,7 +73,7 @@ class Sums(NamedTuple):
 
 
 def sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) -> Sums:
-    """Gauss-Newton of 1/2 sum over kinds, flywheels of the mean over time of rows^2; `free` (6, bool): bias unknowns."""
+    """Gauss-Newton of half the sum of mean squares of all kinds; `free` (6, bool): bias components that are unknowns."""
     W, n_bias = basis.value.shape[1], int(free.sum())
     n = N * W
     g, G = np.zeros(n + n_bias), np.zeros((n + n_bias, n + n_bias))

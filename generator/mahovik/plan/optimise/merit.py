@@ -126,8 +126,8 @@ class Point:
         free = problem.free
         root = problem.norm.root / problem.norm.demand
         found = self.linear
-        by_waves = (root @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))
-        spectrum = derivatives(*by_waves, stage.Omega, H, 2 * H)
+        a, b, c = (root @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))
+        spectrum = derivatives(a, b, c, stage.Omega, H, 2 * H)
         R_by_bias, tau_by_bias = self._by_bias()
         own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.scaled)
         whole = np.concatenate([spectrum, own[..., free]], axis=2)
@@ -149,9 +149,8 @@ class Point:
         F = len(moved)
         if F == 0:
             return R, tau
-        steps = np.zeros((2, F, 6))
-        steps[0, np.arange(F), moved], steps[1, np.arange(F), moved] = _STEP, -_STEP
-        steps = steps.reshape(2 * F, 6)
+        one = np.eye(6)[moved] * _STEP
+        steps = np.vstack([one, -one])
         tiled = Course(*(np.tile(x, (2 * F, 1)) for x in course))
         at = prescribe(problem.mechanics, tiled, self.motion.bias + np.repeat(steps, M, axis=0))
         there = linear(at, *(np.tile(x, (2 * F, 1)) for x in self.angles))
