@@ -73,7 +73,7 @@ class Sums(NamedTuple):
 
 
 def sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) -> Sums:
-    """Gauss-Newton of half the sum of mean squares of all kinds; `free` (6, bool): bias components that are unknowns."""
+    """Gauss-Newton of half the sum of mean squares of all kinds; `free` (6, bool): bias that is unknown."""
     W, n_bias = basis.value.shape[1], int(free.sum())
     n = N * W
     g, G = np.zeros(n + n_bias), np.zeros((n + n_bias, n + n_bias))
