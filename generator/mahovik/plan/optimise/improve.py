@@ -98,7 +98,7 @@ def judged(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> Improv
     """Figures of a motion on a fine grid."""
     point = stage_of(problem, cost, motion.H, TAIL, fine=True).at(motion)
     speed = point.stage.Omega * motion.winding
-    parts = cost.value(point.angles, speed, Rows.torque(point.linear))
+    parts = cost.value(point.angles, speed, Rows.of(point.tau))
     return Improved(motion, sum(parts.values()), parts, point.used, problem.relative(motion), steps)
 
 
@@ -106,7 +106,7 @@ def over(problem: Problem, cost: Cost, motion: Periodic) -> tuple[Exceeded, ...]
     """Bounds that a motion exceeds on a fine grid; the worst first."""
     point = stage_of(problem, cost, motion.H, TAIL, fine=True).at(motion)
     t, stand = point.stage.grid.t, problem.stand
-    return exceeded(problem.motion.bounds, stand, t, point.angles, point.swing, point.linear.tau, motion.bias)
+    return exceeded(problem.motion.bounds, stand, t, point.angles, point.swing, point.tau, motion.bias)
 
 
 def stage_of(

@@ -6,10 +6,12 @@ Zero: residual harmonics 0..H (Galerkin). Both with derivatives by the waves and
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.motion.required import Course
 from mahovik.plan.array import Array
@@ -19,6 +21,7 @@ from mahovik.plan.objective import Cost
 from mahovik.plan.optimise.galerkin import coefficients, derivatives, rows
 from mahovik.plan.problem import Grid, Problem
 from mahovik.plan.residual import Linear, Prescribed, linear, prescribe
+from mahovik.plan.residual.evaluate import flywheel_wrenches
 from mahovik.plan.rows import Rows, sums
 
 _STEP = 1e-6
@@ -49,8 +52,23 @@ class Stage:
 
     def at(self, motion: Periodic) -> Point:
         """The point of a motion with H harmonics."""
-        prescribed, found = self.problem.linear(self.grid, motion)
-        return Point(self, motion, motion.at(self.grid.basis), prescribed, found)
+        prescribed = prescribe(self.problem.mechanics, self.grid.course, motion.bias)
+        return Point(self, motion, motion.at(self.grid.basis), prescribed)
+
+    def around(self, bias: Array) -> Around:
+        """What is prescribed on both sides of a bias, for differences by its free components."""
+        moved = np.flatnonzero(self.problem.free)
+        one = np.eye(6)[moved] * _STEP
+        steps, M = np.vstack([one, -one]), len(self.grid.t)
+        tiled = Course(*(np.tile(x, (2 * len(moved), 1)) for x in self.grid.course))
+        return Around(moved, prescribe(self.problem.mechanics, tiled, bias + np.repeat(steps, M, axis=0)))
+
+
+class Around(NamedTuple):
+    """Prescribed at 2 F shifts of the bias, forth and then back, of its F free components `moved`."""
+
+    moved: NDArray[np.intp]
+    at: Prescribed
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +93,20 @@ class Point:
     motion: Periodic
     angles: Angles
     prescribed: Prescribed
-    linear: Linear
+
+    @cached_property
+    def linear(self) -> Linear:
+        """(12) and torques with derivatives."""
+        return linear(self.prescribed, *self.angles)
+
+    @cached_property
+    def _wrenches(self) -> Array:
+        return flywheel_wrenches(self.prescribed, *self.angles)
+
+    @property
+    def tau(self) -> Array:
+        """Drive torques (M, N; N m)."""
+        return np.asarray(self._wrenches[6])
 
     @property
     def swing(self) -> Array:
@@ -85,7 +116,7 @@ class Point:
     @cached_property
     def scaled(self) -> Array:
         """Relative residual (M, 6)."""
-        return self.stage.problem.norm.scaled(self.linear.R)
+        return self.stage.problem.norm.scaled(self.prescribed.base - self._wrenches[:6].sum(axis=2).T)
 
     @cached_property
     def c(self) -> Array:
@@ -97,8 +128,8 @@ class Point:
         """Residual harmonics H + 1..2H, weighted."""
         return self.stage.tail * coefficients(self.scaled, self.stage.H + 1, 2 * self.stage.H)
 
-    def _kinds(self, by_bias: Array | None) -> list[Rows]:
-        stage, torque = self.stage, Rows.torque(self.linear, by_bias)
+    def _kinds(self, torque: Rows) -> list[Rows]:
+        stage = self.stage
         speed = stage.Omega * self.motion.winding
         wanted = stage.cost.rows(self.angles, speed, torque).values() if stage.objective > 0.0 else ()
         bounds = stage.problem.motion.bounds
@@ -109,7 +140,7 @@ class Point:
     def value(self) -> float:
         """Half the sum of squares."""
         held, _ = bias_hinges(self.stage.problem.motion.bounds, self.motion.bias)
-        whole = sum(rows.mean_square for rows in self._kinds(None))
+        whole = sum(rows.mean_square for rows in self._kinds(Rows.of(self.tau)))
         return (whole + float(held @ held) + float(self.tail @ self.tail)) / 2.0
 
     @cached_property
@@ -117,10 +148,10 @@ class Point:
         """Largest part of any bound that is used at the stage's times; 1 is the limit."""
         bounds = self.stage.problem.motion.bounds
         motion = self.motion
-        return utilisation(bounds, self.angles, self.swing, self.linear.tau, motion.bias, motion.winding)
+        return utilisation(bounds, self.angles, self.swing, self.tau, motion.bias, motion.winding)
 
-    def model(self) -> Model:
-        """Derivatives at this point."""
+    def model(self, around: Around) -> Model:
+        """Derivatives at this point; those by the bias from differences `around` a bias near by."""
         stage, H = self.stage, self.stage.H
         problem = stage.problem
         free = problem.free
@@ -128,11 +159,11 @@ class Point:
         found = self.linear
         a, b, c = (root @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))
         spectrum = derivatives(a, b, c, stage.Omega, H, 2 * H)
-        R_by_bias, tau_by_bias = self._by_bias()
+        R_by_bias, tau_by_bias = self._by_bias(around)
         own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.scaled)
         whole = np.concatenate([spectrum, own[..., free]], axis=2)
         A, T = rows(whole[: H + 1], 0), stage.tail * rows(whole[H + 1 :], H + 1)
-        total = sums(self._kinds(tau_by_bias), stage.grid.basis, problem.N, free)
+        total = sums(self._kinds(Rows.torque(found, tau_by_bias)), stage.grid.basis, problem.N, free)
         held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)
         gradient = total.gradient + T.T @ self.tail
         curvature = total.curvature + T.T @ T
@@ -141,26 +172,15 @@ class Point:
         curvature[n:, n:] += np.diag((slope**2)[free])
         return Model(self.c, A, gradient, curvature)
 
-    def _by_bias(self) -> tuple[Array, Array]:
+    def _by_bias(self, around: Around) -> tuple[Array, Array]:
         """Derivatives of the relative residual (M, 6, 6) and of tau (M, N, 6) by the bias; fixed components: 0."""
-        problem, course, M = self.stage.problem, self.stage.grid.course, len(self.stage.grid.t)
+        problem, M, F = self.stage.problem, len(self.stage.grid.t), len(around.moved)
         R, tau = np.zeros((M, 6, 6)), np.zeros((M, problem.N, 6))
-        moved = np.flatnonzero(problem.free)
-        F = len(moved)
         if F == 0:
             return R, tau
-        one = np.eye(6)[moved] * _STEP
-        steps = np.vstack([one, -one])
-        tiled = Course(*(np.tile(x, (2 * F, 1)) for x in course))
-        at = prescribe(problem.mechanics, tiled, self.motion.bias + np.repeat(steps, M, axis=0))
-        there = linear(at, *(np.tile(x, (2 * F, 1)) for x in self.angles))
-        apart = problem.norm.scaled(there.R).reshape(2, F, M, 6)
-        R[..., moved] = np.moveaxis((apart[0] - apart[1]) / (2 * _STEP), 0, 2)
-        torque = there.tau.reshape(2, F, M, problem.N)
-        tau[..., moved] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)
+        W = flywheel_wrenches(around.at, *(np.tile(x, (2 * F, 1)) for x in self.angles))
+        sides = problem.norm.scaled(around.at.base - W[:6].sum(axis=2).T).reshape(2, F, M, 6)
+        R[..., around.moved] = np.moveaxis((sides[0] - sides[1]) / (2 * _STEP), 0, 2)
+        torque = W[6].reshape(2, F, M, problem.N)
+        tau[..., around.moved] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)
         return R, tau
-
-
-def widened(stage: Stage, wider: float, objective: float) -> Stage:
-    """The same with other limits and another weight of the objective."""
-    return replace(stage, wider=wider, objective=objective)

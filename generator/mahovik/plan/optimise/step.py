@@ -23,6 +23,8 @@ LONGEST = 0.7
 CORRECTIONS = 2
 """Second-order corrections of a trial: steps along the range with the derivatives at hand."""
 TRIALS = 8
+RENEWED = 10
+"""Steps after which what is prescribed around the bias is made anew: the bias moves little."""
 _LEAST = 1e-9
 _SOLVED = 1e-10
 """Residual harmonics 0..H that count as zero."""
@@ -47,7 +49,9 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
             return Run(point, taken, True)
         if not budget.step():
             return Run(point, taken, False)
-        model = point.model()
+        if taken % RENEWED == 0:
+            around = stage.around(point.motion.bias)
+        model = point.model(around)
         local = Local.of(stage, model)
         nu = max(local.penalty(), 0.5 * nu)
         before = nu * size(point.c) + point.value
