@@ -94,6 +94,13 @@ def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Imp
     return found
 
 
+def promise(problem: Problem, cost: Cost, start: Periodic) -> tuple[float, float]:
+    """Objective and use of the bounds of a start, at few samples."""
+    point = stage_of(problem, cost, start.H, TAIL).at(start)
+    parts = cost.value(point.angles, point.stage.Omega * start.winding, Rows.of(point.tau))
+    return sum(parts.values()), point.used
+
+
 def judged(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> Improved:
     """Figures of a motion on a fine grid."""
     point = stage_of(problem, cost, motion.H, TAIL, fine=True).at(motion)
