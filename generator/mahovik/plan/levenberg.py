@@ -118,12 +118,12 @@ def ladder(problem: Problem, start: Periodic, rungs: tuple[int, ...], budget: Bu
     motion, damping, before = start, 1e-2, np.inf
     highest = max(problem.highest, int(np.abs(start.winding).max(initial=0)))
     for number, H in enumerate(rungs):
-        grid = problem.grid(max(64, 3 * H + 4 * highest + 16), H)
+        grid = problem.grid(max(64, (12 if problem.kinked else 3) * H + 4 * highest + 16), H)
         first = number == 0
         rules = Rules(3e-3 if first else 1e-3 * problem.tolerance, 40 if first else 14, damping)
         found = refine(problem, grid, motion.with_harmonics(H), rules, budget)
         between = problem.relative(found.motion, 4)
-        if between < 0.1 * problem.tolerance or budget.exhausted:
+        if between < (0.01 if problem.kinked else 0.1) * problem.tolerance or budget.exhausted:
             break
         if between > (hopeless if first else 0.5 * before):
             break

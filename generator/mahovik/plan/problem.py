@@ -52,19 +52,27 @@ class Problem:
         mechanics = Mechanics.of(stand)
         M = max(256, 16 * max(motion.harmonics, default=1))
         demanded = prescribe(mechanics, motion.at(uniform(motion.span, M)))
+        free = np.array(motion.free_mean, dtype=bool)
+        if motion.bounds.bias is not None:
+            free &= np.array(motion.bounds.bias) > 0.0
         return Problem(
             stand,
             motion,
             mechanics,
             Norm.of(demanded, motion.span),
-            np.array(motion.free_mean, dtype=bool),
-            KINKED if any(kinked(body.damping) for body in stand.bodies) else EXACT,
+            free,
+            KINKED if any(has_magnitude(body.damping) for body in stand.bodies) else EXACT,
         )
 
     @property
     def N(self) -> int:
         """Number of flywheels."""
         return self.mechanics.N
+
+    @property
+    def kinked(self) -> bool:
+        """Whether forces have kinks, so that sums over few nodes alias."""
+        return self.tolerance == KINKED
 
     @property
     def highest(self) -> int:
@@ -109,7 +117,7 @@ class Problem:
         return float(np.linalg.norm(self.rows(grid, motion), axis=1).max())
 
 
-def kinked(damping: Damping | None) -> bool:
+def has_magnitude(damping: Damping | None) -> bool:
     """Whether a damping law has a magnitude in it."""
     if damping is None:
         return False

@@ -1,0 +1,173 @@
+"""Planning as a whole: preflight, search, choice, verification, report."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from mahovik.errors import StateError
+from mahovik.motion.programme import Fourier, Programme
+from mahovik.motion.required import RequiredMotion
+from mahovik.motion.required.model import Winding
+from mahovik.plan.budget import Budget
+from mahovik.plan.choose import Chosen, choose
+from mahovik.plan.figures import figures
+from mahovik.plan.outcome import Plan, Status
+from mahovik.plan.preflight import Preflight, preflight
+from mahovik.plan.problem import Problem
+from mahovik.plan.search import Search, search
+from mahovik.stand.identity import identities
+from mahovik.stand.model import Stand
+
+STEPS = 20_000
+"""Steps of Levenberg-Marquardt and of optimisation that a plan may take."""
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What the caller wants of a plan.
+
+    seed     of all draws; the same file and seed give the same programme
+    seconds  a cut-off; None: only the budget of starts and steps ends the search
+    winding  in place of the motion file's
+    keep     programmes that are given, best first
+    enough   programmes of each kind of winding to choose from
+    verify   whether the programmes are put through the independent verification
+    """
+
+    seed: int = 0
+    seconds: float | None = None
+    winding: Winding | None = None
+    keep: int = 1
+    enough: int = 3
+    verify: bool = True
+
+
+Tell = Callable[[Search], None]
+
+
+def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
+    """A programme that makes the carrier of `stand` do `motion`, (12)-(13), or why there is none.
+
+    Ctrl-C while it searches gives the best so far.
+    """
+    asked = wishes or Wishes()
+    if asked.winding is not None:
+        motion = replace(motion, winding=asked.winding)
+    budget = Budget(STEPS, asked.seconds)
+    try:
+        problem = Problem.of(stand, motion)
+        first = preflight(problem)
+    except StateError as error:
+        return Plan("SINGULAR_ATTITUDE", None, (str(error),), (), ())
+    if first.refusal is not None:
+        return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
+    found = search(problem, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
+    return _plan(problem, first, found, choose(problem, found.found, budget), budget, asked)
+
+
+def _plan(
+    problem: Problem, first: Preflight, found: Search, chosen: Sequence[Chosen], budget: Budget, asked: Wishes
+) -> Plan:
+    """The outcome of a search."""
+    effort = {
+        "seed": asked.seed,
+        "starts": found.starts,
+        "steps": budget.taken,
+        "windings_tried": dict(found.tried),
+        "found": len(found.found),
+        "best_residual": float(found.best),
+        "cut_by_time": budget.cut,
+        "objective_spread": [each.objective for each in chosen],
+    }
+    if not chosen:
+        return Plan("NO_PROGRAM", "SEARCH", (not_found(found),), tuple(first.warnings), (), effort, found.interrupted)
+    programmes, refused = [], []
+    for each in chosen:
+        programme = _programme(problem, each, effort, asked.verify)
+        wrong = wrong_items(programme)
+        if wrong:
+            refused.append(f"a programme was found and refused by the verification: {wrong}")
+        else:
+            programmes.append((each, programme))
+        if len(programmes) == asked.keep:
+            break
+    if not programmes:
+        return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, found.interrupted)
+    best, programme = programmes[0]
+    warnings = (*first.warnings, *programme.report.get("warnings", ()))
+    status: Status = "OK_LIMIT" if best.exceeded else "OK"
+    given = tuple(each for _, each in programmes)
+    return Plan(status, None, best.exceeded, warnings, given, effort, found.interrupted)
+
+
+def wrong_items(programme: Programme) -> str:
+    """Items of the verification that failed, bounds apart: those are told as such. Empty where none."""
+    found = programme.report.get("verification", ())
+    wrong = [each for each in found if not each["passed"] and not each["name"].startswith("bound")]
+    return "; ".join(
+        f"{each['name']} {each['value']:.3g}, at most {each['limit']:.3g}, {each['words']}" for each in wrong
+    )
+
+
+def not_found(found: Search) -> str:
+    """Words of a search without success; it proves nothing."""
+    tried = ", ".join(f"{kind} {number}" for kind, number in found.tried.items()) or "none"
+    ended = "cut by time" if found.cut else "interrupted" if found.interrupted else "out of budget"
+    return (
+        f"no programme was found, which is no proof that there is none: {found.starts} starts tried ({tried}), "
+        f"best relative residual {found.best:.3g}, {ended}; another seed, more time, another winding, a smaller "
+        "motion or one more flywheel may help"
+    )
+
+
+def _programme(problem: Problem, chosen: Chosen, effort: Mapping[str, Any], verify: bool) -> Programme:
+    """The programme with its report."""
+    stand, motion, own = problem.stand, problem.motion, chosen.motion
+    whose = identities(stand)
+    found = figures(problem, own)
+    report: dict[str, Any] = {
+        "kind": chosen.kind,
+        "objective": chosen.objective,
+        "exceeded": list(chosen.exceeded),
+        "harmonics": own.H,
+        "residual": found.residual,
+        "peak_speed": found.speed,
+        "peak_acceleration": found.acceleration,
+        "peak_torque": found.torque,
+        "least_singular_value": found.sigma,
+        "det_I_sign_changes": found.sign_changes,
+        "search": dict(effort),
+    }
+    programme = Programme(
+        stand=stand.name,
+        structure=whose.structure,
+        physics=whose.physics,
+        motion=motion.name,
+        flywheels=tuple(s.name for s in stand.flywheels),
+        periodic=True,
+        span=motion.span,
+        bias=own.bias,
+        winding=tuple(int(n) for n in own.winding),
+        course=Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin)),
+        report=report,
+    )
+    return replace(programme, report=report | verified(stand, motion, programme)) if verify else programme
+
+
+def verified(stand: Stand, motion: RequiredMotion, programme: Programme) -> dict[str, Any]:
+    """What the independent verification says, for the report."""
+    from mahovik.verify.programme import verify_programme
+
+    findings = verify_programme(stand, motion, programme)
+    named = {each.name: each for each in findings}
+    return {
+        "verified": all(each.passed for each in findings),
+        "simulation_error": named["simulation"].value if "simulation" in named else None,
+        "largest_multiplier": named["Floquet"].value if "Floquet" in named else None,
+        "verification": [asdict(each) for each in findings],
+        "warnings": [f"{each.name}: {each.words}" for each in findings if each.warns],
+    }
