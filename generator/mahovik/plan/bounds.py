@@ -53,6 +53,12 @@ class Exceeded(NamedTuple):
         return f"{self.kind} of {self.of}: {found}, {side} {self.limit:.6g}: {percent:.3g} % off"
 
 
+def bounded(bounds: Bounds) -> bool:
+    """Whether a bound was asked for that a periodic motion can exceed."""
+    kinds = (bounds.speed, bounds.speed_min, bounds.acceleration, bounds.torque, bounds.angle, bounds.bias)
+    return any(kind is not None for kind in kinds)
+
+
 def magnitudes(bounds: Bounds, angles: Angles, swing: Array, torque: Array) -> dict[str, tuple[Array, Array]]:
     """What is bounded from above: y (M, N) and its limit (N), by kind; `swing` is phi less winding and mean."""
     of = {"speed": angles.phi_dot, "acceleration": angles.phi_ddot, "torque": torque, "angle": swing}

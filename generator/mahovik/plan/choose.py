@@ -1,4 +1,4 @@
-"""What becomes of the starts of a search, and which programmes are given: those inside the bounds, best by the objective.
+"""What becomes of the starts of a search, and which programmes are given: inside the bounds, best by the objective.
 
 Starts are taken in the order of what they promise: objective and use of the bounds, as they stand at a few harmonics.
 Each is made exact enough to be improved, improved inside the bounds, and finished.
@@ -10,14 +10,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.plan.array import Array
+from mahovik.plan.bounds import bounded
 from mahovik.plan.budget import Budget
 from mahovik.plan.fourier import Periodic
 from mahovik.plan.levenberg import Rules, ladder, refine
 from mahovik.plan.objective import Cost
-from mahovik.plan.optimise import Improved, bounded, finish, improve, judged, over, promise
+from mahovik.plan.optimise import Improved, finish, improve, judged, over, promise
 from mahovik.plan.problem import Problem
-from mahovik.plan.search import RUNGS, Candidate, Search
+from mahovik.plan.search import RUNGS, Candidate, Indices, Search
 from mahovik.plan.starts import Crowd
 from mahovik.plan.windings import Kind
 
@@ -47,12 +47,12 @@ class Improver:
         Omega = 2.0 * np.pi / problem.motion.span * min(problem.motion.harmonics, default=1)
         return Improver(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega))
 
-    def rank(self, crowd: Crowd) -> Array:
+    def rank(self, crowd: Crowd) -> Indices:
         """Numbers of the crowd's motions, the most promising first."""
         objective, used = np.array([promise(self.problem, self.cost, crowd.motion(k)) for k in range(crowd.K)]).T
         vague = np.log1p((crowd.residuals() / _VAGUE) ** 2)
         score = np.log(objective + 1e-12) + 4.0 * np.log(np.maximum(1.0, used)) + vague
-        return np.argsort(score, kind="stable")
+        return np.asarray(np.argsort(score, kind="stable"))
 
     def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
         """The programme that a start becomes, inside the bounds or beyond them; None: it becomes none."""
@@ -66,7 +66,7 @@ class Improver:
         if found.used > 1.0:  # not worth the finish, unless nothing better comes
             return self.candidate(found, kind)
         found = finish(self.problem, self.cost, found, budget)
-        if found.residual > self.problem.tolerance and not bounded(self.problem):
+        if found.residual > self.problem.tolerance and not bounded(self.problem.motion.bounds):
             exact = ladder(self.problem, near.motion, RUNGS, budget).motion
             found = judged(self.problem, self.cost, exact, found.steps)
         return self.candidate(found, kind)

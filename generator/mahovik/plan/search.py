@@ -7,19 +7,23 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.plan.array import Array
-from mahovik.plan.bounds import Exceeded
+from mahovik.plan.bounds import Exceeded, bounded
 from mahovik.plan.budget import Budget
 from mahovik.plan.fourier import Periodic
 from mahovik.plan.problem import Problem
 from mahovik.plan.starts import Crowd
 from mahovik.plan.windings import Kind, drawn, order, rounds
 
+Indices = NDArray[np.intp]
 RUNGS = (5, 10, 20, 32, 48, 64)
 """Numbers of harmonics, in turn."""
 DRAWN, CHOSEN, REFINED = 256, 48, 6
 """Starts a round; those of the best score, which get harmonics; those that are refined, best first."""
+REFINED_IN_BOUNDS = 3
+"""Where there are bounds: the best of a fresh crowd promise more than the rest of this one."""
 _MEANS, _WAVES = 8, 20
 """Steps of the whole crowd over mean angles; of the chosen over three harmonics."""
 _PROMISING = 0.6
@@ -57,7 +61,7 @@ class Candidate:
 class Polisher(Protocol):
     """Who makes programmes of starts, and says which promise most."""
 
-    def rank(self, crowd: Crowd) -> Array:
+    def rank(self, crowd: Crowd) -> Indices:
         """Numbers of the crowd's motions, the most promising first."""
 
     def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
@@ -152,7 +156,8 @@ def _round(
     state.seen(float(residuals.min()))
     here = 0
     order = polisher.rank(chosen)
-    for k in order[residuals[order] <= _PROMISING][:REFINED]:
+    most = REFINED_IN_BOUNDS if bounded(problem.motion.bounds) else REFINED
+    for k in order[residuals[order] <= _PROMISING][:most]:
         if tell is not None:
             tell(state)
         if budget.exhausted or here >= enough:

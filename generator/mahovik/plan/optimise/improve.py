@@ -7,21 +7,25 @@ anything else would slide along nearly free directions and break the bounds agai
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from mahovik.plan.bounds import KNEE, Exceeded, exceeded
+from mahovik.plan.bounds import KNEE, Exceeded, bounded, exceeded
 from mahovik.plan.budget import Budget
 from mahovik.plan.fourier import Periodic
 from mahovik.plan.objective import Cost
 from mahovik.plan.optimise.merit import Point, Stage
-from mahovik.plan.optimise.step import descend
+from mahovik.plan.optimise.step import descend, restore
 from mahovik.plan.problem import Grid, Problem
 from mahovik.plan.rows import Rows
 
 HARMONICS = 16
 TAIL = 300.0
-FINISHES = ((24, 12), (32, 12), (48, 8))
-"""Harmonics and steps of the finish, until the residual is accepted."""
+FINISHES = ((0, 0, 24), (0, 0, 32), (0, 0, 48), (24, 12, 48), (32, 12, 64))
+"""Harmonics and steps of a smoothing, harmonics of the shortest steps after it; until the residual is accepted."""
+RESTORING = 4
+EXACT_ENOUGH = 0.05
+"""Of the tolerance: a residual below this needs no more harmonics."""
 TAIL_OF_FINISH = 3e4
 TIGHTER = 0.6
 ROUNDS = 12
@@ -47,7 +51,7 @@ class Improved:
 
     motion: Periodic
     objective: float
-    parts: dict[str, float]
+    parts: Mapping[str, float]
     used: float
     residual: float
     steps: int
@@ -58,7 +62,7 @@ def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> Im
     stage = stage_of(problem, cost, harmonics(problem, start, HARMONICS), TAIL)
     motion, steps = start.with_harmonics(stage.H), 0
     point = stage.at(motion)
-    if bounded(problem):
+    if bounded(problem.motion.bounds):
         point, steps = _within(problem, cost, stage, point, budget)
     if point.used <= 1.0 + 1e-3:
         run = descend(stage, point.motion, STEPS, budget)
@@ -84,13 +88,24 @@ def _within(problem: Problem, cost: Cost, asked: Stage, point: Point, budget: Bu
 
 
 def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Improved:
-    """The same motion with a residual that is accepted, if it can be had, bounds and objective kept."""
-    for H, steps in FINISHES:
-        stage = stage_of(problem, cost, harmonics(problem, found.motion, H), TAIL_OF_FINISH)
-        run = descend(stage, found.motion.with_harmonics(stage.H), steps, budget)
-        found = judged(problem, cost, run.point.motion, found.steps + run.steps)
-        if found.residual < 0.5 * problem.tolerance or budget.exhausted:
+    """The same motion with a residual that is accepted, if it can be had; bounds and objective kept where they are.
+
+    First by shortest steps with more harmonics. A motion whose coefficients fall too slowly for that is smoothed by the
+    optimiser, with a heavy tail, before them.
+    """
+    wider = max(1.0, found.used / KNEE)
+    for smooth, steps, H in FINISHES:
+        motion, taken = found.motion, budget.taken
+        if found.residual < EXACT_ENOUGH * problem.tolerance or budget.exhausted:
             break
+        if smooth:
+            stage = stage_of(problem, cost, harmonics(problem, motion, smooth), TAIL_OF_FINISH, wider=wider)
+            motion = descend(stage, motion.with_harmonics(stage.H), steps, budget).point.motion
+        stage = stage_of(problem, cost, harmonics(problem, motion, H), TAIL)
+        motion = restore(stage, motion.with_harmonics(stage.H), RESTORING, budget)
+        again = judged(problem, cost, motion, found.steps + budget.taken - taken)
+        if again.residual < found.residual:
+            found = again
     return found
 
 
@@ -140,10 +155,3 @@ def harmonics(problem: Problem, motion: Periodic, least: int) -> int:
     """Harmonics to work with: more for motions and windings of high order."""
     order = max(problem.highest, int(abs(motion.winding).max(initial=0)))
     return least + 4 * (order - 1)
-
-
-def bounded(problem: Problem) -> bool:
-    """Whether a bound was asked for that a periodic motion can exceed."""
-    bounds = problem.motion.bounds
-    kinds = (bounds.speed, bounds.speed_min, bounds.acceleration, bounds.torque, bounds.angle, bounds.bias)
-    return any(kind is not None for kind in kinds)

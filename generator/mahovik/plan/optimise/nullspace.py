@@ -26,11 +26,14 @@ class Range:
     null: Array
 
     @staticmethod
-    def of(A: Array) -> Range:
-        """By QR of A^T; by singular values where a row depends on the others, or rows are more than unknowns."""
+    def of(A: Array, null: bool = True) -> Range:
+        """By QR of A^T; by singular values where a row depends on the others, or rows are more than unknowns.
+
+        null: whether its basis is wanted; else it may be missing.
+        """
         r, n = A.shape
         if r <= n:
-            Q, R = qr(A.T, mode="full", check_finite=False)
+            Q, R = qr(A.T, mode="full" if null else "economic", check_finite=False)
             diagonal = np.abs(np.diag(R))
             if diagonal.size == 0 or diagonal.min() > _DOUBTFUL * diagonal.max():
                 return Range(Q[:, :0], Q[:, :r], R[:r], diagonal, Q[:, r:])

@@ -70,6 +70,23 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
     return Run(point, steps, False)
 
 
+def restore(stage: Stage, start: Periodic, steps: int, budget: Budget) -> Periodic:
+    """Residual harmonics 0..H brought to zero by shortest steps alone, as far as `steps` of them go."""
+    point = stage.at(start)
+    around = stage.around(start.bias)
+    for _ in range(steps):
+        if size(point.c) < _SOLVED or not budget.step():
+            break
+        model = point.model(around)
+        scale = scales(stage, model.A)
+        step = -scale * Range.of(model.A * scale, null=False).least(point.c)
+        trial = stage.at(point.motion.moved(step, stage.problem.free))
+        if size(trial.c) > 0.5 * size(point.c):
+            break
+        point = trial
+    return point.motion
+
+
 def size(c: Array) -> float:
     """Root mean square of the residual harmonics."""
     return float(np.linalg.norm(c))
