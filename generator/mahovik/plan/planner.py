@@ -12,13 +12,14 @@ from mahovik.errors import StateError
 from mahovik.motion.programme import Fourier, Programme
 from mahovik.motion.required import RequiredMotion
 from mahovik.motion.required.model import Winding
+from mahovik.plan.bounds import bounded
 from mahovik.plan.budget import Budget
-from mahovik.plan.choose import Chosen, choose
+from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.outcome import Plan, Status
 from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
-from mahovik.plan.search import Search, search
+from mahovik.plan.search import Candidate, Search, search
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 
@@ -42,7 +43,7 @@ class Wishes:
     seconds: float | None = None
     winding: Winding | None = None
     keep: int = 1
-    enough: int = 3
+    enough: int = 1
     verify: bool = True
 
 
@@ -65,12 +66,13 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
         return Plan("SINGULAR_ATTITUDE", None, (str(error),), (), ())
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
-    found = search(problem, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
-    return _plan(problem, first, found, choose(problem, found.found, budget), budget, asked)
+    improver = Improver.of(problem)
+    found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
+    return _plan(problem, first, found, choose(improver, found), budget, asked)
 
 
 def _plan(
-    problem: Problem, first: Preflight, found: Search, chosen: Sequence[Chosen], budget: Budget, asked: Wishes
+    problem: Problem, first: Preflight, found: Search, chosen: Sequence[Candidate], budget: Budget, asked: Wishes
 ) -> Plan:
     """The outcome of a search."""
     effort = {
@@ -101,7 +103,8 @@ def _plan(
     warnings = (*first.warnings, *programme.report.get("warnings", ()))
     status: Status = "OK_LIMIT" if best.exceeded else "OK"
     given = tuple(each for _, each in programmes)
-    return Plan(status, None, best.exceeded, warnings, given, effort, found.interrupted)
+    over = tuple(each.words for each in best.exceeded)
+    return Plan(status, None, over, warnings, given, effort, found.interrupted)
 
 
 def wrong_items(programme: Programme) -> str:
@@ -124,7 +127,7 @@ def not_found(found: Search) -> str:
     )
 
 
-def _programme(problem: Problem, chosen: Chosen, effort: Mapping[str, Any], verify: bool) -> Programme:
+def _programme(problem: Problem, chosen: Candidate, effort: Mapping[str, Any], verify: bool) -> Programme:
     """The programme with its report."""
     stand, motion, own = problem.stand, problem.motion, chosen.motion
     whose = identities(stand)
@@ -132,7 +135,9 @@ def _programme(problem: Problem, chosen: Chosen, effort: Mapping[str, Any], veri
     report: dict[str, Any] = {
         "kind": chosen.kind,
         "objective": chosen.objective,
-        "exceeded": list(chosen.exceeded),
+        "objective_parts": dict(chosen.parts),
+        "bounds_used": chosen.used if bounded(motion.bounds) else None,
+        "exceeded": [each.words for each in chosen.exceeded],
         "harmonics": own.H,
         "residual": found.residual,
         "peak_speed": found.speed,
