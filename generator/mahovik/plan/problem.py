@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.motion.required import Course, RequiredMotion
 from mahovik.plan.array import Array
-from mahovik.plan.fourier import Basis, Periodic, uniform
+from mahovik.plan.fourier import Angles, Basis, Periodic, uniform
 from mahovik.plan.residual import Linear, Mechanics, Norm, Prescribed, linear, prescribe, residual
 from mahovik.stand.model import Damping, Stand
 
@@ -89,8 +89,11 @@ class Problem:
 
     def rows(self, grid: Grid, motion: Periodic) -> Array:
         """Relative residual (M, 6) of a flywheel motion at the times of a grid."""
-        at = prescribe(self.mechanics, grid.course, motion.bias)
-        return self.norm.scaled(residual(at, *motion.at(grid.basis)))
+        return self.scaled_residual(grid, motion.bias, motion.at(grid.basis))
+
+    def scaled_residual(self, grid: Grid, bias: Array, angles: Angles) -> Array:
+        """Relative residual (M, 6) at given angles and bias."""
+        return self.norm.scaled(residual(prescribe(self.mechanics, grid.course, bias), *angles))
 
     def linear(self, grid: Grid, motion: Periodic) -> tuple[Prescribed, Linear]:
         """R, tau and their derivatives at the times of a grid, not scaled."""
