@@ -12,7 +12,6 @@ from mahovik.plan.budget import Budget
 from mahovik.plan.optimise import Improved, improve, judged, over
 from plan.improvable import UNTIL, N, improved, plain, setting
 
-
 TIGHT = Bounds(acceleration=(1000.0,) * N, torque=(1.2,) * N, speed=(17.0,) * N, angle=(0.28,) * N)
 
 
