@@ -15,7 +15,7 @@ from mahovik.plan.levenberg import ladder
 from mahovik.plan.optimise import Improved, finish, improve, judged
 from mahovik.plan.preflight import preflight
 from mahovik.plan.problem import Problem
-from mahovik.plan.search import Candidate, search
+from mahovik.plan.search import RUNGS, Candidate, search
 from mahovik.plan.starts import Crowd
 from mahovik.stand.model import Motor
 from plan.examples import example
@@ -46,7 +46,7 @@ class Plain:
         return np.argsort(crowd.residuals(), kind="stable")
 
     def polish(self, start: Periodic, kind: str, budget: Budget) -> Candidate | None:
-        exact = ladder(self.own.problem, start, (5, 10, 20), budget).motion
+        exact = ladder(self.own.problem, start, RUNGS, budget).motion
         return self.own.candidate(judged(self.own.problem, self.own.cost, exact, 0), kind)
 
 

@@ -37,6 +37,7 @@ class Wishes:
     keep     programmes that are given, best first
     enough   programmes of each kind of winding to choose from
     verify   whether the programmes are put through the independent verification
+    steps    of search and optimisation that may be taken
     """
 
     seed: int = 0
@@ -45,6 +46,7 @@ class Wishes:
     keep: int = 1
     enough: int = 1
     verify: bool = True
+    steps: int = STEPS
 
 
 Tell = Callable[[Search], None]
@@ -58,7 +60,7 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
     asked = wishes or Wishes()
     if asked.winding is not None:
         motion = replace(motion, winding=asked.winding)
-    budget = Budget(STEPS, asked.seconds)
+    budget = Budget(asked.steps, asked.seconds)
     try:
         problem = Problem.of(stand, motion)
         first = preflight(problem)
