@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,43 +11,18 @@ import numpy as np
 from mahovik.errors import StateError
 from mahovik.motion.programme import Fourier, Programme
 from mahovik.motion.required import RequiredMotion
-from mahovik.motion.required.model import Winding
 from mahovik.plan.bounds import bounded
 from mahovik.plan.budget import Budget
+from mahovik.plan.certificate import certified, programme_of, wrong_items
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
+from mahovik.plan.finite import plan_finite
 from mahovik.plan.outcome import Plan, Status
 from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
 from mahovik.plan.search import Candidate, Search, search
-from mahovik.stand.identity import identities
+from mahovik.plan.wishes import Wishes
 from mahovik.stand.model import Stand
-
-STEPS = 20_000
-"""Steps of Levenberg-Marquardt and of optimisation that a plan may take."""
-
-
-@dataclass(frozen=True)
-class Wishes:
-    """What the caller wants of a plan.
-
-    seed     of all draws; the same file and seed give the same programme
-    seconds  a cut-off; None: only the budget of starts and steps ends the search
-    winding  in place of the motion file's
-    keep     programmes that are given, best first
-    enough   programmes of each kind of winding to choose from
-    verify   whether the programmes are put through the independent verification
-    steps    of search and optimisation that may be taken
-    """
-
-    seed: int = 0
-    seconds: float | None = None
-    winding: Winding | None = None
-    keep: int = 1
-    enough: int = 1
-    verify: bool = True
-    steps: int = STEPS
-
 
 Tell = Callable[[Search], None]
 
@@ -68,6 +43,8 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
         return Plan("SINGULAR_ATTITUDE", None, (str(error),), (), ())
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
+    if not motion.periodic:
+        return plan_finite(problem, first, asked, budget)
     improver = Improver.of(problem)
     found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
     return _plan(problem, first, found, choose(improver, found), budget, asked)
@@ -109,15 +86,6 @@ def _plan(
     return Plan(status, None, over, warnings, given, effort, found.interrupted)
 
 
-def wrong_items(programme: Programme) -> str:
-    """Items of the verification that failed, bounds apart: those are told as such. Empty where none."""
-    found = programme.report.get("verification", ())
-    wrong = [each for each in found if not each["passed"] and not each["name"].startswith("bound")]
-    return "; ".join(
-        f"{each['name']} {each['value']:.3g}, at most {each['limit']:.3g}, {each['words']}" for each in wrong
-    )
-
-
 def not_found(found: Search) -> str:
     """Words of a search without success; it proves nothing."""
     tried = ", ".join(f"{kind} {number}" for kind, number in found.tried.items()) or "none"
@@ -132,7 +100,6 @@ def not_found(found: Search) -> str:
 def _programme(problem: Problem, chosen: Candidate, effort: Mapping[str, Any], verify: bool) -> Programme:
     """The programme with its report."""
     stand, motion, own = problem.stand, problem.motion, chosen.motion
-    whose = identities(stand)
     found = figures(problem, own)
     report: dict[str, Any] = {
         "kind": chosen.kind,
@@ -149,32 +116,6 @@ def _programme(problem: Problem, chosen: Candidate, effort: Mapping[str, Any], v
         "det_I_sign_changes": found.sign_changes,
         "search": dict(effort),
     }
-    programme = Programme(
-        stand=stand.name,
-        structure=whose.structure,
-        physics=whose.physics,
-        motion=motion.name,
-        flywheels=tuple(s.name for s in stand.flywheels),
-        periodic=True,
-        span=motion.span,
-        bias=own.bias,
-        winding=tuple(int(n) for n in own.winding),
-        course=Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin)),
-        report=report,
-    )
-    return replace(programme, report=report | verified(stand, motion, programme)) if verify else programme
-
-
-def verified(stand: Stand, motion: RequiredMotion, programme: Programme) -> dict[str, Any]:
-    """What the independent verification says, for the report."""
-    from mahovik.verify.programme import verify_programme
-
-    findings = verify_programme(stand, motion, programme)
-    named = {each.name: each for each in findings}
-    return {
-        "verified": all(each.passed for each in findings),
-        "simulation_error": named["simulation"].value if "simulation" in named else None,
-        "largest_multiplier": named["Floquet"].value if "Floquet" in named else None,
-        "verification": [asdict(each) for each in findings],
-        "warnings": [f"{each.name}: {each.words}" for each in findings if each.warns],
-    }
+    course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
+    programme = programme_of(stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
+    return certified(stand, motion, programme) if verify else programme

@@ -1,4 +1,4 @@
-"""The search of a finite motion: starts at rest from drawn angles, collocation of (12) over splines of rising degree."""
+"""The search of a finite motion: starts at rest from drawn angles, collocation over splines of rising degree."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ DEGREES = (5, 7, 9, 11, 13)
 DRAWN, CHOSEN, REFINED, ROUNDS = 192, 32, 6, 8
 _SCORED, _CROWD, _STEPS = 8, 12, 15
 """Modes for the score and for the crowd, and its steps."""
-_PROMISING = 0.6
+_VARIED = 0.1
+"""rad: how starts from given angles differ, a mode."""
 _MOST_UNKNOWNS = 2500
 _TABLE = 8192
 """Most rows of a table."""
@@ -125,18 +126,19 @@ def search_finite(problem: FiniteProblem, bias: Array, seed: int, budget: Budget
         for _ in range(ROUNDS):
             if state.found or budget.exhausted:
                 break
-            means = rng.uniform(-np.pi, np.pi, (DRAWN, N, 1))
+            waves = np.zeros((DRAWN, N, _SCORED + 1))
+            waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (DRAWN, N))
             if bounds.start_phi is not None:
-                means[:] = np.array(bounds.start_phi)[:, None]
-            crowd: Crowd = FiniteCrowd(problem, np.tile(speed, (DRAWN, 1)), means, bias)
-            crowd = crowd.with_harmonics(np.arange(DRAWN), _SCORED)
+                waves[:, :, 0] = bounds.start_phi
+                waves[1:, :, 1:] = _VARIED * rng.normal(size=waves[1:, :, 1:].shape)
+            crowd: Crowd = FiniteCrowd(problem, np.tile(speed, (DRAWN, 1)), waves, bias)
             crowd = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], _CROWD)
             crowd.improve(_STEPS, budget)
             residuals = crowd.residuals()
             state.starts += DRAWN
             state.best = min(state.best, float(residuals.min()))
             for k in np.argsort(residuals, kind="stable")[:REFINED]:
-                if budget.exhausted or residuals[k] > _PROMISING or len(state.found) >= enough:
+                if budget.exhausted or len(state.found) >= enough:
                     break
                 solved = collocate(problem, crowd.motion(int(k)), budget)
                 state.best = min(state.best, solved.residual)
