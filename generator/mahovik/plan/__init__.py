@@ -1,0 +1,1 @@
+"""Programmes: flywheel motions that make the carrier move as required, (12)-(13)."""
