@@ -1,0 +1,1 @@
+"""Run-up from rest into a periodic programme, and run-down: by shooting, the carrier free to deviate on the way."""
