@@ -124,9 +124,8 @@ class Basis:
     def chain(self, by_phi: Array, by_phi_dot: Array, by_phi_ddot: Array) -> Array:
         """Derivatives by the waves (R M, N (2H + 1)) of R rows a time whose derivatives by the angles are (M, R, N)."""
         M, R, N = by_phi.shape
-        found = by_phi[..., None] * self.value[:, None, None, :]
-        found += by_phi_dot[..., None] * self.first[:, None, None, :]
-        found += by_phi_ddot[..., None] * self.second[:, None, None, :]
+        local = np.stack([by_phi, by_phi_dot, by_phi_ddot], axis=-1).reshape(M, R * N, 3)
+        found = local @ np.stack([self.value, self.first, self.second], axis=1)
         return found.reshape(M * R, N * self.value.shape[1])
 
 

@@ -58,15 +58,19 @@ class Housing:
     def balance(self, at: Twists) -> Array:
         """F - K V_r* - Phi(V_r) K V_r (M, 6; N, N m) of these bodies alone. StateError: a leg without length."""
         momentum = at.V_r @ self.K
-        R = -at.V_r_dot @ self.K - (motor_cross(at.V_r) @ momentum[:, :, None])[:, :, 0]
+        turning = (motor_cross(at.V_r) @ momentum[:, :, None])[:, :, 0]
+        return np.asarray(self.wrench(at) - at.V_r_dot @ self.K - turning)
+
+    def wrench(self, at: Twists) -> Array:
+        """F of (7) (M, 6; N, N m) of these bodies alone, in E1 about O1. StateError: a leg without length."""
+        F = self.suspension(at)
         if any(self.stand.gravity):
-            R += in_E1(at.C, np.broadcast_to(self.stand.gravity, at.O1.shape)) @ self.heavy.T
+            F += in_E1(at.C, np.broadcast_to(self.stand.gravity, at.O1.shape)) @ self.heavy.T
         for L, damping in self.damped:
-            R += damping_wrench(damping, at.V_r @ L) @ L.T
-        R += self.suspension(at)
+            F += damping_wrench(damping, at.V_r @ L) @ L.T
         for leg in self.stand.legs:
-            R += leg_wrench(leg, at)
-        return R
+            F += leg_wrench(leg, at)
+        return F
 
     def suspension(self, at: Twists) -> Array:
         """-(stiffness x + damping V) (M, 6), x = (C^T (O1 - position), rotation vector of C_eq^T C)."""
