@@ -1,21 +1,21 @@
-"""(8) forward in time for given flywheel motions, for many at once: rest, the carrier's course, its sensitivity."""
+"""(8) forward in time for given flywheel motions: rest, the carrier's course, how both change with those motions."""
 
-from mahovik.plan.forward.carrier import Carrier, apart, carrier_at
+from mahovik.plan.forward.chart import Chart
+from mahovik.plan.forward.collocation import Linear
+from mahovik.plan.forward.course import Course, Pushes, course, linearise, pushes
 from mahovik.plan.forward.drive import Drive, drive
 from mahovik.plan.forward.equilibrium import Equilibrium, equilibrium
-from mahovik.plan.forward.integrate import simulate
-from mahovik.plan.forward.sensitivity import Linearised, linearise, sensitivity
 
 __all__ = [
-    "Carrier",
+    "Chart",
+    "Course",
     "Drive",
     "Equilibrium",
-    "Linearised",
-    "apart",
-    "carrier_at",
+    "Linear",
+    "Pushes",
+    "course",
     "drive",
     "equilibrium",
     "linearise",
-    "sensitivity",
-    "simulate",
+    "pushes",
 ]

@@ -8,16 +8,15 @@ import numpy as np
 
 from mahovik.errors import CheckError
 from mahovik.plan.array import Array
-from mahovik.plan.forward.carrier import Carrier, acceleration, stream_rate
+from mahovik.plan.forward.chart import Chart
+from mahovik.plan.forward.course import pushes
 from mahovik.plan.forward.drive import Drive, drive
-from mahovik.plan.forward.sensitivity import by_displacement
-from mahovik.plan.residual import Mechanics, linear
-from mahovik.plan.residual.kinematics import Twists
-from mahovik.plan.residual.prescribed import prescribed_at
 
 FREE = 1e-6
 """Part of the largest stiffness (both by the inertia) below which a direction is free: there the pose stays."""
 
+_STEP = 1e-6
+"""m, rad: of central differences."""
 _MOST, _LONGEST, _LAST = 50, 0.3, 1e-11
 _LEFT = 1e-6
 """m/s2: an acceleration that no stiffness takes up, and that is still rest."""
@@ -25,45 +24,49 @@ _LEFT = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """A pose at rest (one state, V = 0), and its displacements in E1 by the flywheels' angles (6, N; m/rad, 1)."""
+    """y (12) at rest, V = 0, and its derivatives by the flywheels' angles (12, N)."""
 
-    state: Carrier
+    y: Array
     by_phi: Array
 
 
-def equilibrium(mechanics: Mechanics, phi: Array, near: Carrier) -> Equilibrium:
-    """The equilibrium for angles phi (N) that Newton's steps find from a pose `near` (one state).
+def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibrium:
+    """The equilibrium for angles phi (N) that Newton's steps find from the pose of `near` (12), or the chart's own.
 
     Steps are the least in the inertia's norm, and none in free directions. Raises CheckError: there is none.
     """
-    still = np.zeros((1, mechanics.N))
-    at = drive(mechanics, phi[None], still, still)
-    root = np.linalg.cholesky(np.linalg.inv(at.inverse[0])).T  # x^T K x = |root x|^2
-    state = near._replace(V=np.zeros((1, 6)))
+    still = np.zeros((1, len(phi)))
+    given = drive(chart.mechanics, phi[None], still, still)
+    root = np.linalg.cholesky(np.linalg.inv(given.inverse[0])).T  # x^T K x = |root x|^2
+    y = np.zeros((1, 12))
+    if near is not None:
+        y[0, :6] = near[:6]
     for _ in range(_MOST):
-        pull = acceleration(mechanics, at, state)[0]
-        back, kept = _compliance(mechanics, at, state, root)
-        step = back @ pull
-        state = state.displaced((step * min(1.0, _LONGEST / max(float(np.abs(step).max()), 1e-300)))[None])
+        back, stiff = _compliance(chart, given, y, root)
+        step = back @ chart.acceleration(given, y)[0]
+        y[0, :6] += step * min(1.0, _LONGEST / max(float(np.abs(step).max()), 1e-300))
         if np.abs(step).max() < _LAST:
             break
-    left = root @ acceleration(mechanics, at, state)[0]
+    stand = chart.mechanics.stand
+    left = root @ chart.acceleration(given, y)[0]
     size = float(np.linalg.norm(left)) / float(root[0, 0])
-    if not size <= _LEFT * max(1.0, float(np.linalg.norm(mechanics.stand.gravity))):
+    if not size <= _LEFT * max(1.0, float(np.linalg.norm(stand.gravity))):
+        why = "no equilibrium is near the mean pose" if stiff else "nothing holds it"
         raise CheckError(
-            f"{mechanics.stand.name}: no rest for a run-up to start from: with the flywheels still the carrier accelerates "
-            f"by {size:.3g} m/s2; {'nothing holds it' if kept < 6 else 'no equilibrium is near the mean pose'}"
+            f"{stand.name}: no rest to run up from: with the flywheels still the carrier accelerates by {size:.3g} m/s2; "
+            f"{why}"
         )
-    V_r, rate = stream_rate(mechanics.stand, state.C, state.V)
-    resting = prescribed_at(mechanics, Twists(state.C, state.O1, state.V, V_r, rate))
-    by_phi = at.inverse[0] @ linear(resting, phi[None], still, still).by_phi[0]
-    return Equilibrium(state, _compliance(mechanics, at, state, root)[0] @ by_phi)
+    by_phi = back @ pushes(chart, given, y, still).by_phi[0]
+    return Equilibrium(y[0], np.vstack([by_phi, np.zeros_like(by_phi)]))
 
 
-def _compliance(mechanics: Mechanics, at: Drive, state: Carrier, root: Array) -> tuple[Array, int]:
-    """Displacement (6, 6) by V* that is to be balanced, none in free directions; how many are not free."""
-    stiffness = root @ by_displacement(mechanics, at, state)[0] @ np.linalg.inv(root)
-    U, sigma, Vt = np.linalg.svd(-stiffness)
+def _compliance(chart: Chart, given: Drive, y: Array, root: Array) -> tuple[Array, bool]:
+    """Displacement (6, 6) that balances an acceleration, none in free directions; whether none is free."""
+    aside = np.zeros((12, 12))
+    aside[range(12), [*range(6), *range(6)]] = [_STEP] * 6 + [-_STEP] * 6
+    moved = chart.acceleration(given[np.zeros(12, dtype=int)], y + aside)
+    slopes = (moved[:6] - moved[6:]).T / (2.0 * _STEP)
+    U, sigma, Vt = np.linalg.svd(-root @ slopes @ np.linalg.inv(root))
     kept = sigma > FREE * max(float(sigma[0]), 1e-9)
     inverse = (Vt[kept].T / sigma[kept]) @ U[:, kept].T
-    return np.linalg.inv(root) @ inverse @ root, int(kept.sum())
+    return np.linalg.inv(root) @ inverse @ root, bool(kept.all())

@@ -2,27 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from mahovik.motion.programme import Programme
+from mahovik.motion.required import Course as Required
 from mahovik.motion.required import RequiredMotion
 from mahovik.plan.array import Array
-from mahovik.plan.forward import (
-    Carrier,
-    Equilibrium,
-    apart,
-    carrier_at,
-    drive,
-    equilibrium,
-    linearise,
-    sensitivity,
-    simulate,
-)
+from mahovik.plan.forward import Chart, Course, Drive, Equilibrium, course, drive, equilibrium, linearise, pushes
+from mahovik.plan.forward.collocation import INTERVALS, integrated
 from mahovik.plan.residual import Mechanics
 from mahovik.plan.residual.norm import able_at
 from mahovik.plan.runup.fade import SPLINES, Fade, fade
+
+NODES = 64
+"""A period of the fastest harmonic or flywheel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,116 +31,85 @@ class Amplitude:
     displacement: float
     twist: float
 
-    def shares(self, x: Array) -> Array:
-        """(M, 12) of displacements and differences of twists (M, 12), dimensionless."""
-        return np.hstack([x[:, :6] @ (self.root.T / self.displacement), x[:, 6:] @ (self.root.T / self.twist)])
-
-
-def amplitude_of(mechanics: Mechanics, motion: RequiredMotion, bias: Array) -> Amplitude:
-    """Of a periodic motion; of a carrier held still, what the flywheels can do at the period's frequency."""
-    root = np.linalg.cholesky(mechanics.mean_inertia).T
-    M = max(64, 16 * max(motion.harmonics, default=1))
-    course = motion.at(motion.span * np.arange(M) / M, bias)
-    at = carrier_at(mechanics.stand, course)
-    mean = mean_pose(mechanics, motion, bias)
-    largest = [
-        float(np.linalg.norm(x @ root.T, axis=1).max())
-        for x in (apart(at, Carrier(*(np.repeat(y, M, axis=0) for y in mean)))[:, :6], at.V)
-    ]
-    if np.any(course.q_dot):
-        return Amplitude(root, *largest)
-    Omega = 2.0 * np.pi / motion.span
-    able = able_at(mechanics, Omega)
-    return Amplitude(root, able / Omega**2, able / Omega)
+    def shares(self, y: Array) -> Array:
+        """(12, ...) of small differences of states (12, ...), dimensionless."""
+        return np.concatenate([self.root @ y[:6] / self.displacement, self.root @ y[6:] / self.twist])
 
 
 @dataclass(frozen=True, eq=False)
-class _Still:
-    """One pose without motion, as coordinates."""
+class Flight:
+    """Where unknowns c (N, P) lead: the motion of the flywheels, rest, the carrier's course, and how far off it ends.
 
-    q: Array
-    q_dot: Array
-    q_ddot: Array
+    error   (12): terminal error as shares of the amplitude
+    """
 
-
-def mean_pose(mechanics: Mechanics, motion: RequiredMotion, bias: Array) -> Carrier:
-    """The one pose mean + bias, at rest."""
-    zero = np.zeros((1, 6))
-    return carrier_at(mechanics.stand, _Still((motion.mean + bias)[None], zero, zero))
-
-
-@dataclass(frozen=True, eq=False)
-class Course:
-    """What B choices of the unknowns lead to: states (n + 1, B), terminal error (B, 12), rests (B)."""
-
-    states: Carrier
+    c: Array
+    given: Drive
+    rest: Equilibrium
+    course: Course
     error: Array
-    rests: tuple[Equilibrium, ...]
+
+    @property
+    def size(self) -> float:
+        """The larger share: of the pose's error, or of the twist's."""
+        return float(max(np.linalg.norm(self.error[:6]), np.linalg.norm(self.error[6:])))
 
 
 @dataclass(frozen=True, eq=False)
 class Boundary:
-    """Run-up (`up`) or run-down between rest and the programme's t = 0, simulated in n steps.
+    """Run-up (`up`) or run-down between rest and the programme's t = 0.
 
-    family     at 2 n + 1 times: ends and middles of the steps
-    joint      (1 state): the required motion at t = 0
-    near       (1 state): mean pose, where rest is looked for
+    chart   about the mean pose
+    family  at 4 B + 1 nodes
+    joint   y (12) of the required motion at t = 0
     """
 
-    mechanics: Mechanics
+    chart: Chart
     amplitude: Amplitude
     family: Fade
-    joint: Carrier
-    near: Carrier
+    joint: Array
     up: bool
 
     @property
-    def n(self) -> int:
-        """Steps; even."""
-        return (len(self.family.t) - 1) // 2
+    def spacing(self) -> float:
+        """Of the nodes, s."""
+        return float(self.family.t[1] - self.family.t[0])
 
-    @property
-    def step(self) -> float:
-        """Of the simulation, s."""
-        return float(self.family.t[2] - self.family.t[0])
-
-    def courses(self, c: Array) -> Course:
-        """Simulate B choices of the unknowns c (B, N, P). CheckError: there is no rest."""
+    def fly(self, c: Array, before: Flight | None = None) -> Flight:
+        """Where c (N, P) leads; `before`: of unknowns not far from these. CheckError: no rest. StateError: no course."""
         angles = self.family.angles(c)
-        given = drive(self.mechanics, *angles)
-        at_rest = angles[0][0 if self.up else -1]
-        rests = tuple(equilibrium(self.mechanics, phi, self.near) for phi in at_rest)
-        rest = Carrier(*(np.concatenate(x) for x in zip(*(r.state for r in rests), strict=True)))
-        joint = Carrier(*(np.repeat(x, len(c), axis=0) for x in self.joint))
-        start, end = (rest, joint) if self.up else (joint, rest)
-        with np.errstate(all="ignore"):  # a wild choice may leave the range of numbers: its error is then not finite
-            states = simulate(self.mechanics, given, start, self.step)
-        final = states[-1]
-        error = np.full((len(c), 12), np.inf)
-        finite = np.isfinite(final.V).all(axis=1) & np.isfinite(final.C).all(axis=(1, 2))
-        error[finite] = self.amplitude.shares(apart(final[finite], end[finite]))
-        return Course(states, error, rests)
+        given = drive(self.chart.mechanics, *angles)
+        rest = equilibrium(self.chart, angles.phi[0 if self.up else -1])
+        start, end = (rest.y, self.joint) if self.up else (self.joint, rest.y)
+        if before is None:
+            found = course(self.chart, given, self.spacing, start, np.tile(start, (len(self.family.t), 1)), None)
+        else:
+            found = course(self.chart, given, self.spacing, start, before.course.y, before.course.near)
+        return Flight(c, given, rest, found, self.amplitude.shares(found.y[-1] - end))
 
-    def jacobian(self, c: Array, course: Course) -> tuple[Array, Array]:
-        """Derivatives of the terminal error (12, N P) by c (N, P), and of displacements (n/2 + 1, 6, N P; in E1).
+    def renewed(self, flight: Flight) -> Flight:
+        """The same with the linear equations along its own course."""
+        near = linearise(self.chart, flight.given, self.spacing, flight.course.y)
+        return replace(flight, course=replace(flight.course, near=near))
 
-        By the linearised equations along the simulated course, the whole course at once.
+    def sensitivity(self, flight: Flight) -> tuple[Array, Array]:
+        """Derivatives by c: of the terminal error (12, N P), and of the states at all nodes (M, 12, N P).
+
+        As exact as the flight's linear equations: `renewed` first.
         """
-        phi, phi_dot, phi_ddot = (x[::2, 0] for x in self.family.angles(c[None]))
-        given = drive(self.mechanics, phi, phi_dot, phi_ddot)
-        found = linearise(self.mechanics, given, course.states[:, 0], phi_ddot)
-        basis = self.family.basis[:, ::2]
-        N, P = c.shape
-        push = sum(
-            B[:, :, :, None] * b[:, None, None, :]
-            for B, b in zip((found.by_phi, found.by_phi_dot, found.by_phi_ddot), basis, strict=True)
-        )
-        at_rest = course.rests[0].by_phi[:, :, None] * basis[0, 0 if self.up else -1][None, None, :]
-        rest = np.vstack([at_rest.reshape(6, N * P), np.zeros((6, N * P))])
+        N, P = flight.c.shape
+        found = pushes(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
+        each = zip((found.by_phi, found.by_phi_dot, found.by_phi_ddot), self.family.basis, strict=True)
+        rates = np.zeros((len(self.family.t), 12, N, P))
+        for B, basis in each:
+            rates[:, 6:] += B[:, :, :, None] * basis[:, None, None, :]
+        at_rest = self.family.basis[0, 0 if self.up else -1]
+        rest = (flight.rest.by_phi[:, :, None] * at_rest).reshape(12, N * P)
         start = rest if self.up else np.zeros_like(rest)
-        x = sensitivity(found, np.asarray(push).reshape(-1, 6, N * P), start, 2.0 * self.step)
-        end = x[-1] if self.up else x[-1] - rest
-        return self.amplitude.shares(end.T).T, x[:, :6]
+        defects = integrated(rates.reshape(-1, 12, N * P), self.spacing)
+        states = flight.course.near.solve(defects, start)
+        end = states[-1] if self.up else states[-1] - rest
+        return self.amplitude.shares(end), states
 
 
 def boundary(
@@ -153,18 +117,34 @@ def boundary(
     motion: RequiredMotion,
     programme: Programme,
     duration: float,
-    steps: int,
     *,
     up: bool,
+    nodes: int = NODES,
     splines: int = SPLINES,
 ) -> Boundary:
-    """The problem of a programme for a motion, in an even number of `steps`."""
-    t = np.linspace(0.0, duration, 2 * steps + 1)
+    """The problem of a programme for a motion; `nodes` a period of its fastest part."""
+    fastest = max([1, *motion.harmonics, *(abs(n) for n in programme.winding)])
+    B = int(np.ceil(nodes * fastest * duration / motion.span / INTERVALS))
+    t = np.linspace(0.0, duration, INTERVALS * B + 1)
+    still = np.zeros((1, 6))
+    chart = Chart.about(mechanics, Required((motion.mean + programme.bias)[None], still, still))
     return Boundary(
-        mechanics,
-        amplitude_of(mechanics, motion, programme.bias),
+        chart,
+        amplitude_of(chart, motion, programme),
         fade(programme, duration, t, up=up, splines=splines),
-        carrier_at(mechanics.stand, motion.at(np.zeros(1), programme.bias)),
-        mean_pose(mechanics, motion, programme.bias),
+        chart.of(motion.at(np.zeros(1), programme.bias))[0],
         up,
     )
+
+
+def amplitude_of(chart: Chart, motion: RequiredMotion, programme: Programme) -> Amplitude:
+    """Of a periodic motion; of a carrier held still, what the flywheels can do at the period's frequency."""
+    root = np.linalg.cholesky(chart.mechanics.mean_inertia).T
+    M = max(64, 16 * max(motion.harmonics, default=1))
+    y = chart.of(motion.at(motion.span * np.arange(M) / M, programme.bias))
+    displacement, twist = (float(np.linalg.norm(x @ root.T, axis=1).max()) for x in (y[:, :6], y[:, 6:]))
+    if twist > 0.0:
+        return Amplitude(root, displacement, twist)
+    Omega = 2.0 * np.pi / motion.span
+    able = able_at(chart.mechanics, Omega)
+    return Amplitude(root, able / Omega**2, able / Omega)

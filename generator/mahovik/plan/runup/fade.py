@@ -21,10 +21,10 @@ SPLINES = 6
 
 @dataclass(frozen=True, eq=False)
 class Fade:
-    """The family of motions at times t (M, s) of 0..duration: unknowns c (..., N, 1 + SPLINES; rad).
+    """The family of motions at times t (M, s) of 0..duration: unknowns c (N, P; rad), P = 1 + splines.
 
     fixed  phi, phi', phi'' (M, N each) where c = 0
-    basis  (3, M, 1 + SPLINES): what each c of a flywheel adds to its phi, phi', phi''
+    basis  (3, M, P): what each c of a flywheel adds to its phi, phi', phi''
     """
 
     t: Array
@@ -36,12 +36,9 @@ class Fade:
         """Unknowns a flywheel."""
         return int(self.basis.shape[2])
 
-    def angles(self, c: Array) -> tuple[Array, Array, Array]:
-        """phi, phi', phi'' (M, B, N each) for B choices of the unknowns c (B, N, P)."""
-        return tuple(  # type: ignore[return-value]
-            fixed[:, None] + np.einsum("mp,bnp->mbn", added, c)
-            for fixed, added in zip(self.fixed, self.basis, strict=True)
-        )
+    def angles(self, c: Array) -> Angles:
+        """phi, phi', phi'' (M, N each) of unknowns c (N, P)."""
+        return Angles(*(fixed + added @ c.T for fixed, added in zip(self.fixed, self.basis, strict=True)))
 
 
 def fade(programme: Programme, duration: float, t: Array, *, up: bool, splines: int = SPLINES) -> Fade:

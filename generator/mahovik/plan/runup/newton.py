@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.errors import StateError
 from mahovik.plan.array import Array
-from mahovik.plan.runup.boundary import Boundary, Course
+from mahovik.plan.runup.boundary import Boundary, Flight
 
 LONGEST = 0.5
 """rad: no unknown moves by more in a step."""
@@ -15,50 +16,50 @@ LONGEST = 0.5
 FAR = 0.3
 """While the error is larger, a step makes the unknowns least, not itself: the motion stays near the plain fade."""
 
-_SHARES = 0.5 ** np.arange(4)
-"""Of a step: tried at once, in one simulation."""
+_SHARES = (1.0, 0.5, 0.25, 0.125, 0.0625)
+"""Of a step, tried in turn."""
 
 _RANK = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """Unknowns c (N, P), where they lead, the largest terminal error as a share of the amplitude, and steps taken."""
+    """The best flight found, and the steps that were taken."""
 
-    c: Array
-    course: Course
-    error: float
+    flight: Flight
     steps: int
 
 
-def shoot(problem: Boundary, c: Array, goal: float, most: int) -> Shot:
-    """Newton's steps from c (N, P) until the error is within the goal, grows stuck, or after so many steps.
+def shoot(problem: Boundary, start: Flight, goal: float, most: int) -> Shot:
+    """Newton's steps until the terminal error is within the goal, falls no more, or after so many steps.
 
     Raises CheckError: there is no rest to start from, or to end in.
     """
-    course = problem.courses(c[None])
-    error = size(course.error[0])
+    flight = start
     for taken in range(most):
-        if error <= goal or not np.isfinite(error):
-            return Shot(c, course, error, taken)
-        J, _ = problem.jacobian(c, course)
-        step = least_step(J, course.error[0], c.ravel() if error > FAR else None).reshape(c.shape)
+        if flight.size <= goal:
+            return Shot(flight, taken)
+        flight = problem.renewed(flight)
+        J, _ = problem.sensitivity(flight)
+        step = least_step(J, flight.error, flight.c.ravel() if flight.size > FAR else None).reshape(flight.c.shape)
         step *= min(1.0, LONGEST / max(float(np.abs(step).max()), 1e-300))
-        trials = c + _SHARES[:, None, None] * step
-        there = problem.courses(trials)
-        errors = [size(e) for e in there.error]
-        best = int(np.argmin(errors))
-        if not errors[best] < error:
-            return Shot(c, course, error, taken + 1)
-        c, error = trials[best], errors[best]
-        one = slice(best, best + 1)
-        course = Course(there.states[:, one], there.error[one], there.rests[one])
-    return Shot(c, course, error, most)
+        better = shorter(problem, flight, step)
+        if better is None:
+            return Shot(flight, taken + 1)
+        flight = better
+    return Shot(flight, most)
 
 
-def size(error: Array) -> float:
-    """The larger share of a terminal error (12): that of the pose, or that of the twist."""
-    return float(max(np.linalg.norm(error[:6]), np.linalg.norm(error[6:])))
+def shorter(problem: Boundary, flight: Flight, step: Array) -> Flight | None:
+    """The flight after the largest share of a step that makes the terminal error smaller; None: none does."""
+    for share in _SHARES:
+        try:
+            there = problem.fly(flight.c + share * step, flight)
+        except StateError:
+            continue
+        if there.size < flight.size:
+            return there
+    return None
 
 
 def least_step(J: Array, error: Array, c: Array | None) -> Array:
