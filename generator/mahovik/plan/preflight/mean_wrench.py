@@ -9,6 +9,7 @@ import numpy as np
 from mahovik.motion.required import Course
 from mahovik.plan.array import Array
 from mahovik.plan.fourier import uniform
+from mahovik.plan.preflight.outcome import Preflight, Refusal, direction
 from mahovik.plan.problem import Problem
 from mahovik.plan.residual.kinematics import in_E1, twists
 
@@ -16,8 +17,8 @@ _STEPS = 60
 _TIMES = 32
 _DIFFERENCE = 1e-6
 _LONGEST = np.array([0.05] * 3 + [0.2] * 3)  # m, rad: of a step
-_FREE = 1e-9
-"""Of the largest singular value: a direction that nothing holds."""
+_FREE = 1e-6
+"""Of the largest singular value: a direction that nothing holds; differences leave 1e-8."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,12 +26,10 @@ class MeanPose:
     """The bias at which the mean wrench is least, and what is left of it.
 
     left     (6; N, N m): mean over the period, in E0 axes, moment about O1
-    weight   N: what the forces are of
     """
 
     bias: Array
     left: Array
-    weight: float
 
 
 def mean_pose(problem: Problem) -> MeanPose:
@@ -64,7 +63,7 @@ def mean_pose(problem: Problem) -> MeanPose:
         else:
             break
         bias, found = bias + step, there
-    return MeanPose(bias, found, _sizes(problem))
+    return MeanPose(bias, found)
 
 
 def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
@@ -82,3 +81,38 @@ def _sizes(problem: Problem) -> float:
     """N: weight of everything, or what acts in its place."""
     mass = float(problem.mechanics.mean_inertia[0, 0])
     return max(mass * float(np.linalg.norm(problem.stand.gravity)), 1e-6 * mass)
+
+
+_TILTED = 0.1
+"""rad: a mean tilt beyond this is worth a warning."""
+
+
+def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> None:
+    """Refuses a mean force beyond rounding, and a mean moment that weights of unbalance cannot give.
+
+    A remainder counts where it alone would be a relative residual that is not accepted. Flywheels with damping of
+    their own may have a mean wrench: then nothing is refused.
+    """
+    if any(problem.mechanics.tables.damping):
+        return
+    force, moment = pose.left[:3], pose.left[3:]
+    size, turning = float(np.linalg.norm(force)), float(np.linalg.norm(moment))
+    able = float(problem.mechanics.tables.unbalance.sum() * np.linalg.norm(problem.stand.gravity))
+    held = "" if problem.free.all() else " (some means are held: free_mean)"
+    if problem.norm.relative(np.concatenate([force, np.zeros(3)])[None]) > problem.tolerance:
+        found.refusal = Refusal(
+            "MEAN_WRENCH",
+            f"a mean force of {size:.4g} N along {direction(force)} is carried by nothing{held}: flywheels give "
+            "no mean force over a period; a suspension, legs or buoyancy that balance it would help",
+        )
+    elif turning > able and problem.norm.relative(np.concatenate([np.zeros(3), moment])[None]) > problem.tolerance:
+        found.refusal = Refusal(
+            "MEAN_WRENCH",
+            f"a mean moment of {turning:.4g} N m along {direction(moment)} is carried by nothing{held}: weights of "
+            f"unbalanced flywheels give at most {able:.3g} N m; a suspension that is stiff in rotation would help",
+        )
+    tilt = float(np.abs(pose.bias[3:]).max())
+    if tilt > _TILTED:
+        found.warnings.append(
+            f"the mean pose is tilted by {tilt:.3g} rad to carry the mean wrench: {np.round(pose.bias, 4).tolist()}"
+        )
