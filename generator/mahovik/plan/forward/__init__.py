@@ -1,8 +1,7 @@
 """(8) forward in time for given flywheel motions: rest, the carrier's course, how both change with those motions."""
 
 from mahovik.plan.forward.chart import Chart
-from mahovik.plan.forward.collocation import Linear
-from mahovik.plan.forward.course import Course, Pushes, course, linearise, pushes
+from mahovik.plan.forward.course import Course, along, course, linearise, pushes
 from mahovik.plan.forward.drive import Drive, drive
 from mahovik.plan.forward.equilibrium import Equilibrium, equilibrium
 
@@ -11,8 +10,7 @@ __all__ = [
     "Course",
     "Drive",
     "Equilibrium",
-    "Linear",
-    "Pushes",
+    "along",
     "course",
     "drive",
     "equilibrium",

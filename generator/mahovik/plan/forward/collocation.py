@@ -40,7 +40,7 @@ def integrated(rates: Array, spacing: float) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Linear:
+class Eliminated:
     """x' = A x + g at 4 B + 1 nodes, eliminated block by block, for any g and start.
 
     inverse    (B, 4 n, 4 n): of the equations of a block
@@ -52,7 +52,7 @@ class Linear:
     carried: Array
 
     @staticmethod
-    def of(A: Array, spacing: float) -> Linear:
+    def of(A: Array, spacing: float) -> Eliminated:
         """Of A (4 B + 1, n, n; 1/s) at nodes `spacing` (s) apart."""
         at = blocks(A)
         B, n = len(at), A.shape[1]
@@ -60,7 +60,7 @@ class Linear:
         own[:, range(INTERVALS * n), range(INTERVALS * n)] += 1.0
         inverse = np.linalg.inv(own)
         first = spacing * np.einsum("j,bmn->bjmn", WEIGHTS[:, 0], at[:, 0]) + np.eye(n)
-        return Linear(spacing, inverse, inverse @ first.reshape(B, INTERVALS * n, n))
+        return Eliminated(spacing, inverse, inverse @ first.reshape(B, INTERVALS * n, n))
 
     def solve(self, defects: Array, start: Array) -> Array:
         """x (4 B + 1, n, P) from `start` (n, P), where block equations have `defects` (B, 4, n, P) on their right."""

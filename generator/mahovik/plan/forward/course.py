@@ -9,9 +9,9 @@ import numpy as np
 from mahovik.errors import StateError
 from mahovik.plan.array import Array
 from mahovik.plan.forward.chart import Chart
-from mahovik.plan.forward.collocation import Linear, blocks, integrated
+from mahovik.plan.forward.collocation import Eliminated, blocks, integrated
 from mahovik.plan.forward.drive import Drive
-from mahovik.plan.residual import linear
+from mahovik.plan.residual import Linear, linear
 from mahovik.plan.residual.prescribed import prescribed_at
 
 _STEPS = np.array([1e-6] * 6 + [1e-5] * 6)
@@ -21,7 +21,7 @@ _MOST = 24
 _SLOW = 0.3
 """A correction that leaves more than this part: the linear equations are taken anew."""
 _TOO_FAR = 2.0
-"""rad, and times the length of the stand: a carrier that turns so far is lost, and its equations near the chart's edge."""
+"""rad: a carrier that turns so far is lost, and near the edge of its chart."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,10 +29,10 @@ class Course:
     """y (M, 12) at uniform nodes, and the linear equations near it."""
 
     y: Array
-    near: Linear
+    near: Eliminated
 
 
-def course(chart: Chart, given: Drive, spacing: float, start: Array, guess: Array, near: Linear | None) -> Course:
+def course(chart: Chart, given: Drive, spacing: float, start: Array, guess: Array, near: Eliminated | None) -> Course:
     """The course from `start` (12) under the flywheels' motion at 4 B + 1 nodes `spacing` (s) apart.
 
     guess   (M, 12): a course nearby; `near`: linear equations of such a one. Exact to rounding of what it collocates.
@@ -59,30 +59,24 @@ def course(chart: Chart, given: Drive, spacing: float, start: Array, guess: Arra
     raise StateError("the carrier is thrown about: its course cannot be followed")
 
 
-def linearise(chart: Chart, given: Drive, spacing: float, y: Array) -> Linear:
+def linearise(chart: Chart, given: Drive, spacing: float, y: Array) -> Eliminated:
     """The linear equations near a course y (M, 12), by central differences at all nodes."""
     columns = []
     for i, step in enumerate(_STEPS):
         aside = np.zeros(12)
         aside[i] = step
         columns.append((chart.rate(given, y + aside) - chart.rate(given, y - aside)) / (2.0 * step))
-    return Linear.of(np.stack(columns, axis=2), spacing)
+    return Eliminated.of(np.stack(columns, axis=2), spacing)
 
 
-@dataclass(frozen=True, eq=False)
-class Pushes:
-    """What changes of phi, phi', phi'' of each flywheel add to V* along a course: (M, 6, N) each."""
-
-    by_phi: Array
-    by_phi_dot: Array
-    by_phi_ddot: Array
-
-
-def pushes(chart: Chart, given: Drive, y: Array, phi_ddot: Array) -> Pushes:
-    """Along states y (M, 12), exact."""
-    V_dot = chart.acceleration(given, y)
+def along(chart: Chart, given: Drive, y: Array, phi_ddot: Array) -> Linear:
+    """R = 0, tau and their derivatives by phi, phi', phi'' along states y (M, 12), exact; phi'' (M, N)."""
     at = chart.twists(y)
-    found = linear(
-        prescribed_at(chart.mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot)), given.phi, given.phi_dot, phi_ddot
-    )
-    return Pushes(*(given.inverse @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot)))
+    V_r_dot = at.V_r_dot + chart.acceleration(given, y)
+    moving = prescribed_at(chart.mechanics, at._replace(V_r_dot=V_r_dot))
+    return linear(moving, given.phi, given.phi_dot, phi_ddot)
+
+
+def pushes(given: Drive, found: Linear) -> tuple[Array, Array, Array]:
+    """What changes of phi, phi', phi'' of each flywheel add to V* (M, 6, N each), the carrier's state as it is."""
+    return tuple(given.inverse @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))  # type: ignore[return-value]

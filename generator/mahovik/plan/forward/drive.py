@@ -38,7 +38,7 @@ class Drive:
     phi_dot: Array
 
     def __getitem__(self, index: object) -> Drive:
-        return Drive(*(x[index] for x in vars(self).values()))  # type: ignore[index]
+        return Drive(*(x[index] for x in vars(self).values()))
 
 
 def drive(mechanics: Mechanics, phi: Array, phi_dot: Array, phi_ddot: Array) -> Drive:
@@ -52,7 +52,7 @@ def drive(mechanics: Mechanics, phi: Array, phi_dot: Array, phi_ddot: Array) -> 
     )  # fmt: skip
     Theta = (h @ Theta_of).reshape(*shape, 6, 6)
     return Drive(
-        inverse=np.linalg.inv(Theta + mechanics.housing.K),
+        inverse=np.asarray(np.linalg.inv(Theta + mechanics.housing.K)),
         Theta=Theta,
         Theta_dot=((slopes * speed) @ Theta_of).reshape(*shape, 6, 6),
         h=((h * speed) @ coupling).reshape(*shape, 6),

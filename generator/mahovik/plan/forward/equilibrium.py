@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.plan.array import Array
 from mahovik.plan.forward.chart import Chart
-from mahovik.plan.forward.course import pushes
+from mahovik.plan.forward.course import along
 from mahovik.plan.forward.drive import Drive, drive
 
 FREE = 1e-6
@@ -53,10 +53,10 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
     if not size <= _LEFT * max(1.0, float(np.linalg.norm(stand.gravity))):
         why = "no equilibrium is near the mean pose" if stiff else "nothing holds it"
         raise CheckError(
-            f"{stand.name}: no rest to run up from: with the flywheels still the carrier accelerates by {size:.3g} m/s2; "
-            f"{why}"
+            f"{stand.name}: no rest to run up from: with the flywheels still the carrier accelerates by {size:.3g} "
+            f"m/s2; {why}"
         )
-    by_phi = back @ pushes(chart, given, y, still).by_phi[0]
+    by_phi = back @ given.inverse[0] @ along(chart, given, y, still).by_phi[0]
     return Equilibrium(y[0], np.vstack([by_phi, np.zeros_like(by_phi)]))
 
 

@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.motion.programme import Programme
+from mahovik.motion.programme import Angles, Programme, Samples
 from mahovik.motion.required import Course as Required
 from mahovik.motion.required import RequiredMotion
 from mahovik.plan.array import Array
-from mahovik.plan.forward import Chart, Course, Drive, Equilibrium, course, drive, equilibrium, linearise, pushes
-from mahovik.plan.forward.collocation import INTERVALS, integrated
-from mahovik.plan.residual import Mechanics
+from mahovik.plan.forward import Chart, Course, Drive, Equilibrium, along, course, drive, equilibrium, linearise, pushes
+from mahovik.plan.forward.collocation import INTERVALS, Eliminated, integrated
+from mahovik.plan.residual import Linear, Mechanics
 from mahovik.plan.residual.norm import able_at
 from mahovik.plan.runup.fade import SPLINES, Fade, fade
 
@@ -51,8 +51,13 @@ class Flight:
 
     @property
     def size(self) -> float:
-        """The larger share: of the pose's error, or of the twist's."""
-        return float(max(np.linalg.norm(self.error[:6]), np.linalg.norm(self.error[6:])))
+        """See `size`."""
+        return size(self.error)
+
+
+def size(error: Array) -> float:
+    """The larger share of a terminal error (12): of the pose, or of the twist."""
+    return float(max(np.linalg.norm(error[:6]), np.linalg.norm(error[6:])))
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,17 +80,35 @@ class Boundary:
         """Of the nodes, s."""
         return float(self.family.t[1] - self.family.t[0])
 
-    def fly(self, c: Array, before: Flight | None = None) -> Flight:
-        """Where c (N, P) leads; `before`: of unknowns not far from these. CheckError: no rest. StateError: no course."""
-        angles = self.family.angles(c)
+    def fly(self, c: Array, before: Flight | None = None, guess: Array | None = None) -> Flight:
+        """Where c (N, P) leads; `before`: of unknowns not far from these, or `guess`: states (M, 12).
+
+        Raises CheckError: there is no rest. StateError: the carrier is thrown about.
+        """
+        near = None
+        if before is not None:
+            near, guess = before.course.near, before.course.y
+        given, rest, found, error = self._followed(self.family.angles(c), guess, near)
+        return Flight(c, given, rest, found, error)
+
+    def missed(self, table: Samples, guess: Array) -> float:
+        """Terminal error, as `size`, of a table as it is read, by this problem's nodes; `guess`: states (M, 12)."""
+        return size(self._followed(table.at(self.family.t), guess, None)[3])
+
+    def _followed(
+        self, angles: Angles, guess: Array | None, near: Eliminated | None
+    ) -> tuple[Drive, Equilibrium, Course, Array]:
         given = drive(self.chart.mechanics, *angles)
         rest = equilibrium(self.chart, angles.phi[0 if self.up else -1])
         start, end = (rest.y, self.joint) if self.up else (self.joint, rest.y)
-        if before is None:
-            found = course(self.chart, given, self.spacing, start, np.tile(start, (len(self.family.t), 1)), None)
-        else:
-            found = course(self.chart, given, self.spacing, start, before.course.y, before.course.near)
-        return Flight(c, given, rest, found, self.amplitude.shares(found.y[-1] - end))
+        if guess is None:
+            guess = np.tile(start, (len(self.family.t), 1))
+        found = course(self.chart, given, self.spacing, start, guess, near)
+        return given, rest, found, self.amplitude.shares(found.y[-1] - end)
+
+    def along(self, flight: Flight) -> Linear:
+        """Torques on the way, and derivatives of (8) and of them by the flywheels' motion."""
+        return along(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
 
     def renewed(self, flight: Flight) -> Flight:
         """The same with the linear equations along its own course."""
@@ -98,10 +121,8 @@ class Boundary:
         As exact as the flight's linear equations: `renewed` first.
         """
         N, P = flight.c.shape
-        found = pushes(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
-        each = zip((found.by_phi, found.by_phi_dot, found.by_phi_ddot), self.family.basis, strict=True)
         rates = np.zeros((len(self.family.t), 12, N, P))
-        for B, basis in each:
+        for B, basis in zip(pushes(flight.given, self.along(flight)), self.family.basis, strict=True):
             rates[:, 6:] += B[:, :, :, None] * basis[:, None, None, :]
         at_rest = self.family.basis[0, 0 if self.up else -1]
         rest = (flight.rest.by_phi[:, :, None] * at_rest).reshape(12, N * P)
@@ -139,7 +160,7 @@ def boundary(
 
 def amplitude_of(chart: Chart, motion: RequiredMotion, programme: Programme) -> Amplitude:
     """Of a periodic motion; of a carrier held still, what the flywheels can do at the period's frequency."""
-    root = np.linalg.cholesky(chart.mechanics.mean_inertia).T
+    root = np.asarray(np.linalg.cholesky(chart.mechanics.mean_inertia).T)
     M = max(64, 16 * max(motion.harmonics, default=1))
     y = chart.of(motion.at(motion.span * np.arange(M) / M, programme.bias))
     displacement, twist = (float(np.linalg.norm(x @ root.T, axis=1).max()) for x in (y[:, :6], y[:, 6:]))
