@@ -20,6 +20,7 @@ from mahovik.cli.group import Commands
 from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
 from mahovik.cli.new import new
+from mahovik.cli.plan import plan
 from mahovik.cli.replay import replay
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
@@ -57,6 +58,7 @@ for command in (
     evaluate,
     rest,
     simulate,
+    plan,
     replay,
     verify_programme,
     judge_log,

@@ -6,6 +6,7 @@ flywheels there are many, and the damping picks the least change.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,7 +100,8 @@ def damping_of(grid: Grid, N: int, J: Array) -> Array:
     orders = np.tile(1.0 + grid.basis.orders**2, N)
     n = len(orders)
     squares = np.einsum("ij,ij->j", J, J)
-    first = float(squares[:n][orders == 2.0].mean())
+    nearest = np.abs(orders - 2.0) <= np.abs(orders - 2.0).min() * (1.0 + 1e-9)
+    first = max(float(squares[:n][nearest].mean()), 1e-30)
     return np.concatenate([orders, 2.0 * squares[n:] / first + 1e-6])
 
 
@@ -110,20 +112,33 @@ def cut(grid: Grid, N: int, step: Array) -> float:
     return min(1.0, LONGEST / change) if change > 0.0 else 1.0
 
 
-def ladder(problem: Problem, start: Periodic, rungs: tuple[int, ...], budget: Budget, hopeless: float = 0.3) -> Reached:
+def ladder(problem: Problem, start: Periodic, rungs: tuple[int, ...], budget: Budget) -> Reached:
+    """`climb` for periodic motions: enough nodes for the harmonics of the residual."""
+    highest = max(problem.highest, int(np.abs(start.winding).max(initial=0)))
+    dense = 12 if problem.kinked else 3
+    return climb(problem, start, rungs, lambda H: max(64, dense * H + 4 * highest + 16), budget)
+
+
+def climb(
+    problem: Problem,
+    start: Periodic,
+    rungs: tuple[int, ...],
+    nodes: Callable[[int], int],
+    budget: Budget,
+    hopeless: float = 0.3,
+) -> Reached:
     """Refined over rising numbers of harmonics until what is between the nodes is well below the tolerance.
 
     Gives up where the first rung ends above `hopeless`, and where a later one does not halve the residual.
     """
     motion, damping, before = start, 1e-2, np.inf
-    highest = max(problem.highest, int(np.abs(start.winding).max(initial=0)))
     for number, H in enumerate(rungs):
-        grid = problem.grid(max(64, 3 * H + 4 * highest + 16), H)
+        grid = problem.grid(nodes(H), H)
         first = number == 0
         rules = Rules(3e-3 if first else 1e-3 * problem.tolerance, 40 if first else 14, damping)
         found = refine(problem, grid, motion.with_harmonics(H), rules, budget)
         between = problem.relative(found.motion, 4)
-        if between < 0.1 * problem.tolerance or budget.exhausted:
+        if between < (0.01 if problem.kinked else 0.1) * problem.tolerance or budget.exhausted:
             break
         if between > (hopeless if first else 0.5 * before):
             break

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.motion.required import Course, RequiredMotion
 from mahovik.plan.array import Array
-from mahovik.plan.fourier import Basis, Periodic, uniform
+from mahovik.plan.fourier import Angles, Basis, Periodic, uniform
 from mahovik.plan.residual import Linear, Mechanics, Norm, Prescribed, linear, prescribe, residual
 from mahovik.stand.model import Damping, Stand
 
@@ -52,19 +52,27 @@ class Problem:
         mechanics = Mechanics.of(stand)
         M = max(256, 16 * max(motion.harmonics, default=1))
         demanded = prescribe(mechanics, motion.at(uniform(motion.span, M)))
+        free = np.array(motion.free_mean, dtype=bool)
+        if motion.bounds.bias is not None:
+            free &= np.array(motion.bounds.bias) > 0.0
         return Problem(
             stand,
             motion,
             mechanics,
             Norm.of(demanded, motion.span),
-            np.array(motion.free_mean, dtype=bool),
-            KINKED if any(kinked(body.damping) for body in stand.bodies) else EXACT,
+            free,
+            KINKED if any(has_magnitude(body.damping) for body in stand.bodies) else EXACT,
         )
 
     @property
     def N(self) -> int:
         """Number of flywheels."""
         return self.mechanics.N
+
+    @property
+    def kinked(self) -> bool:
+        """Whether forces have kinks, so that sums over few nodes alias."""
+        return self.tolerance == KINKED
 
     @property
     def highest(self) -> int:
@@ -81,8 +89,11 @@ class Problem:
 
     def rows(self, grid: Grid, motion: Periodic) -> Array:
         """Relative residual (M, 6) of a flywheel motion at the times of a grid."""
-        at = prescribe(self.mechanics, grid.course, motion.bias)
-        return self.norm.scaled(residual(at, *motion.at(grid.basis)))
+        return self.scaled_residual(grid, motion.bias, motion.at(grid.basis))
+
+    def scaled_residual(self, grid: Grid, bias: Array, angles: Angles) -> Array:
+        """Relative residual (M, 6) at given angles and bias."""
+        return self.norm.scaled(residual(prescribe(self.mechanics, grid.course, bias), *angles))
 
     def linear(self, grid: Grid, motion: Periodic) -> tuple[Prescribed, Linear]:
         """R, tau and their derivatives at the times of a grid, not scaled."""
@@ -109,7 +120,7 @@ class Problem:
         return float(np.linalg.norm(self.rows(grid, motion), axis=1).max())
 
 
-def kinked(damping: Damping | None) -> bool:
+def has_magnitude(damping: Damping | None) -> bool:
     """Whether a damping law has a magnitude in it."""
     if damping is None:
         return False

@@ -2,45 +2,81 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.plan.array import Array
+from mahovik.plan.bounds import Exceeded, bounded
 from mahovik.plan.budget import Budget
 from mahovik.plan.fourier import Periodic
-from mahovik.plan.levenberg import ladder
 from mahovik.plan.problem import Problem
 from mahovik.plan.starts import Crowd
 from mahovik.plan.windings import Kind, drawn, order, rounds
 
+Indices = NDArray[np.intp]
 RUNGS = (5, 10, 20, 32, 48, 64)
 """Numbers of harmonics, in turn."""
 DRAWN, CHOSEN, REFINED = 256, 48, 6
 """Starts a round; those of the best score, which get harmonics; those that are refined, best first."""
+REFINED_IN_BOUNDS = 3
+"""Where there are bounds: the best of a fresh crowd promise more than the rest of this one."""
 _MEANS, _WAVES = 8, 20
 """Steps of the whole crowd over mean angles; of the chosen over three harmonics."""
 _PROMISING = 0.6
 """Root mean square of the relative residual above which no start is refined."""
+SPARE = 3
+"""Candidates beyond the bounds that are remembered."""
 ROUNDS = 40
 """Rounds after which the search ends without a programme."""
 
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """A programme that the search found: accepted between the nodes, bounds not looked at."""
+    """What a start became.
+
+    exact      its residual between the nodes is accepted: a programme
+    objective  J of (13), and the part of each kind
+    used       largest part of a bound that is used, above 1: `exceeded`, the worst first
+    """
 
     motion: Periodic
     residual: float
     kind: Kind
+    exact: bool
+    objective: float
+    parts: Mapping[str, float]
+    used: float
+    exceeded: tuple[Exceeded, ...]
+
+    @property
+    def accepted(self) -> bool:
+        """Whether it is a programme inside the bounds."""
+        return self.exact and not self.exceeded
+
+
+class Polisher(Protocol):
+    """Who makes programmes of starts, and says which promise most."""
+
+    def rank(self, crowd: Crowd) -> Indices:
+        """Numbers of the crowd's motions, the most promising first."""
+
+    def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
+        """The programme that a start becomes; None: it becomes none."""
 
 
 @dataclass
 class Search:
-    """What a search has found and tried so far. `best`: least relative residual seen, found or not."""
+    """What a search has found and tried so far. `best`: least relative residual seen, found or not.
+
+    found   programmes inside the bounds; `beyond`: of the others those that exceed them least, the least first
+    """
 
     found: list[Candidate] = field(default_factory=list)
+    beyond: list[Candidate] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
     tried: dict[str, int] = field(default_factory=dict)
@@ -51,12 +87,21 @@ class Search:
         """Remembers the least residual."""
         self.best = min(self.best, residual)
 
+    def take(self, candidate: Candidate) -> None:
+        """Remembers what a start became."""
+        self.seen(candidate.residual)
+        if candidate.accepted:
+            self.found.append(candidate)
+        else:
+            self.beyond = sorted([*self.beyond, candidate], key=lambda each: each.used)[:SPARE]
+
 
 Tell = Callable[[Search], None]
 
 
 def search(
     problem: Problem,
+    polisher: Polisher,
     bias: Array,
     seed: int,
     budget: Budget,
@@ -66,6 +111,7 @@ def search(
 ) -> Search:
     """Programmes of a periodic motion, in the order found; the same for the same problem, seed and budget of steps.
 
+    polisher  makes programmes of starts
     bias    (6): where starts begin, the mean pose at which the surroundings carry the weight
     enough  programmes of each kind of winding after which it looks for no more of this kind
     most    rounds; Ctrl-C ends the search with what it has
@@ -77,7 +123,7 @@ def search(
         for number, kind in enumerate(rounds(problem.motion, problem.N)):
             if number >= most or budget.exhausted or (state.found and number >= min(2, len(kinds))):
                 break
-            _round(problem, bias, kind, rng, budget, enough, state, tell)
+            _round(problem, polisher, bias, kind, rng, budget, enough, state, tell)
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
@@ -86,6 +132,7 @@ def search(
 
 def _round(
     problem: Problem,
+    polisher: Polisher,
     bias: Array,
     kind: Kind,
     rng: np.random.Generator,
@@ -108,16 +155,16 @@ def _round(
     state.tried[kind] = state.tried.get(kind, 0) + K
     state.seen(float(residuals.min()))
     here = 0
-    for k in np.argsort(residuals, kind="stable")[:REFINED]:
+    order = polisher.rank(chosen)
+    most = REFINED_IN_BOUNDS if bounded(problem.motion.bounds) else REFINED
+    for k in order[residuals[order] <= _PROMISING][:most]:
         if tell is not None:
             tell(state)
-        if budget.exhausted or residuals[k] > _PROMISING or here >= enough:
+        if budget.exhausted or here >= enough:
             break
-        reached = ladder(problem, chosen.motion(int(k)), RUNGS, budget)
-        residual = problem.relative(reached.motion)
-        state.seen(residual)
-        if residual < problem.tolerance:
-            state.found.append(Candidate(reached.motion, residual, kind))
-            here += 1
+        candidate = polisher.polish(chosen.motion(int(k)), kind, budget)
+        if candidate is not None:
+            state.take(candidate)
+            here += candidate.accepted
     if tell is not None:
         tell(state)

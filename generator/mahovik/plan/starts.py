@@ -33,7 +33,7 @@ class Crowd:
         self.problem, self.bias = problem, bias
         self.windings, self.waves = windings.astype(np.float64), waves
         self.K, self.N, n = waves.shape
-        self.H = n // 2
+        self.H = self.degree(n)
         highest = max(problem.highest, int(np.abs(windings).max(initial=0)))
         self.M = 2 * (2 * highest + self.H) + 4
         self.grid = problem.grid(self.M, self.H)
@@ -47,6 +47,11 @@ class Crowd:
             np.tile(one.V_r, (self.K, 1)),
         )
         self.now = self.linear(self.waves)
+
+    @staticmethod
+    def degree(n: int) -> int:
+        """Highest harmonic of n waves."""
+        return n // 2
 
     def angles(self, waves: Array) -> Angles:
         """Angles of all (K M, N)."""
@@ -114,7 +119,7 @@ class Crowd:
     def with_harmonics(self, which: Numbers, H: int) -> Crowd:
         """Those of the numbers `which`, with H harmonics."""
         motions = [self.motion(int(k)).with_harmonics(H).waves for k in which]
-        return Crowd(self.problem, self.windings[which], np.array(motions), self.bias)
+        return type(self)(self.problem, self.windings[which], np.array(motions), self.bias)
 
     def motion(self, k: int) -> Periodic:
         """Motion k."""

@@ -24,9 +24,9 @@ def preflight(problem: Problem) -> Preflight:
     t = uniform(motion.span, max(128, 16 * problem.highest))
     course = motion.at(t)
     found = Preflight(np.zeros(6))
+    pose = mean_pose(problem)
+    found.bias = pose.bias
     if motion.periodic:
-        pose = mean_pose(problem)
-        found.bias = pose.bias
         check_mean_wrench(problem, pose, found)
     at = prescribe(problem.mechanics, course, found.bias)
     P = at.locked()
