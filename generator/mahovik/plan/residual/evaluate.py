@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.plan.array import Array
 from mahovik.plan.residual.damping import damping_rate, damping_wrench
-from mahovik.plan.residual.flywheels import f, waves
+from mahovik.plan.residual.flywheels import Tables, f, waves
 from mahovik.plan.residual.prescribed import Prescribed
 from mahovik.plan.residual.spatial import both, skew, turn
 
@@ -49,7 +49,7 @@ def flywheel_wrenches(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Arra
     W: Array = np.einsum("himn,hmn->imn", _coefficients(at, phi_dot, phi_ddot), h)
     for s, damping in enumerate(at.mechanics.tables.damping):
         if damping is not None:
-            W[:, :, s] -= _damped(at, s, phi[:, s], phi_dot[:, s])[0]
+            W[:, :, s] -= flywheel_damping(at.mechanics.tables, s, at.V_r, phi[:, s], phi_dot[:, s])[0]
     return W
 
 
@@ -64,7 +64,8 @@ def linear(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Linea
     by_phi_ddot = np.einsum("hin,hmn->imn", own.still[:, :, 0], h)
     for s, damping in enumerate(own.tables.damping):
         if damping is not None:
-            for target, value in zip((W, by_phi, by_phi_dot), _damped(at, s, phi[:, s], phi_dot[:, s]), strict=True):
+            damped = flywheel_damping(own.tables, s, at.V_r, phi[:, s], phi_dot[:, s])
+            for target, value in zip((W, by_phi, by_phi_dot), damped, strict=True):
                 target[:, :, s] -= value
     R = at.base - W[:6].sum(axis=2).T
     a, b, c = (-np.swapaxes(x[:6], 0, 1) for x in (by_phi, by_phi_dot, by_phi_ddot))
@@ -77,13 +78,15 @@ def _coefficients(at: Prescribed, phi_dot: Array, phi_ddot: Array) -> Array:
     return np.asarray(at.fixed + at.moving * phi_dot + own.still * phi_ddot + own.spun * (phi_dot * phi_dot))
 
 
-def _damped(at: Prescribed, s: int, phi: Array, phi_dot: Array) -> tuple[Array, Array, Array]:
-    """Damping wrench on flywheel s in E1 with its part about the axis (7, M), and its derivatives by phi, phi'."""
-    tables = at.mechanics.tables
+def flywheel_damping(tables: Tables, s: int, V_r: Array, phi: Array, phi_dot: Array) -> tuple[Array, Array, Array]:
+    """Damping wrench on flywheel s in E1 with its part about the axis (7, M), and its derivatives by phi, phi'.
+
+    V_r (M, 6): twist of the carrier relative to the fluid; phi, phi' (M) of the flywheel.
+    """
     damping, Lm = tables.damping[s], tables.Lm[s]
     assert damping is not None
     turned = both(turn(0, phi))  # E_s in the frame at phi = 0
-    v = ((at.V_r @ Lm)[:, None, :] @ turned)[:, 0, :] + phi_dot[:, None] * f
+    v = ((V_r @ Lm)[:, None, :] @ turned)[:, 0, :] + phi_dot[:, None] * f
     P, rate = damping_wrench(damping, v), damping_rate(damping, v)
     by_phi = P @ _SPIN.T - (rate @ (v @ _SPIN.T)[:, :, None])[:, :, 0]  # turned' = turned [<e>]
     by_phi_dot = rate @ f

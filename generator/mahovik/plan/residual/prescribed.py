@@ -80,7 +80,7 @@ class Prescribed:
 def prescribe(mechanics: Mechanics, course: Coordinates, bias: Array | float = 0.0) -> Prescribed:
     """Prescribed at the times of `course`, shifted by `bias` (6, or M x 6; m, rad). StateError: a leg has no length."""
     at = twists(mechanics.stand, Shifted(course.q + bias, course.q_dot, course.q_ddot))
-    return _prescribe(mechanics, at)
+    return prescribed_at(mechanics, at)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +92,8 @@ class Shifted:
     q_ddot: Array
 
 
-def _prescribe(mechanics: Mechanics, at: Twists) -> Prescribed:
+def prescribed_at(mechanics: Mechanics, at: Twists) -> Prescribed:
+    """Prescribed at M twists of the carrier. StateError: a leg has no length."""
     tables, (M, N) = mechanics.tables, (len(at.V), mechanics.N)
     Phi = motor_cross(at.V_r)
     flat = tables.Theta.reshape(-1, 6)  # rows h, s, i
