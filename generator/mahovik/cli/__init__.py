@@ -21,6 +21,7 @@ from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
 from mahovik.cli.new import new
 from mahovik.cli.plot import plot
+from mahovik.cli.plan import plan
 from mahovik.cli.replay import replay
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
@@ -59,6 +60,7 @@ for command in (
     rest,
     simulate,
     plot,
+    plan,
     replay,
     verify_programme,
     judge_log,

@@ -22,7 +22,7 @@ def bounds(top: Section, N: int, periodic: bool) -> Bounds:
     section = top.section("bounds")
     if section is None:
         return Bounds()
-    section.only((*BOUNDS, "bias", "start"))
+    section.only((*BOUNDS, "bias", "deviation", "start"))
     found = {key: _each(section, key, N, dimension) for key, dimension in BOUNDS.items()}
     for key, values in found.items():
         for value in values or ():
@@ -38,6 +38,7 @@ def bounds(top: Section, N: int, periodic: bool) -> Bounds:
     return Bounds(
         **found,
         bias=_bias(section),
+        deviation=_deviation(section, top),
         start_phi=_each(start, "phi", N, ANGLE),
         start_phi_dot=_each(start, "phi_dot", N, SPEED),
     )
@@ -121,3 +122,22 @@ def _bias(section: Section) -> Each:
         if values[-1] < 0.0:
             section.refuse("bias", f"[{i}]: {values[-1]:g} is negative: a bound is a magnitude")
     return tuple(values) if len(values) == 6 else None
+
+
+def _deviation(section: Section, top: Section) -> tuple[float, float] | None:
+    """Linear, m, and angular, rad; infinite where it is left out."""
+    if "deviation" not in section:
+        return None
+    if "runup" not in top:
+        section.refuse("deviation", "goes with `runup`: it bounds the carrier on the way there and back")
+    inner = section.section("deviation")
+    if inner is None:
+        return None
+    inner.only(("linear", "angular"))
+    if not inner.given:
+        section.refuse("deviation", "expected linear, angular, or both")
+    linear, angular = (
+        inner.above_zero(key, dimension) if key in inner else math.inf
+        for key, dimension in (("linear", LENGTH), ("angular", ANGLE))
+    )
+    return None if linear is None or angular is None else (linear, angular)

@@ -24,6 +24,8 @@ class Bounds:
     torque             of tau, N m
     angle              of phi less its winding and its mean, rad
     bias               of each of the six of `bias`: m, rad
+    deviation          of the carrier from its mean pose during run-up and run-down: O1 (m), angle of its turn (rad);
+                       infinite where there is no bound
     start_phi, start_phi_dot   x(t0) of (13) of a finite motion, with sign: rad, rad/s
     """
 
@@ -33,6 +35,7 @@ class Bounds:
     torque: Each = None
     angle: Each = None
     bias: Each = None
+    deviation: tuple[float, float] | None = None
     start_phi: Each = None
     start_phi_dot: Each = None
 

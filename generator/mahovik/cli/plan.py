@@ -1,0 +1,136 @@
+"""`mahovik plan`: flywheel motions that make the carrier move as required."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import click
+
+from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.cli.group import INTERRUPTED
+from mahovik.errors import UsageError
+
+if TYPE_CHECKING:
+    from mahovik.motion.programme import Programme
+    from mahovik.motion.required.model import Winding
+    from mahovik.plan import Plan
+    from mahovik.plan.search import Search
+
+
+@click.command()
+@stand_argument
+@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="What is required.")
+@click.option("-o", "output", metavar="P.json", type=click.Path(), required=True, help="The programme.")
+@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Cuts the search.")
+@click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Of the starts.")
+@click.option("--winding", metavar="any|spin|rock|N,N,..", help="Turns a period; in place of the motion file's.")
+@click.option(
+    "--keep", metavar="K", type=click.IntRange(1, 99), default=1, show_default=True, help="Best K, into P.2.json ..."
+)
+def plan(
+    stand_file: str, motion_file: str, output: str, seconds: float | None, seed: int, winding: str | None, keep: int
+) -> None:
+    """Plan a programme: flywheel motions that make the carrier move exactly as required.
+
+    What is out of reach is refused at once, with what is missing. What is found is verified by the literal reference.
+    Ctrl-C gives the best so far.
+
+    Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
+    """
+    stand = load_stand(stand_file)
+    from mahovik.motion.programme import save_programme
+    from mahovik.motion.required import load_motion
+    from mahovik.plan import Wishes, plan_motion
+
+    motion = load_motion(Path(motion_file), stand)
+    chosen = _winding(winding, len(stand.flywheels), motion.periodic)
+    folder = Path(output).absolute().parent
+    if not folder.is_dir():
+        raise UsageError(f"{output}: there is no folder {folder.name!r} to write to")
+    with _progress() as tell:
+        found = plan_motion(stand, motion, Wishes(seed, seconds, chosen, keep), tell)
+    for line in found.warnings:
+        click.echo(f"warning: {line}", err=True)
+    for number, programme in enumerate(found.programmes, 1):
+        path = Path(output) if number == 1 else Path(output).with_suffix(f".{number}{Path(output).suffix}")
+        save_programme(programme, path)
+        _report(programme, path)
+    _end(found)
+
+
+def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
+    """The option's value. Raises UsageError."""
+    if given is None:
+        return None
+    if given in {"any", "spin", "rock"}:
+        return cast("Winding", given)
+    try:
+        turns = tuple(int(each) for each in given.split(","))
+    except ValueError:
+        raise UsageError(f"--winding {given}: expected any, spin, rock or {N} whole numbers, as 1,-1,0") from None
+    if len(turns) != N:
+        raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
+    if not periodic:
+        raise UsageError("--winding goes with a periodic motion; this one is finite")
+    return turns
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[Search], None] | None]:
+    """One line on standard error: starts tried, best residual; nothing where that is no terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status("preflight") as status:
+        yield lambda state: status.update(
+            f"{state.starts} starts tried, best residual {state.best:.2g}, {len(state.found)} found"
+        )
+
+
+def _report(programme: Programme, path: Path) -> None:
+    """Figures of a programme that is written."""
+    from rich.text import Text
+
+    report: Any = programme.report
+    out = console()
+    out.print(Text(f"{click.format_filename(path)}   {report['kind']}, winding {list(programme.winding)}"))
+    rows = table("flywheel", "peak speed, rad/s>", "peak acceleration, rad/s2>", "peak torque, N m>")
+    peaks = zip(report["peak_speed"], report["peak_acceleration"], report["peak_torque"], strict=True)
+    for name, row in zip(programme.flywheels, peaks, strict=True):
+        rows.add_row(Text(name), *(f"{x:.4g}" for x in row))
+    out.print(rows)
+    figures = {
+        "residual": report["residual"],
+        "simulation error": report.get("simulation_error"),
+        "largest Floquet multiplier": report.get("largest_multiplier"),
+        "objective": report["objective"],
+        "least singular value": report["least_singular_value"],
+        "sign changes of det I": report["det_I_sign_changes"],
+    }
+    out.print(", ".join(f"{name} {value:.3g}" for name, value in figures.items() if value is not None))
+
+
+def _end(found: Plan) -> None:
+    """The status with its reason; exit status."""
+    status = found.status if found.reason is None else f"{found.status} {found.reason}"
+    click.echo(status)
+    for line in found.words:
+        click.echo(f"{line}", err=found.status != "OK_LIMIT")
+    if found.effort:
+        spread = found.effort["objective_spread"]
+        tried = ", ".join(f"{number} {kind}" for kind, number in found.effort["windings_tried"].items())
+        click.echo(f"{found.effort['starts']} starts ({tried}), {found.effort['found']} programmes found", nl=False)
+        click.echo(f", objective {min(spread):.4g} to {max(spread):.4g}" if spread else "")
+        if found.effort["cut_by_time"]:
+            click.echo("warning: --time cut the search: another run may find more", err=True)
+    if found.interrupted:
+        click.echo("interrupted: this is the best so far", err=True)
+        raise SystemExit(INTERRUPTED)
+    if found.status != "OK":
+        raise SystemExit(1)

@@ -1,0 +1,36 @@
+"""The budget of a search: counted in steps, so that the same file and seed give the same programme; time only cuts."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Budget:
+    """`steps` of Levenberg-Marquardt that may be taken; `seconds` from its making: a cut-off, told in the result."""
+
+    steps: int
+    seconds: float | None = None
+    taken: int = 0
+    cut: bool = False
+    _begun: float = field(default_factory=time.monotonic)
+
+    def step(self) -> bool:
+        """Counts a step; False where none is left."""
+        if self.seconds is not None and self.elapsed > self.seconds:
+            self.cut = True
+        if self.exhausted:
+            return False
+        self.taken += 1
+        return True
+
+    @property
+    def exhausted(self) -> bool:
+        """Whether the search has to end."""
+        return self.cut or self.taken >= self.steps
+
+    @property
+    def elapsed(self) -> float:
+        """s since the search began."""
+        return time.monotonic() - self._begun

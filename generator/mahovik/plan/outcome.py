@@ -1,0 +1,32 @@
+"""What planning ends with: a status, programmes best first, and words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from mahovik.motion.programme import Programme
+
+Status = Literal["OK", "OK_LIMIT", "NO_PROGRAM", "SINGULAR_ATTITUDE"]
+"""BAD_INPUT is a MotionError or StandError before anything is planned."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Outcome of planning.
+
+    status      OK; OK_LIMIT: a bound is exceeded; NO_PROGRAM with a `reason` of preflight (proven) or SEARCH (not)
+    words       why, a line each: the refusal, or the bounds exceeded and by how much
+    warnings    what to know besides
+    programmes  best first
+    effort      starts, steps, windings tried, best residual, seed, whether time cut the search
+    """
+
+    status: Status
+    reason: str | None
+    words: tuple[str, ...]
+    warnings: tuple[str, ...]
+    programmes: tuple[Programme, ...]
+    effort: Mapping[str, Any] = field(default_factory=dict)
+    interrupted: bool = False

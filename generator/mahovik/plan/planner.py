@@ -1,0 +1,121 @@
+"""Planning as a whole: preflight, search, choice, verification, report."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from mahovik.errors import StateError
+from mahovik.motion.programme import Fourier, Programme
+from mahovik.motion.required import RequiredMotion
+from mahovik.plan.bounds import bounded
+from mahovik.plan.budget import Budget
+from mahovik.plan.certificate import certified, programme_of, wrong_items
+from mahovik.plan.choose import Improver, choose
+from mahovik.plan.figures import figures
+from mahovik.plan.finite import plan_finite
+from mahovik.plan.outcome import Plan, Status
+from mahovik.plan.preflight import Preflight, preflight
+from mahovik.plan.problem import Problem
+from mahovik.plan.search import Candidate, Search, search
+from mahovik.plan.wishes import Wishes
+from mahovik.stand.model import Stand
+
+Tell = Callable[[Search], None]
+
+
+def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
+    """A programme that makes the carrier of `stand` do `motion`, (12)-(13), or why there is none.
+
+    Ctrl-C while it searches gives the best so far.
+    """
+    asked = wishes or Wishes()
+    if asked.winding is not None:
+        motion = replace(motion, winding=asked.winding)
+    budget = Budget(asked.steps, asked.seconds)
+    try:
+        problem = Problem.of(stand, motion)
+        first = preflight(problem)
+    except StateError as error:
+        return Plan("SINGULAR_ATTITUDE", None, (str(error),), (), ())
+    if first.refusal is not None:
+        return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
+    if not motion.periodic:
+        return plan_finite(problem, first, asked, budget)
+    improver = Improver.of(problem)
+    found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
+    return _plan(problem, first, found, choose(improver, found), budget, asked)
+
+
+def _plan(
+    problem: Problem, first: Preflight, found: Search, chosen: Sequence[Candidate], budget: Budget, asked: Wishes
+) -> Plan:
+    """The outcome of a search."""
+    effort = {
+        "seed": asked.seed,
+        "starts": found.starts,
+        "steps": budget.taken,
+        "windings_tried": dict(found.tried),
+        "found": len(found.found),
+        "best_residual": float(found.best),
+        "cut_by_time": budget.cut,
+        "objective_spread": [each.objective for each in chosen],
+    }
+    if not chosen:
+        return Plan("NO_PROGRAM", "SEARCH", (not_found(found),), tuple(first.warnings), (), effort, found.interrupted)
+    programmes, refused = [], []
+    for each in chosen:
+        programme = _programme(problem, each, effort, asked.verify)
+        wrong = wrong_items(programme)
+        if wrong:
+            refused.append(f"a programme was found and refused by the verification: {wrong}")
+        else:
+            programmes.append((each, programme))
+        if len(programmes) == asked.keep:
+            break
+    if not programmes:
+        return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, found.interrupted)
+    best, programme = programmes[0]
+    warnings = (*first.warnings, *programme.report.get("warnings", ()))
+    status: Status = "OK_LIMIT" if best.exceeded else "OK"
+    given = tuple(each for _, each in programmes)
+    over = tuple(each.words for each in best.exceeded)
+    return Plan(status, None, over, warnings, given, effort, found.interrupted)
+
+
+def not_found(found: Search) -> str:
+    """Words of a search without success; it proves nothing."""
+    tried = ", ".join(f"{kind} {number}" for kind, number in found.tried.items()) or "none"
+    ended = "cut by time" if found.cut else "interrupted" if found.interrupted else "out of budget"
+    return (
+        f"no programme was found, which is no proof that there is none: {found.starts} starts tried ({tried}), "
+        f"best relative residual {found.best:.3g}, {ended}; another seed, more time, another winding, a smaller "
+        "motion or one more flywheel may help"
+    )
+
+
+def _programme(problem: Problem, chosen: Candidate, effort: Mapping[str, Any], verify: bool) -> Programme:
+    """The programme with its report."""
+    stand, motion, own = problem.stand, problem.motion, chosen.motion
+    found = figures(problem, own)
+    report: dict[str, Any] = {
+        "kind": chosen.kind,
+        "objective": chosen.objective,
+        "objective_parts": dict(chosen.parts),
+        "bounds_used": chosen.used if bounded(motion.bounds) else None,
+        "exceeded": [each.words for each in chosen.exceeded],
+        "harmonics": own.H,
+        "residual": found.residual,
+        "peak_speed": found.speed,
+        "peak_acceleration": found.acceleration,
+        "peak_torque": found.torque,
+        "least_singular_value": found.sigma,
+        "det_I_sign_changes": found.sign_changes,
+        "search": dict(effort),
+    }
+    course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
+    programme = programme_of(stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
+    return certified(stand, motion, programme) if verify else programme

@@ -1,0 +1,112 @@
+"""A run-up or run-down from nothing: coarse nodes first, bounds, then nodes fine enough to be believed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from mahovik.errors import CheckError, StateError
+from mahovik.motion.programme import Programme, Samples
+from mahovik.motion.required import RequiredMotion
+from mahovik.plan.array import Array
+from mahovik.plan.residual import Mechanics
+from mahovik.plan.runup.boundary import NODES, Boundary, Flight, boundary
+from mahovik.plan.runup.limits import reduced, shares
+from mahovik.plan.runup.newton import shoot
+
+GOAL = 1e-8
+"""Terminal error at the nodes, share of the amplitude."""
+ACCEPTED = 1e-6
+"""The same of the table, by nodes twice as dense."""
+
+_ATTEMPTS = ((6, 0.0), (10, 0.0), (10, 0.7), (10, 1.4), (14, 0.0))
+"""Splines a flywheel, and how far (rad) the first angles of rest are drawn about those of the plain fade."""
+_STEPS, _COARSE = 60, 1e-4
+DENSEST = 8 * NODES
+"""A period of the fastest part, and rows half as many."""
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A solution of the boundary-value problem, and the terminal error of its table by nodes twice as dense.
+
+    steps     Newton's, of the attempt that succeeded
+    attempts  1: the first
+    """
+
+    problem: Boundary
+    flight: Flight
+    error: float
+    steps: int
+    attempts: int
+
+
+def solve(
+    mechanics: Mechanics, motion: RequiredMotion, programme: Programme, duration: float, *, up: bool, seed: int = 0
+) -> Found:
+    """A run-up (`up`) into the programme, or a run-down from it, in `duration` s.
+
+    Inside the motion's bounds, if that can be reached. The same for the same programme and seed.
+
+    Raises CheckError: there is no rest, or none was found.
+    """
+    rng = np.random.default_rng(seed)
+    best = np.inf
+    for number, (splines, spread) in enumerate(_ATTEMPTS):
+
+        def problem(nodes: int, splines: int = splines) -> Boundary:
+            return boundary(mechanics, motion, programme, duration, up=up, nodes=nodes, splines=splines)
+
+        coarse = problem(NODES)
+        c = np.zeros((mechanics.N, coarse.family.P))
+        c[:, 0] = spread * rng.uniform(-1.0, 1.0, mechanics.N)
+        try:
+            shot = shoot(coarse, coarse.fly(c), _COARSE, _STEPS)
+            best = min(best, shot.flight.size)
+            if shot.flight.size > _COARSE:
+                continue
+            flight = shot.flight
+            if shares(coarse, flight, motion.bounds).excess > 0.0:
+                flight = reduced(coarse, flight, motion.bounds)
+            found = _refined(problem, coarse, flight)
+        except StateError:
+            continue
+        return Found(*found, shot.steps, number + 1)
+    which, where = ("run-up", "into the programme") if up else ("run-down", "to rest")
+    raise CheckError(
+        f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier ends "
+        f"{best:.2g} of its amplitude away; give it longer (`runup`)"
+    )
+
+
+def _refined(problem: Callable[[int], Boundary], coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
+    """On denser nodes, until the table of the solution ends right: problem, flight, terminal error of the table.
+
+    Raises StateError where even the densest does not.
+    """
+    before, flight, nodes = coarse, start, 2 * NODES
+    own = problem(nodes)
+    while nodes <= DENSEST:
+        flight = own.fly(flight.c, guess=between(before, own, flight.course.y))
+        flight = shoot(own, flight, GOAL, 6).flight
+        nodes *= 2
+        denser = problem(nodes)
+        error = denser.missed(table_of(own, flight), between(own, denser, flight.course.y))
+        if error <= ACCEPTED:
+            return own, flight, error
+        before, own = own, denser
+    raise StateError("the motion is too rough for the nodes")
+
+
+def table_of(problem: Boundary, flight: Flight) -> Samples:
+    """Rows at every second node."""
+    angles = problem.family.angles(flight.c)
+    return Samples(problem.family.t[::2], *(x[::2] for x in angles))
+
+
+def between(own: Boundary, other: Boundary, y: Array) -> Array:
+    """States y at the nodes of one problem, interpolated at those of another."""
+    return np.asarray(CubicSpline(own.family.t, y)(other.family.t))

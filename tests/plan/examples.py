@@ -1,0 +1,28 @@
+"""The example stands with their motions, as planning gets them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import mahovik.stands
+from mahovik.motion.required import RequiredMotion, load_motion
+from mahovik.plan.problem import Problem
+from mahovik.stand import load
+from mahovik.stand.model import Stand
+
+STANDS = Path(mahovik.stands.__file__).parent
+
+
+@cache
+def example(stand: str, motion: str | None = None) -> tuple[Stand, RequiredMotion]:
+    """A stand and a motion that stands beside it."""
+    found = load(STANDS / f"{stand}.toml")
+    return found, load_motion(STANDS / f"{motion or stand}.motion.json", found)
+
+
+def problem(stand: str, motion: str | None = None, **changed: object) -> Problem:
+    """The planning problem of an example, with fields of the motion changed."""
+    found, required = example(stand, motion)
+    return Problem.of(found, replace(required, **changed))

@@ -1,0 +1,61 @@
+"""The vectorised residual of (12) against the literal reference, and its derivatives against differences."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mahovik.plan.residual import linear, prescribe, residual, torques
+from mahovik.stand.random import BARE, EVERYTHING, SEQUENCES, Features
+from plan.courses import drawn, literal
+
+KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
+
+
+@pytest.mark.parametrize("number", range(12))
+def test_residual_and_torque_are_those_of_the_reference(number: int) -> None:
+    """(12) and the drive torque, on stands of all kinds, to rounding of what they are sums of."""
+    stand, mechanics, motion = drawn(40 + number, 1 + number % 7, KINDS[number % len(KINDS)])
+    at = prescribe(mechanics, motion)
+    R = residual(at, *motion[3:])
+    tau = torques(at, *motion[3:])
+    for m in range(len(R)):
+        expected, torque, size, largest = literal(stand, motion, m)
+        assert abs(R[m] - expected).max() <= 1e-11 * size
+        assert abs(tau[m] - torque).max() <= 1e-11 * max(largest, size)
+
+
+@pytest.mark.parametrize("number", range(6))
+def test_derivatives_are_those_of_differences(number: int) -> None:
+    """By angle, speed and acceleration: central differences, exact but for rounding and the third derivative."""
+    _, mechanics, motion = drawn(70 + number, 3, KINDS[number])
+    at = prescribe(mechanics, motion)
+    found = linear(at, *motion[3:])
+    assert abs(found.R - residual(at, *motion[3:])).max() <= 1e-12 * abs(found.R).max()
+    sizes = (1e-5, 1e-3, 1e-1)
+    by = ("by_phi", "by_phi_dot", "by_phi_ddot")
+    for argument, (step, name) in enumerate(zip(sizes, by, strict=True)):
+        exact, exact_tau = getattr(found, name), getattr(found, "tau_" + name)
+        for s in range(3):
+            around = []
+            for sign in (1.0, -1.0):
+                moved = [x.copy() for x in motion[3:]]
+                moved[argument][:, s] += sign * step
+                around.append((residual(at, *moved), torques(at, *moved)))
+            difference, difference_tau = ((a - b) / (2 * step) for a, b in zip(*around, strict=True))
+            assert abs(exact[:, :, s] - difference).max() <= 1e-6 * max(abs(difference).max(), 1e-9)
+            assert abs(exact_tau[:, s] - difference_tau[:, s]).max() <= 1e-6 * max(abs(exact_tau).max(), 1e-3)
+            others = [k for k in range(3) if k != s]
+            assert abs(difference_tau[:, others]).max() == 0.0
+
+
+def test_bias_shifts_the_carrier() -> None:
+    """A bias is added to q, one for all times or one each."""
+    _, mechanics, motion = drawn(90, 2, EVERYTHING)
+    bias = np.array([0.01, -0.02, 0.03, 0.1, -0.2, 0.05])
+    shifted = motion._replace(q=motion.q + bias)
+    expected = residual(prescribe(mechanics, shifted), *motion[3:])
+    for given in (bias, np.tile(bias, (len(motion.q), 1))):
+        assert np.array_equal(residual(prescribe(mechanics, motion, given), *motion[3:]), expected)
