@@ -33,6 +33,22 @@ class RegimeError(MahovikError):
         super().__init__("\n".join(self.problems))
 
 
+class MotionError(MahovikError):
+    """A motion file was refused. `problems` holds one line each, all that were found."""
+
+    def __init__(self, problems: Sequence[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
+class ProgrammeError(MahovikError):
+    """A programme file was refused. `problems` holds one line each, all that were found."""
+
+    def __init__(self, problems: Sequence[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
 class StateError(MahovikError):
     """A state of `eval` cannot be evaluated: its result line holds the message in `error`."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ import numpy as np
 
 from mahovik.errors import RegimeError
 from mahovik.motion import ranges, table
+from mahovik.motion.document import parse as parse_json
 from mahovik.motion.entry import DRIVEN_KEYS, LAWS, Entry, law_of
 from mahovik.motion.laws import Constant, WrenchTable
 from mahovik.motion.regime import Driven, Regime
@@ -18,7 +18,7 @@ from mahovik.stand.content import content
 from mahovik.stand.model import Stand
 from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
-from mahovik.stand.toml import exact, parse
+from mahovik.stand.toml import parse
 from mahovik.stand.units import ANGLE, SPEED, Dimension, QuantityError, number, show
 
 _KEYS = ("schema", "name", "default", "flywheel", "wrench")
@@ -49,7 +49,7 @@ def loads(
 ) -> Regime:
     """Read and check a regime given as text; its tables lie in `folder`. Raises RegimeError."""
     try:
-        document = _json(text) if is_json else parse(text)
+        document = parse_json(text) if is_json else parse(text)
     except (RecursionError, ValueError) as error:
         raise RegimeError([f"{source}: not {'JSON' if is_json else 'TOML'}: {error}"]) from None
     problems = Problems(source)
@@ -70,20 +70,6 @@ def loads(
     if problems.lines:
         raise RegimeError(problems.lines)
     return Regime(str(name), tuple(flywheels), wrenches)
-
-
-def _json(text: str) -> Any:
-    """Of JSON, which leaves open which of two equal keys counts: there it is a ValueError, as it is in TOML."""
-
-    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        found: dict[str, Any] = {}
-        for key, value in pairs:
-            if key in found:
-                raise ValueError(f"key {show(key)} is there twice")
-            found[key] = value
-        return found
-
-    return json.loads(text, parse_float=exact, object_pairs_hook=once)
 
 
 def _tables(document: dict[str, Any], key: str, names: list[str], what: str, problems: Problems) -> dict[str, Any]:

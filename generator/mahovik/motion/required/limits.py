@@ -1,0 +1,123 @@
+"""Bounds and objective of a motion file, and bounds that no programme can keep together."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from mahovik.motion.document import Section
+from mahovik.motion.required.model import Bounds, Each, Objective, Winding
+from mahovik.stand.model import Stand
+from mahovik.stand.units import ANGLE, LENGTH, PLAIN, SPEED, TORQUE, Dimension, QuantityError, number, show
+
+ANGULAR_ACCELERATION = Dimension("an angular acceleration", "rad/s^2")
+BOUNDS = {
+    "speed": SPEED, "speed_min": SPEED, "acceleration": ANGULAR_ACCELERATION, "torque": TORQUE, "angle": ANGLE,
+}  # fmt: skip
+WEIGHTS = ("acceleration", "torque", "speed_variation", "power")
+
+
+def bounds(top: Section, N: int, periodic: bool) -> Bounds:
+    """What stands under `bounds`, in SI."""
+    section = top.section("bounds")
+    if section is None:
+        return Bounds()
+    section.only((*BOUNDS, "bias", "start"))
+    found = {key: _each(section, key, N, dimension) for key, dimension in BOUNDS.items()}
+    for key, values in found.items():
+        for value in values or ():
+            if value < 0.0 or (value == 0.0 and key != "speed_min"):
+                section.refuse(key, f"{value:g} is not above 0: a bound is a magnitude")
+                break
+    start = Section(section.problems, {})
+    if "start" in section:
+        start = section.section("start") or start
+        start.only(("phi", "phi_dot"))
+        if periodic:
+            section.refuse("start", 'goes not with type "periodic", which begins where it ends')
+    return Bounds(
+        **found,
+        bias=_bias(section),
+        start_phi=_each(start, "phi", N, ANGLE),
+        start_phi_dot=_each(start, "phi_dot", N, SPEED),
+    )
+
+
+def objective(top: Section, stand: Stand) -> Objective:
+    """What stands under `objective`: a weight left out is 0, without any the weight of acceleration is 1."""
+    N = len(stand.flywheels)
+    section = top.section("objective")
+    if section is None or not section.given:
+        return Objective((1.0,) * N, (0.0,) * N, (0.0,) * N, (0.0,) * N)
+    section.only(WEIGHTS)
+    found = {}
+    for key in WEIGHTS:
+        found[key] = _each(section, key, N, PLAIN) or (0.0,) * N
+        if min(found[key], default=0.0) < 0.0:
+            section.refuse(key, f"{min(found[key]):g} is negative, expected a weight")
+    for flywheel, weight in zip(stand.flywheels, found["power"], strict=True):
+        motor = flywheel.motor
+        if weight > 0.0 and (motor is None or not motor.constant or motor.resistance is None):
+            section.refuse("power", f'flywheel "{flywheel.name}" has no motor with `constant` and `resistance`')
+    return Objective(**found)
+
+
+def contradictions(top: Section, given: Bounds, winding: Winding, period: float | None) -> None:
+    """Note bounds that exclude each other, or the winding; `period` (s) of a periodic motion."""
+    section = Section(top.problems, {}, ("bounds",))
+    N = len(given.speed or given.speed_min or given.start_phi_dot or ())
+    turns: tuple[int | None, ...] = (None,) * N
+    if period is not None and winding != "any":
+        turns = winding if isinstance(winding, tuple) else ((1,) if winding == "spin" else (0,)) * N
+    for s in range(N):
+        most = given.speed[s] if given.speed else math.inf
+        least = given.speed_min[s] if given.speed_min else 0.0
+        if least > most:
+            section.refuse("speed_min", f"[{s}]: {least:g} rad/s is above speed, {most:g} rad/s")
+            continue
+        if given.start_phi_dot and not least <= abs(given.start_phi_dot[s]) <= most:
+            speed = given.start_phi_dot[s]
+            section.refuse("start", f"phi_dot[{s}]: {speed:g} rad/s is outside speed_min, speed: {least:g} to {most:g}")
+        n = turns[s]
+        if n is None or period is None:
+            continue
+        mean = 2 * math.pi * abs(n) / period
+        if mean > most:
+            section.refuse("speed", f"[{s}]: {most:g} rad/s is below the mean speed of winding {n}, {mean:.6g} rad/s")
+        if n == 0 and least > 0.0:
+            section.refuse("speed_min", f"[{s}]: {least:g} rad/s, but with winding 0 a flywheel turns back")
+        elif mean < least and winding != "spin":  # which may be more than a turn a period
+            section.refuse(
+                "speed_min", f"[{s}]: {least:g} rad/s is above the mean speed of winding {n}, {mean:.6g} rad/s"
+            )
+
+
+def _each(section: Section, key: str, N: int, dimension: Dimension) -> Each:
+    """A number for all or one a flywheel, in SI; None where there is none, or with a problem noted."""
+    if key not in section:
+        return None
+    raw: Any = section.given[key]
+    if isinstance(raw, list) or (isinstance(raw, dict) and isinstance(raw.get("value"), list)):
+        return section.numbers(key, raw, N, dimension)
+    value = section.number(key, dimension)
+    return None if value is None else (value,) * N
+
+
+def _bias(section: Section) -> Each:
+    """Six magnitudes, m and rad."""
+    if "bias" not in section:
+        return None
+    raw = section.given["bias"]
+    if not isinstance(raw, list) or len(raw) != 6:
+        section.refuse("bias", f"expected 6 numbers (m, rad), found {len(raw) if isinstance(raw, list) else show(raw)}")
+        return None
+    values = []
+    for i, each in enumerate(raw):
+        try:
+            values.append(number(each, LENGTH if i < 3 else ANGLE))
+        except QuantityError as error:
+            section.refuse("bias", f"[{i}]: {error}")
+            continue
+        if values[-1] < 0.0:
+            section.refuse("bias", f"[{i}]: {values[-1]:g} is negative: a bound is a magnitude")
+    return tuple(values) if len(values) == 6 else None
