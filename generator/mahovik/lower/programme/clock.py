@@ -44,7 +44,6 @@ CLOCK = Struct(
 
 def start(lib: Library) -> Function:
     """`programme_start(ticks, periods, clock)`."""
-    ticks = Argument("ticks", Kind.INT, purpose="control ticks, and ")
     ticks = Argument("ticks", Kind.INT, purpose="so many control ticks are `periods` periods; at least 2 a period")
     periods = Argument("periods", Kind.INT, purpose="1 or more")
     clock = Argument("clock", CLOCK, (), "out", "", "at phase 0")
@@ -72,14 +71,15 @@ def start(lib: Library) -> Function:
     body.ret(Status("OK"))
     return Function(
         "programme_start",
-        "A clock at phase 0 for a control loop of so many ticks a period.",
+        "Clock at phase 0, for a control loop of so many ticks a period.",
         (ticks, periods, clock),
         body.statements,
         returns=Kind.STATUS,
         statuses=("OK", "BAD_ARGUMENT"),
         notes=(
-            "The frequency is not rounded: after n ticks the phase is n periods / ticks, rounded down to one part in",
-            f"2^{lib.layout.precision.width}, for every n. A run-up is one period of a clock of its own, until laps is 1.",
+            "The frequency is not rounded: after n ticks the phase is n periods / ticks, rounded down to a multiple of "
+            f"2^-{lib.layout.precision.width}, for every n. Of a finite table a period is the duration, and its end is "
+            "where laps is 1.",
         ),
         public=True,
     )

@@ -75,6 +75,6 @@ def turned(lib: Library, body: Body, winding: Place, at: Spot, parts: int) -> Ex
     product = Convert(winding, Kind.WORD) * Convert(at.j, Kind.WORD)
     count = body.let("count", Convert(product & word(parts - 1), Kind.INT), "parts of a turn, modulo a turn")
     half = integer(parts // 2)
-    near = body.let("near", select(count < half, count, count - integer(parts)))
-    whole = Convert(near, Kind.REAL) + Convert(winding, Kind.REAL) * at.u
+    sector = body.let("sector", select(count < half, count, count - integer(parts)))
+    whole = Convert(sector, Kind.REAL) + Convert(winding, Kind.REAL) * at.u
     return whole * real(turn)

@@ -15,7 +15,6 @@ from mahovik.lower.programme.quintic import quintic
 from mahovik.program.function import Function, Program
 from mahovik.program.types import Struct
 from mahovik.program.validate import validate
-from mahovik.program.walk import reachable
 
 
 @dataclass(frozen=True)
@@ -44,7 +43,8 @@ def lower_programme(layout: Layout, forms: Sequence[Form]) -> ProgrammeProgram:
     """Functions for tables of these forms. Their text depends on the forms and the stand's structure alone."""
     lib = Library(layout)
     precision = layout.precision
-    lib.add(routines.sincos(precision))
+    if any(form.kind == "fourier" for form in forms):
+        lib.add(routines.sincos(precision))
     lib.add(routines.unwind(precision))
     lib.add(routines.wrap(precision, lib["unwound"]))
     courses = []
@@ -57,11 +57,7 @@ def lower_programme(layout: Layout, forms: Sequence[Form]) -> ProgrammeProgram:
     tables: list[Struct] = [clock.CLOCK]
     for form in forms:
         tables += [form.row, form.table]
-    roots = {"programme_start", "programme_advance", "programme_phase", *(c.inner.name for c in courses)}
-    kept = tuple(replace(f, public=True) if f.name in roots else f for f in lib.functions)
-    reached = {f.name for f in reachable(kept)}
-    functions = tuple(f for f in lib.functions if f.name in reached)
-    program = Program(layout.structure.name, precision, counts, tuple(tables), functions)
+    program = Program(layout.structure.name, precision, counts, tuple(tables), lib.functions)
     validate(program)
     return ProgrammeProgram(program, tuple(courses))
 

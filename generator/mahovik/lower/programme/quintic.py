@@ -14,7 +14,7 @@ from mahovik.lower.library import Library
 from mahovik.lower.programme.form import Form
 from mahovik.lower.programme.place import Spot, check_phase, phase_argument, spot, turned
 from mahovik.program.build import Body, call
-from mahovik.program.expression import Expr, Place, Status, integer, real, select
+from mahovik.program.expression import Convert, Expr, Place, Status, integer, real, select
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind
 
@@ -96,7 +96,7 @@ def _torques(body: Body, form: Form, table: Place, at: Spot, tau: Place) -> None
         highest = integer(form.rows + 1 - POINTS)
         low = body.let("low", select(at.j < 2, integer(0), at.j - integer(2)))
         start = body.let("start", select(low > highest, highest, low))
-        w = body.let("w", _as_real(at.j - start) + at.u)
+        w = body.let("w", Convert(at.j - start, Kind.REAL) + at.u)
     for i in range(POINTS):
         value: Expr = real(1.0 / prod(i - m for m in range(POINTS) if m != i))
         for m in range(POINTS):
@@ -110,8 +110,3 @@ def _torques(body: Body, form: Form, table: Place, at: Spot, tau: Place) -> None
         with body.loop("s", form.count) as s:
             body.add(tau[s], weight[i] * table.node[row].tau[s])
 
-
-def _as_real(value: Expr) -> Expr:
-    from mahovik.program.expression import Convert
-
-    return Convert(value, Kind.REAL)

@@ -1,0 +1,172 @@
+"""A programme's C files beside those of its stand; refused where tables are not good enough, or of another stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.emit.generate import PRECISIONS
+from mahovik.emit.programme import Facts, programme_files
+from mahovik.errors import CheckError, UsageError
+from mahovik.export.programme.accuracy import Errors, errors
+from mahovik.export.programme.carrier import Prescribed
+from mahovik.export.programme.tables import Table, Torques, fourier_table, quintic_table
+from mahovik.lower.layout import Layout
+from mahovik.lower.programme.form import Form
+from mahovik.lower.programme.play import Player
+from mahovik.lower.programme.program import ProgrammeProgram, lower_programme
+from mahovik.motion.programme import Programme, RunUpTable
+from mahovik.motion.required import RequiredMotion
+from mahovik.stand.identity import identities
+from mahovik.stand.model import Stand
+from mahovik.stand.structure import structure
+
+LIMITS = {"double": 1e-6, "float": 1e-3}
+"""Largest relative residual that a table may add."""
+
+NODES = {"double": 256, "float": 64}
+"""Nodes of a period that a quintic table has unless told otherwise."""
+
+MOST_NODES = 1 << 14
+"""Of a run-up."""
+
+
+@dataclass(frozen=True)
+class Exported:
+    """Files by name; what is to be said of them, a line each; the tables and their program, for who wants to run it."""
+
+    files: dict[str, str]
+    lines: tuple[str, ...]
+    made: ProgrammeProgram
+    tables: tuple[Table, ...]
+    errors: tuple[Errors, ...]
+
+
+def export_programme(
+    stand: Stand,
+    programme: Programme,
+    motion: RequiredMotion | None = None,
+    kind: str = "quintic",
+    nodes: int | None = None,
+    real: str = "double",
+    limit: float | None = None,
+    source: str = "programme",
+) -> Exported:
+    """C of a programme. With the motion that it was planned for, drive torques are in the tables, and the residual that
+    these add is measured; without it the error of the accelerations is. `source` names the programme in messages.
+
+    CheckError where programme, stand and motion do not belong together, or the error is above the limit; UsageError.
+    """
+    check_belongs(stand, programme, motion, source)
+    if kind == "fourier" and not programme.periodic:
+        raise UsageError(f"{source}: is finite: a Fourier table is for periodic ones; give --table quintic")
+    if kind == "fourier" and nodes is not None:
+        raise UsageError("--nodes: a Fourier table has none: leave it out")
+    count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
+    layout = Layout(structure(stand), PRECISIONS[real])
+    prescribed = None if motion is None else Prescribed(stand, motion, programme.bias)
+    first = _course(programme, layout, prescribed, kind, count)
+    found = [_finished(layout, first, prescribed)]
+    if found[0][1].judged > most:
+        raise CheckError(_too_coarse(source, first, found[0][1], most, real))
+    for part, finite in (("runup", programme.runup), ("rundown", programme.rundown)):
+        if finite is not None:
+            found.append(_finite(layout, part, finite, count * finite.duration / programme.span, most, source))
+    tables, measured = tuple(t for t, _ in found), tuple(e for _, e in found)
+    made = lower_programme(layout, [t.form for t in tables])
+    player = Player(made, {t.form.part: t.value for t in tables})
+    lines = tuple(line for t, e in found for line in said(t, e, layout))
+    facts = Facts(programme.motion, tuple((t.form.part, t.span, t.value) for t in tables), lines, most)
+    files = programme_files(stand, made, player.golden(), facts)
+    return Exported(files, (*lines, f"limit {most:g}"), made, tables, measured)
+
+
+def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
+    """Raises CheckError where a programme is of another stand, or a motion not the one that it was planned for."""
+    found, names = identities(stand), tuple(w.name for w in stand.flywheels)
+    if (programme.structure, programme.physics) != (found.structure, found.physics) or programme.flywheels != names:
+        raise CheckError(
+            f"{source}: is a programme of stand {programme.stand} (structure {programme.structure}, physics "
+            f"{programme.physics}), not of {stand.name} (structure {found.structure}, physics {found.physics}): give the "
+            "stand file that it was planned for, or plan again"
+        )
+    if motion is None:
+        return
+    if motion.periodic != programme.periodic or abs(motion.span - programme.span) > 1e-9 * programme.span:
+        raise CheckError(
+            f"{source}: has {'period' if programme.periodic else 'duration'} {programme.span:g} s, the motion "
+            f"{motion.name} has {'period' if motion.periodic else 'duration'} {motion.span:g} s: give the motion of it, "
+            f"{programme.motion}"
+        )
+    if motion.name != programme.motion:
+        raise CheckError(f"{source}: was planned for the motion {programme.motion}, given was {motion.name}")
+
+
+def _course(
+    programme: Programme, layout: Layout, prescribed: Prescribed | None, kind: str, count: int
+) -> Table:
+    """The table of the programme itself."""
+    torques = None if prescribed is None else _torques(prescribed, programme)
+    if kind == "fourier":
+        return fourier_table(programme, layout.count, torques, layout.precision.name)
+    form = Form("", "quintic", count, programme.periodic, torques is not None, layout.count)
+    return quintic_table(form, programme.at, programme.span, programme.winding, torques)
+
+
+def _torques(prescribed: Prescribed, programme: Programme) -> Torques:
+    return lambda t: prescribed.torques(t, programme.at(t))
+
+
+def _finished(layout: Layout, table: Table, prescribed: Prescribed | None) -> tuple[Table, Errors]:
+    """A table with its errors."""
+    made = lower_programme(layout, [table.form])
+    player = Player(made, {table.form.part: table.value})
+    return table, errors(player, made.courses[0], table, layout.precision, prescribed)
+
+
+def _finite(
+    layout: Layout, part: str, finite: RunUpTable, least: float, most: float, source: str
+) -> tuple[Table, Errors]:
+    """A run-up or run-down, with as many nodes a second as the programme, or more where they are needed."""
+    rows = 8
+    while rows < least:
+        rows *= 2
+    while True:
+        form = Form(part, "quintic", rows, False, False, layout.count)
+        table = quintic_table(form, finite.at, finite.duration, (0,) * int(layout.count), None)
+        found = _finished(layout, table, None)
+        if found[1].judged <= most:
+            return found
+        if rows >= MOST_NODES:
+            raise CheckError(
+                f"{source}: {part}: with {rows} nodes the error of a table is {found[1].judged:.2e} of the largest "
+                f"acceleration, above {most:g}: give a larger --limit"
+            )
+        rows *= 2
+
+
+def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str) -> str:
+    what = "the relative residual that the table adds" if found.added is not None else "the table's relative error"
+    remedies = []
+    if table.form.kind == "quintic" and table.form.rows < 4096:
+        remedies.append(f"more nodes (--nodes {2 * table.form.rows})")
+    remedies += ["--real double"] if real == "float" else []
+    remedies.append("a larger --limit")
+    return f"{source}: {what} is {found.judged:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
+
+
+def said(table: Table, found: Errors, layout: Layout) -> list[str]:
+    """What is said of a table, a line each: its size, then its errors."""
+    form = table.form
+    name = {"": "programme", "runup": "run-up", "rundown": "run-down"}[form.part]
+    parts = f"{form.rows} {'intervals' if form.kind == 'quintic' else 'harmonics'}"
+    lines = [f"{name}: {form.kind}, {parts}, {layout.precision.name}, {table.span:g} s"]
+    lines.append(
+        f"{name}: largest error: angle {found.phi:.1e} rad, speed {found.phi_dot:.1e} rad/s, "
+        f"acceleration {found.phi_ddot:.1e} rad/s2, together {found.relative:.1e} of the largest acceleration"
+    )
+    if found.tau is not None:
+        lines.append(f"{name}: largest error of the drive torques {found.tau:.1e} N m, of {found.tau_peak:.3g} N m")
+        lines.append(f"{name}: relative residual {found.given:.1e}, the table adds {found.added:.1e}")
+    else:
+        lines.append(f"{name}: no drive torques" + ("" if form.part else ": no motion was given"))
+    return lines
