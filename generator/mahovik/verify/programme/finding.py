@@ -1,0 +1,61 @@
+"""What one item of the verification found, and the limits of the items."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.stand.model import Stand
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One item: `value` against `limit` (of the same unit, mostly a share), whether it `passed`, and words about it.
+
+    An item that warns has passed with a value above its limit.
+    """
+
+    name: str
+    value: float
+    limit: float
+    passed: bool
+    words: str
+
+    @property
+    def warns(self) -> bool:
+        """Passed, but with something to know."""
+        return self.passed and not self.value <= self.limit
+
+
+def judged(name: str, value: float, limit: float, words: str = "") -> Finding:
+    """Passed where the value is within the limit; a value that is not a number is not."""
+    return Finding(name, value, limit, value <= limit, words)
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """residual, error   of the equations and of the carrier's motion by simulation, shares
+    runup           of the carrier's state at the end of a run-up or run-down, share of the amplitude
+    table           of phi', phi'' in a table, share of their peaks: what its neighbours foretell of a row
+    joint           of two courses that meet, share of peaks; rad for phi
+    multiplier      largest Floquet multiplier without a warning
+    """
+
+    residual: float
+    error: float
+    runup: float
+    table: float = 0.03
+    joint: float = 1e-6
+    multiplier: float = 1.001
+
+
+SMOOTH, KINKED, RUNUP = 1e-6, 1e-5, 1e-5
+"""Shares. A stand with V|V| has forces of class C1 only: its Fourier series falls slowly."""
+
+
+def tolerance_for(stand: Stand, given: float | None) -> Tolerance:
+    """The limits for a stand; `given` replaces those of residual, error and run-up."""
+    if given is not None:
+        return Tolerance(given, given, max(given, RUNUP))
+    quadratic = any(b.damping is not None and (b.damping.quadratic or b.damping.terms) for b in stand.bodies)
+    share = KINKED if quadratic else SMOOTH
+    return Tolerance(share, share, RUNUP)

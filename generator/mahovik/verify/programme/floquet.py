@@ -1,0 +1,67 @@
+"""Item 7: Floquet multipliers of the carrier along the programme, by differences of (8) and (10)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.errors import StateError
+from mahovik.motion.programme import Fourier, Programme
+from mahovik.motion.required import RequiredMotion
+from mahovik.reference.array import Array
+from mahovik.stand.model import Stand
+from mahovik.verify.programme.along import twist
+from mahovik.verify.programme.finding import Finding
+from mahovik.verify.programme.simulation import rate
+
+STEPS = 32
+"""A period at least; three more for every harmonic of the programme and six for every turn."""
+
+
+def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> Array:
+    """Moduli of the 12 eigenvalues of the monodromy matrix, descending.
+
+    x' = A(t) x along the required motion, y = (q, V), over a period by Magnus's fourth-order steps with A at the
+    two points of Gauss. StateError at a singular attitude.
+    """
+    from scipy.linalg import expm
+
+    H = len(programme.course.cos) if isinstance(programme.course, Fourier) else 0
+    steps = max(STEPS, 3 * max(H, *motion.harmonics, 1), 6 * max(map(abs, programme.winding), default=0))
+    h = programme.span / steps
+    monodromy = np.eye(12)
+    for step in range(steps):
+        early, late = ((step + 0.5 + side * np.sqrt(3) / 6) * h for side in (-1, 1))
+        A1, A2 = (_linear(stand, motion, programme, t) for t in (early, late))
+        exponent = h / 2 * (A1 + A2) + np.sqrt(3) / 12 * h**2 * (A2 @ A1 - A1 @ A2)
+        monodromy = expm(exponent) @ monodromy
+    return np.sort(np.abs(np.linalg.eigvals(monodromy)))[::-1]
+
+
+def _linear(stand: Stand, motion: RequiredMotion, programme: Programme, t: float) -> Array:
+    """A (12x12): derivatives of (q', V*) by (q, V) at t, by central differences."""
+    course, angles = motion.at(np.array([t]), programme.bias), programme.at(np.array([t]))
+    y = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    A = np.zeros((12, 12))
+    for i in range(12):
+        h = 1e-6 if i < 6 else 1e-5 * (1.0 + abs(y[i]))
+        aside = np.zeros(12)
+        aside[i] = h
+        ahead, behind = (rate(stand, y + side * aside, *(each[0] for each in angles)) for side in (1, -1))
+        A[:, i] = (ahead - behind) / (2 * h)
+    return A
+
+
+def finding(stand: Stand, motion: RequiredMotion, programme: Programme, limit: float) -> Finding:
+    """The largest multiplier. Above 1 the motion is right, but something must hold it: a warning, no failure."""
+    try:
+        found = multipliers(stand, motion, programme)
+    except StateError as error:
+        return Finding("Floquet", np.inf, limit, False, str(error))
+    value = float(found[0])
+    if value > limit:
+        words = "largest multiplier: the motion is right, but not stable without feedback"
+    elif value > 2 - limit:
+        words = "largest multiplier: neutral, the carrier is free to drift"
+    else:
+        words = f"largest multiplier: stable, disturbances decay by {value:.3g} a period"
+    return Finding("Floquet", value, limit, bool(np.isfinite(value)), words)

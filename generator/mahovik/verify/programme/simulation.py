@@ -1,0 +1,75 @@
+"""Item 2: the carrier by (8) and (10) under given flywheel angles, from a given state, by SciPy's DOP853."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from mahovik.errors import StateError
+from mahovik.motion.programme import Angles, Programme
+from mahovik.motion.required import RequiredMotion
+from mahovik.reference.array import Array
+from mahovik.reference.forward import forward
+from mahovik.reference.linear import solve
+from mahovik.reference.rotation import check_attitude, kinematic_matrix
+from mahovik.stand.model import Stand
+from mahovik.verify.programme.along import pieces_at, twist
+from mahovik.verify.programme.finding import Finding, judged
+from mahovik.verify.programme.scale import Scale
+
+Course = Callable[[Array], Angles]
+
+RTOL = 1e-12
+STEP_ERROR = 1e-9
+"""Of the amplitude, a step."""
+
+
+def rate(stand: Stand, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
+    """dy/dt of y = (q, V): q' = A^-1 V by (10), V* by (8). StateError at a singular attitude."""
+    q, V = y[:6], y[6:]
+    check_attitude(stand.angles, q[3:])
+    at = pieces_at(stand, q, V, phi, phi_dot)
+    return np.concatenate([solve(kinematic_matrix(stand.angles, q[3:]), V), forward(at, phi_ddot)])
+
+
+def simulate(
+    stand: Stand, angles: Course, start: Array, t: Array, scale: Scale, longest: float, error: float = STEP_ERROR
+) -> Array:
+    """y = (q, V) (M, 12) at the times t (M), which begin at the start; no step longer than `longest` (s).
+
+    `error`: of a step, share of the amplitude. StateError where the motion cannot be followed.
+    """
+    from scipy.integrate import solve_ivp
+
+    m, rad = scale.lengths()
+    faster = scale.speed / scale.amplitude
+    atol = error * np.repeat([m, rad, m * faster, rad * faster], 3)
+
+    def rates(now: float, y: Array) -> Array:
+        phi, phi_dot, phi_ddot = angles(np.array([now]))
+        return rate(stand, y, phi[0], phi_dot[0], phi_ddot[0])
+
+    found = solve_ivp(rates, (t[0], t[-1]), start, method="DOP853", t_eval=t, rtol=RTOL, atol=atol, max_step=longest)
+    if not found.success or not np.all(np.isfinite(found.y)):
+        raise StateError(f"the simulation stops at t = {found.t[-1] if len(found.t) else 0.0:.6g} s: {found.message}")
+    return np.asarray(found.y.T)
+
+
+def finding(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, limit: float) -> Finding:
+    """The carrier's distance from the required motion over one span, from the required state at t = 0."""
+    t = np.linspace(0.0, programme.span, 16 * max([*motion.harmonics, 12]) + 1)
+    course = motion.at(t, programme.bias)
+    start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    try:
+        y = simulate(stand, programme.at, start, t, scale, programme.span / 16)
+    except StateError as error:
+        return Finding("simulation", np.inf, limit, False, str(error))
+    apart = y[:, :6] - course.q
+    shares = [scale.of_displacement(twist(stand, q, x)) for q, x in zip(course.q, apart, strict=True)]
+    i = int(np.argmax(shares))
+    words = (
+        f"of (8) from the required state: largest at t = {t[i]:.6g} s, "
+        f"O1 {1e3 * np.linalg.norm(apart[i, :3]):.2g} mm, angles {1e3 * np.linalg.norm(apart[i, 3:]):.2g} mrad away"
+    )
+    return judged("simulation", float(shares[i]), limit, words)

@@ -1,0 +1,52 @@
+"""All that a returned programme must pass (planning.md), in order."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.errors import StateError
+from mahovik.motion.programme import Angles, Programme
+from mahovik.motion.required import RequiredMotion
+from mahovik.stand.model import Stand
+from mahovik.verify.programme import floquet, identity, limits, residual, runup, simulation, table
+from mahovik.verify.programme.finding import Finding, tolerance_for
+from mahovik.verify.programme.scale import scale_of
+
+FINER_ANGLES = 8
+"""Times the grid of the residual: angles cost nothing."""
+
+
+def verify_programme(
+    stand: Stand, motion: RequiredMotion, programme: Programme, *, tolerance: float | None = None
+) -> tuple[Finding, ...]:
+    """Findings, one an item; the programme is right where all have passed.
+
+    `tolerance`: of residual and simulation, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
+    stand's flywheels or another motion's kind or period is not tried: only that is said.
+    """
+    limit = tolerance_for(stand, tolerance)
+    whose = [identity.stand_finding(stand, programme), identity.motion_finding(motion, programme)]
+    same_span = programme.periodic == motion.periodic and abs(programme.span / motion.span - 1) < 1e-9
+    if not identity.same_flywheels(stand, programme) or not same_span:
+        return tuple(each for each in whose if not each.passed)
+    found = [*whose, *limits.winding_finding(motion, programme), *table.findings(programme, limit.table)]
+    found += limits.bias_findings(motion, programme)
+    try:
+        scale = scale_of(stand, motion, programme)
+        along = residual.along(stand, motion, programme, scale)
+    except StateError as error:
+        return (*found, Finding("residual", np.inf, limit.residual, False, str(error)))
+    found.append(residual.finding(along, limit.residual))
+    found.append(simulation.finding(stand, motion, programme, scale, limit.error))
+    M = FINER_ANGLES * len(along.t)
+    t = programme.span * np.arange(M + (not motion.periodic)) / M
+    angles = Angles(*programme.at(t))
+    rocking = limits.rocking_of(programme, t, angles.phi)
+    found += limits.bound_findings(motion.bounds, programme.flywheels, angles, along.tau, rocking)
+    found += limits.slowest_finding(motion.bounds, programme.flywheels, angles.phi_dot)
+    if motion.periodic:
+        found.append(floquet.finding(stand, motion, programme, limit.multiplier))
+        found += runup.findings(stand, motion, programme, scale, limit)
+    else:
+        found += limits.start_findings(motion, programme, limit.joint)
+    return tuple(found)
