@@ -1,4 +1,4 @@
-"""`<stand>_programme.h`, `.c`: a flywheel programme as tables, its clock; beside them a self-test, a page, a manifest."""
+"""`<stand>_programme.h`, `.c`: a flywheel programme as tables, with its clock, self-test, page and manifest."""
 
 from __future__ import annotations
 
@@ -221,9 +221,9 @@ class _Printer:
 
 _METHOD = {
     "quintic": (
-        "Angles are quintic Hermite polynomials between the nodes, from angle, speed and acceleration at both; speeds and "
-        "accelerations are their derivatives. A drive torque is the polynomial of degree 5 through the six nodes about "
-        "the place."
+        "Angles are quintic Hermite polynomials between the nodes, from angle, speed and acceleration at both; speeds "
+        "and accelerations are their derivatives. A drive torque is the polynomial of degree 5 through the six nodes "
+        "about the place."
     ),
     "fourier": (
         "Angles are Fourier sums, speeds and accelerations their derivatives, term by term; so are drive torques. One "

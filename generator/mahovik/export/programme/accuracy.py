@@ -46,9 +46,7 @@ class Errors:
         return self.relative if self.added is None else self.added
 
 
-def errors(
-    player: Player, course: Course, table: Table, precision: Precision, prescribed: Prescribed | None
-) -> Errors:
+def errors(player: Player, course: Course, table: Table, precision: Precision, prescribed: Prescribed | None) -> Errors:
     """Errors of one table; the wrench is asked of the programme itself only, whose carrier moves as prescribed."""
     rows = table.form.rows
     points = max(POINTS // rows, 5) * rows if table.form.kind == "quintic" else POINTS

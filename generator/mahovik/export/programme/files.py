@@ -16,15 +16,18 @@ from mahovik.lower.programme.play import Player
 from mahovik.lower.programme.program import ProgrammeProgram, lower_programme
 from mahovik.motion.programme import Programme, RunUpTable
 from mahovik.motion.required import RequiredMotion
-from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.structure import structure
+from mahovik.verify.programme.identity import motion_finding, stand_finding
 
 LIMITS = {"double": 1e-6, "float": 1e-3}
 """Largest relative residual that a table may add."""
 
 NODES = {"double": 256, "float": 64}
 """Nodes of a period that a quintic table has unless told otherwise."""
+
+WRONG = 1e-2
+"""Relative residual of a programme above which it is not one of this motion."""
 
 MOST_NODES = 1 << 14
 """Of a run-up."""
@@ -63,9 +66,15 @@ def export_programme(
         raise UsageError("--nodes: a Fourier table has none: leave it out")
     count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
     layout = Layout(structure(stand), PRECISIONS[real])
-    prescribed = None if motion is None else Prescribed(stand, motion, programme.bias)
+    prescribed = None if motion is None else Prescribed(stand, motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_finished(layout, first, prescribed)]
+    given = found[0][1].given
+    if given is not None and given > WRONG:
+        raise CheckError(
+            f"{source}: its relative residual is {given:.2e}, so it does not give the motion {programme.motion} (below "
+            f"{WRONG:g} it would): `mahovik verify-programme` says more; nothing was written"
+        )
     if found[0][1].judged > most:
         raise CheckError(_too_coarse(source, first, found[0][1], most, real))
     for part, finite in (("runup", programme.runup), ("rundown", programme.rundown)):
@@ -82,38 +91,25 @@ def export_programme(
 
 def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
     """Raises CheckError where a programme is of another stand, or a motion not the one that it was planned for."""
-    found, names = identities(stand), tuple(w.name for w in stand.flywheels)
-    if (programme.structure, programme.physics) != (found.structure, found.physics) or programme.flywheels != names:
+    whose = stand_finding(stand, programme)
+    if not whose.passed:
         raise CheckError(
-            f"{source}: is a programme of stand {programme.stand} (structure {programme.structure}, physics "
-            f"{programme.physics}), not of {stand.name} (structure {found.structure}, physics {found.physics}): give the "
-            "stand file that it was planned for, or plan again"
+            f"{source}: {whose.words}: give the stand file that it was planned for, or plan again; nothing was written"
         )
     if motion is None:
         return
-    if motion.periodic != programme.periodic or abs(motion.span - programme.span) > 1e-9 * programme.span:
-        raise CheckError(
-            f"{source}: has {'period' if programme.periodic else 'duration'} {programme.span:g} s, the motion "
-            f"{motion.name} has {'period' if motion.periodic else 'duration'} {motion.span:g} s: give the motion of it, "
-            f"{programme.motion}"
-        )
-    if motion.name != programme.motion:
-        raise CheckError(f"{source}: was planned for the motion {programme.motion}, given was {motion.name}")
+    wanted = motion_finding(motion, programme)
+    if not wanted.passed:
+        raise CheckError(f"{source}: {wanted.words}: give the motion that it was planned for; nothing was written")
 
 
-def _course(
-    programme: Programme, layout: Layout, prescribed: Prescribed | None, kind: str, count: int
-) -> Table:
+def _course(programme: Programme, layout: Layout, prescribed: Prescribed | None, kind: str, count: int) -> Table:
     """The table of the programme itself."""
-    torques = None if prescribed is None else _torques(prescribed, programme)
+    torques: Torques | None = None if prescribed is None else prescribed.torques
     if kind == "fourier":
         return fourier_table(programme, layout.count, torques, layout.precision.name)
     form = Form("", "quintic", count, programme.periodic, torques is not None, layout.count)
     return quintic_table(form, programme.at, programme.span, programme.winding, torques)
-
-
-def _torques(prescribed: Prescribed, programme: Programme) -> Torques:
-    return lambda t: prescribed.torques(t, programme.at(t))
 
 
 def _finished(layout: Layout, table: Table, prescribed: Prescribed | None) -> tuple[Table, Errors]:

@@ -25,8 +25,8 @@ def element_type(folder: Path, stand: Stand, real: str | None) -> str:
     found = identities(stand)
     if (header.structure, header.physics) != (found.structure, found.physics):
         raise CheckError(
-            f"{folder / stand.name}.h: is of another stand (structure {header.structure}, physics {header.physics}; the "
-            f"stand file has {found.structure}, {found.physics}): generate it again or choose another folder"
+            f"{folder / stand.name}.h: is of another stand (structure {header.structure}, physics {header.physics}; "
+            f"the stand file has {found.structure}, {found.physics}): generate it again or choose another folder"
         )
     if real is not None and real != header.real:
         raise UsageError(f"{folder / stand.name}.h: has {header.real}, asked was for {real}: leave --real out")

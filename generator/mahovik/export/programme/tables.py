@@ -56,9 +56,7 @@ def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], tor
     return Table(form, value, span, at, torques)
 
 
-def fourier_table(
-    programme: Programme, count: NamedCount, torques: Torques | None, real: str
-) -> Table:
+def fourier_table(programme: Programme, count: NamedCount, torques: Torques | None, real: str) -> Table:
     """Coefficients of a periodic programme, as many as count."""
     span, turn = programme.span, 2 * np.pi * np.array(programme.winding, dtype=np.float64)
     x = np.arange(_FINE) / _FINE

@@ -1,4 +1,4 @@
-"""The functions of a programme run by the interpreter: how good its tables are, and golden answers for the self-test."""
+"""The functions of a programme run by the interpreter: answers for its self-test, and for judging its tables."""
 
 from __future__ import annotations
 
@@ -50,9 +50,7 @@ class Player:
         self._made = made
         self._precision: Precision = made.program.precision
         self._interpreter = Interpreter(made.program)
-        self._tables = {
-            c.form.part: self._interpreter.filled(c.form.table, values[c.form.part]) for c in made.courses
-        }
+        self._tables = {c.form.part: self._interpreter.filled(c.form.table, values[c.form.part]) for c in made.courses}
 
     def at(self, course: Course, phase: float) -> tuple[int, dict[str, Any]]:
         """Status and outputs by name."""

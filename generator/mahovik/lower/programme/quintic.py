@@ -109,4 +109,3 @@ def _torques(body: Body, form: Form, table: Place, at: Spot, tau: Place) -> None
         row = body.let("row", (start + i) % integer(form.rows) if form.cyclic else start + i)
         with body.loop("s", form.count) as s:
             body.add(tau[s], weight[i] * table.node[row].tau[s])
-
