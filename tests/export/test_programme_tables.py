@@ -95,7 +95,7 @@ def test_the_motion_is_given_to_the_last_digits() -> None:
         told = exported("spin", "quintic", real).errors[0]
         assert told.given is not None
         assert told.added is not None
-        assert told.given < 1e-10
+        assert told.given < 1e-8  # of the digits in the stand and motion files
         assert told.added < added
 
 

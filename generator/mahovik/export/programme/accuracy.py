@@ -59,17 +59,19 @@ def errors(player: Player, course: Course, table: Table, precision: Precision, p
     speed, acceleration = found["phi_dot"] - truth.phi_dot, found["phi_ddot"] - truth.phi_ddot
     force = np.hypot(truth.phi_ddot, truth.phi_dot**2)
     wrong = np.abs(acceleration) + 2 * np.abs(truth.phi_dot * speed) + force * np.abs(angle)
-    sizes = [float(np.max(np.abs(each))) for each in (angle, speed, acceleration)]
+    largest, fastest, hardest = (float(np.max(np.abs(each))) for each in (angle, speed, acceleration))
     relative = float(np.max(wrong)) / max(float(np.max(force)), np.finfo(np.float64).tiny)
     if prescribed is None or table.torques is None:
-        return Errors(*sizes, relative)
+        return Errors(largest, fastest, hardest, relative)
     some = np.linspace(0, points - 1, WRENCHES).astype(int)
     exact = Angles(*(each[some] for each in truth))
     tau = table.torques(t[some])
     R = prescribed.residual(t[some], exact)
     tabled = prescribed.residual(t[some], _angles(found, some))
     return Errors(
-        *sizes,
+        largest,
+        fastest,
+        hardest,
         relative,
         tau=float(np.max(np.abs(found["tau"][some] - tau))),
         tau_peak=float(np.max(np.abs(tau))),

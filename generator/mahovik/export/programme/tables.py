@@ -39,7 +39,7 @@ class Table:
 
 def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], torques: Torques | None) -> Table:
     """Nodes at equal times."""
-    t = np.arange(form.rows + (0 if form.cyclic else 1)) * (span / form.rows)
+    t = np.arange(float(form.rows + (0 if form.cyclic else 1))) * (span / form.rows)
     found = at(t)
     turn = 2 * np.pi * np.array(winding, dtype=np.float64)
     if form.cyclic:
@@ -59,15 +59,15 @@ def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], tor
 def fourier_table(programme: Programme, count: NamedCount, torques: Torques | None, real: str) -> Table:
     """Coefficients of a periodic programme, as many as count."""
     span, turn = programme.span, 2 * np.pi * np.array(programme.winding, dtype=np.float64)
-    x = np.arange(_FINE) / _FINE
+    x = np.arange(float(_FINE)) / _FINE
     phi = _near_zero(programme.at(x * span).phi - x[:, None] * turn)
     mean, cos, sin = coefficients(phi)
-    order = np.arange(1, len(cos) + 1)[:, None]
+    order = np.arange(1.0, len(cos) + 1.0)[:, None]
     largest = max(float(np.max(order**2 * np.hypot(cos, sin))), float(np.max(np.square(programme.winding))))
     rows = kept = _enough(order**2 * np.hypot(cos, sin), largest * TAIL[real])
     value: dict[str, Any] = {"omega": 2 * np.pi / span, "mean": list(map(float, mean))}
     if torques is not None:
-        tau = torques(np.arange(_TORQUES) / _TORQUES * span)
+        tau = torques(np.arange(float(_TORQUES)) / _TORQUES * span)
         tau_mean, tau_cos, tau_sin = coefficients(tau)
         rows = max(rows, _enough(np.hypot(tau_cos, tau_sin), float(np.max(np.abs(tau))) * TAIL[real]))
         value["tau_mean"] = list(map(float, tau_mean))
@@ -103,7 +103,8 @@ def _winding(form: Form, winding: tuple[int, ...], span: float) -> dict[str, Any
 
 def _near_zero(phi: Array) -> Array:
     """Whole turns taken off the means, so that a float has digits for what varies."""
-    return phi - 2 * np.pi * np.round(phi.mean(axis=0) / (2 * np.pi))
+    turns: Array = np.round(np.mean(phi, axis=0) / (2 * np.pi))
+    return phi - 2 * np.pi * turns
 
 
 def _in_half_a_turn(phi: Array) -> Array:

@@ -97,12 +97,12 @@ def _torques(body: Body, form: Form, table: Place, at: Spot, tau: Place) -> None
         low = body.let("low", select(at.j < 2, integer(0), at.j - integer(2)))
         start = body.let("start", select(low > highest, highest, low))
         w = body.let("w", Convert(at.j - start, Kind.REAL) + at.u)
-    for i in range(POINTS):
-        value: Expr = real(1.0 / prod(i - m for m in range(POINTS) if m != i))
+    for n in range(POINTS):
+        value: Expr = real(1.0 / prod(n - m for m in range(POINTS) if m != n))
         for m in range(POINTS):
-            if m != i:
+            if m != n:
                 value = value * (w - real(m))
-        body.set(weight[i], value)
+        body.set(weight[n], value)
     with body.loop("s", form.count) as s:
         body.set(tau[s], real(0))
     with body.loop("i", POINTS) as i:
