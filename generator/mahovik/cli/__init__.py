@@ -24,6 +24,7 @@ from mahovik.cli.replay import replay
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
 from mahovik.cli.verify import verify
+from mahovik.cli.verify_programme import verify_programme
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
@@ -57,6 +58,7 @@ for command in (
     rest,
     simulate,
     replay,
+    verify_programme,
     judge_log,
     export,
 ):

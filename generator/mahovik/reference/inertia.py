@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.reference.array import Array
-from mahovik.reference.screw import E, cross
+from mahovik.reference.screw import E, blocks, cross
 from mahovik.stand.model import Body, Mat6
 
 
@@ -21,7 +21,7 @@ def inertia_about_origin(body: Body) -> Array:
 def spatial_inertia(body: Body) -> Array:
     """Theta = [[m E, -m <rc>], [m <rc>, J]] (6x6; kg, kg m, kg m2), about the origin of the body's frame."""
     mu = body.mass * np.array(body.center_of_mass)
-    return np.block([[body.mass * E, -cross(mu)], [cross(mu), inertia_about_origin(body)]])
+    return blocks(body.mass * E, -cross(mu), cross(mu), inertia_about_origin(body))
 
 
 def added_mass(given: Mat6 | None) -> Array:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
 
 from mahovik.stand.model import Stand
 
@@ -29,6 +32,12 @@ class Finding:
 def judged(name: str, value: float, limit: float, words: str = "") -> Finding:
     """Passed where the value is within the limit; a value that is not a number is not."""
     return Finding(name, value, limit, value <= limit, words)
+
+
+def as_object(stand: str, motion: str, findings: Sequence[Finding]) -> dict[str, Any]:
+    """All as JSON has it; a value that is not finite is null."""
+    items = [{**asdict(each), "value": each.value if math.isfinite(each.value) else None} for each in findings]
+    return {"stand": stand, "motion": motion, "passed": all(each.passed for each in findings), "findings": items}
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,9 @@ from mahovik.verify.programme.simulation import rate
 STEPS = 32
 """A period at least; three more for every harmonic of the programme and six for every turn."""
 
+STEP = 1e-6
+"""Of a difference, of 1 + the number itself: multipliers are right to about five digits."""
+
 
 def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> Array:
     """Moduli of the 12 eigenvalues of the monodromy matrix, descending.
@@ -38,16 +41,16 @@ def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> A
 
 
 def _linear(stand: Stand, motion: RequiredMotion, programme: Programme, t: float) -> Array:
-    """A (12x12): derivatives of (q', V*) by (q, V) at t, by central differences."""
+    """A (12x12): derivatives of (q', V*) by (q, V) at t, by differences."""
     course, angles = motion.at(np.array([t]), programme.bias), programme.at(np.array([t]))
     y = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    phi, phi_dot, phi_ddot = (each[0] for each in angles)
+    here = rate(stand, y, phi, phi_dot, phi_ddot)
     A = np.zeros((12, 12))
     for i in range(12):
-        h = 1e-6 if i < 6 else 1e-5 * (1.0 + abs(y[i]))
-        aside = np.zeros(12)
-        aside[i] = h
-        ahead, behind = (rate(stand, y + side * aside, *(each[0] for each in angles)) for side in (1, -1))
-        A[:, i] = (ahead - behind) / (2 * h)
+        aside = y.copy()
+        aside[i] += STEP * (1.0 + abs(y[i]))
+        A[:, i] = (rate(stand, aside, phi, phi_dot, phi_ddot) - here) / (aside[i] - y[i])
     return A
 
 

@@ -19,7 +19,8 @@ FINER_ANGLES = 8
 def verify_programme(
     stand: Stand, motion: RequiredMotion, programme: Programme, *, tolerance: float | None = None
 ) -> tuple[Finding, ...]:
-    """Findings, one an item; the programme is right where all have passed.
+    """Findings, one an item; the programme is right where all have passed. Of a carrier that does not follow the
+    motion, stability along it and run-ups into it are not asked.
 
     `tolerance`: of residual and simulation, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
     stand's flywheels or another motion's kind or period is not tried: only that is said.
@@ -44,7 +45,7 @@ def verify_programme(
     rocking = limits.rocking_of(programme, t, angles.phi)
     found += limits.bound_findings(motion.bounds, programme.flywheels, angles, along.tau, rocking)
     found += limits.slowest_finding(motion.bounds, programme.flywheels, angles.phi_dot)
-    if motion.periodic:
+    if motion.periodic and all(each.passed for each in found if each.name in ("residual", "simulation")):
         found.append(floquet.finding(stand, motion, programme, limit.multiplier))
         found += runup.findings(stand, motion, programme, scale, limit)
     else:

@@ -1,0 +1,54 @@
+"""mahovik verify-programme: right, refused, bad input."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8, refused, run
+from mahovik import stands
+from mahovik.motion.programme import save_programme
+from verify.programme.programmes import shaker
+
+SHAKER = str(stands.path("shaker2"))
+SPIN = next(str(path) for path in stands.motions("shaker2") if "spin" in path.name)
+
+
+@pytest.fixture
+def programme(tmp_path: Path) -> str:
+    save_programme(shaker()[2], tmp_path / "p.json")
+    return str(tmp_path / "p.json")
+
+
+def test_a_right_programme(programme: str) -> None:
+    result = run("verify-programme", SHAKER, SPIN, programme)
+    assert result.exit_code == 0
+    assert "the programme is right" in result.stdout
+    assert "simulation" in result.stdout
+
+
+def test_a_wrong_one_is_refused_by_name(programme: str, tmp_path: Path) -> None:
+    save_programme(replace(shaker()[2], winding=(1, 1)), tmp_path / "q.json")
+    result = run("verify-programme", SHAKER, SPIN, str(tmp_path / "q.json"), "--json")
+    assert result.exit_code == 1
+    found = json.loads(result.stdout)
+    assert not found["passed"]
+    assert {each["name"] for each in found["findings"] if not each["passed"]} == {"winding", "residual", "simulation"}
+
+
+def test_a_programme_of_another_stand(programme: str, tmp_path: Path) -> None:
+    text = Path(programme).read_text(encoding="utf-8").replace(shaker()[2].physics, "00000000")
+    (tmp_path / "q.json").write_text(text, encoding="utf-8")
+    result = run("verify-programme", SHAKER, SPIN, str(tmp_path / "q.json"))
+    assert result.exit_code == 1
+    assert "programme of another stand: physics is 00000000" in result.stdout
+    assert "REFUSED: stand" in result.stdout
+
+
+def test_bad_files(programme: str, tmp_path: Path) -> None:
+    assert "p.json: unknown key" in refused("verify-programme", SHAKER, programme, programme)
+    assert "none.json: no such file" in refused("verify-programme", SHAKER, SPIN, str(tmp_path / "none.json"))
+    assert "winding: expected 8 whole numbers" in refused("verify-programme", BENCH8, SPIN, programme)

@@ -1,0 +1,260 @@
+"""Motion files: what is read, in which units; every bad input one line, all of a file together."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik import stands
+from mahovik.errors import MotionError
+from mahovik.motion.required import load_motion, read_motion
+from mahovik.stand import load as load_stand
+
+SHAKER = load_stand(stands.path("shaker2"))
+SIX = [0.0] * 6
+PLAIN = {"schema": 1, "type": "periodic", "period": 0.05, "harmonics": [{"k": 1, "cos": [0, 0, 1e-4, 0, 0, 0]}]}
+FINITE = {"schema": 1, "type": "finite", "duration": 2.0}
+
+
+def rest_to_rest(x: np.ndarray) -> np.ndarray:
+    """Zero to one with q' = q'' = 0 at both ends."""
+    return x**3 * (10 - 15 * x + 6 * x**2)
+
+
+def rows(z: np.ndarray) -> list[list[float]]:
+    """Samples of which only z moves."""
+    return [[0.0, 0.0, each, 0.0, 0.0, 0.0] for each in z.tolist()]
+
+
+def finite(M: int = 21, **more: Any) -> dict[str, Any]:
+    t = np.linspace(0.0, 2.0, M)
+    return {**FINITE, "samples": {"t": t.tolist(), "q": rows(1e-3 * rest_to_rest(t / 2.0))}, **more}
+
+
+def sampled(z: np.ndarray, **more: Any) -> dict[str, Any]:
+    """Evenly over the period of PLAIN."""
+    t = 0.05 * np.arange(len(z)) / len(z)
+    return {"schema": 1, "type": "periodic", "period": 0.05, "samples": {"t": t.tolist(), "q": rows(z)}, **more}
+
+
+def problems(document: Any) -> list[str]:
+    text = document if isinstance(document, str) else json.dumps(document)
+    with pytest.raises(MotionError) as caught:
+        read_motion(text, SHAKER, "m.json")
+    assert all(line.startswith("m.json: ") and "\n" not in line for line in caught.value.problems)
+    assert caught.value.exit_status == 2
+    return list(caught.value.problems)
+
+
+def test_every_example_is_read() -> None:
+    found = {m.name: load_motion(m, load_stand(stands.path(n))) for n in stands.names() for m in stands.motions(n)}
+    assert sorted(found) == [f"{n}.motion.json" for n in ("auv6", "bench8", "demo3", "shaker2", "shaker2_spin")]
+    assert found["demo3.motion.json"].winding == (12, -15, 10)
+    assert found["demo3.motion.json"].harmonics == (1, 2)
+    bench8 = found["bench8.motion.json"]
+    assert bench8.bounds.speed == (50 * math.pi,) * 8
+    assert bench8.course.cos[0].tolist() == [2e-4, 1e-4, -5e-5, 3e-4, 2e-4, 0.0]  # mm, mrad: rounded once
+    assert bench8.objective.acceleration == (1.0,) * 8
+    assert not any(bench8.objective.torque)
+
+
+def test_units_bounds_and_weights() -> None:
+    motion = read_motion(
+        json.dumps(
+            {
+                **PLAIN,
+                "period": "50 ms",
+                "units": {"linear": "cm", "angular": "deg"},
+                "mean": [1, 0, 0, 0, 0, 180],
+                "free_mean": [True, False, True, True, True, True],
+                "winding": [1, -1],
+                "runup": "500 ms",
+                "bounds": {
+                    "speed": ["3000 rpm", 400],
+                    "speed_min": 10,
+                    "torque": "20 mN m",
+                    "bias": ["1 mm", *SIX[1:]],
+                },
+                "objective": {"torque": [1, 2]},
+            }
+        ),
+        SHAKER,
+    )
+    assert motion.span == 0.05
+    assert motion.mean.tolist() == [0.01, 0.0, 0.0, 0.0, 0.0, math.pi]
+    assert motion.course.cos[0, 2] == 1e-6
+    assert motion.free_mean == (True, False, True, True, True, True)
+    assert (motion.winding, motion.runup) == ((1, -1), 0.5)
+    assert motion.bounds.speed == (100 * math.pi, 400.0)
+    assert (motion.bounds.torque, motion.bounds.angle) == ((0.02, 0.02), None)
+    assert motion.bounds.bias == (1e-3, 0.0, 0.0, 0.0, 0.0, 0.0)
+    assert motion.objective.torque == (1.0, 2.0)
+    assert motion.objective.acceleration == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("change", "line"),
+    [
+        ({"schema": 2}, "m.json: schema: expected 1, found 2"),
+        ({"perod": 1}, 'm.json: unknown key "perod", did you mean "period"?'),
+        ({"type": "cyclic"}, 'm.json: type: expected "periodic" or "finite", found "cyclic"'),
+        ({"period": -0.1}, "m.json: period: -0.1 s is not above 0"),
+        ({"period": "10 Hz"}, 'm.json: period: unit "Hz" does not fit, expected a time (s)'),
+        ({"period": None}, "m.json: period: expected a time (s), found a NoneType"),
+        ({"duration": 1}, 'm.json: duration: goes not with type "periodic", which has `period`'),
+        ({"units": {"linear": "mrad"}}, 'm.json: units, linear: unit "mrad" does not fit, expected a length (m)'),
+        ({"units": {"lin": "mm"}}, 'm.json: units: unknown key "lin", did you mean "linear"?'),
+        ({"mean": [0] * 5}, "m.json: mean: expected 6 numbers, found 5"),
+        ({"mean": ["1 deg", 0, 0, 0, 0, 0]}, 'm.json: mean[0]: unit "deg" does not fit, expected a length (m)'),
+        ({"free_mean": [True]}, "m.json: free_mean: expected 6 of true, false, found a list of 1"),
+        ({"harmonics": [{"k": 0}]}, "m.json: harmonics[0], k: expected 1 to 1000, found 0; a constant is `mean`"),
+        ({"harmonics": [{"k": 1.5}]}, "m.json: harmonics[0], k: expected a whole number, found 1.5"),
+        ({"harmonics": [{"k": 1}, {"k": 1}]}, "m.json: harmonics[1], k: 1 is there twice"),
+        ({"harmonics": [{"k": 1, "cos": [1]}]}, "m.json: harmonics[0], cos: expected 6 numbers, found 1"),
+        ({"harmonics": [{"cosine": SIX, "k": 1}]}, 'm.json: harmonics[0]: unknown key "cosine", did you mean "cos"?'),
+        ({"samples": {}}, "m.json: expected one of harmonics, samples, found harmonics and samples"),
+        ({"winding": "spinn"}, 'm.json: winding: unknown "spinn", did you mean "spin"?'),
+        (
+            {"winding": [1]},
+            'm.json: winding: expected 2 whole numbers (one a flywheel), "any", "spin" or "rock", found 1 numbers',
+        ),
+        ({"winding": [1, 0.5]}, "m.json: winding[1]: expected a whole number, found 0.5"),
+        ({"runup": 0}, "m.json: runup: 0 s is not above 0"),
+        ({"bounds": {"sped": 1}}, 'm.json: bounds: unknown key "sped", did you mean "speed"?'),
+        (
+            {"bounds": {"speed": "50 Hz"}},
+            'm.json: bounds, speed: unit "Hz" does not fit, expected an angular speed (rad/s), '
+            "a frequency is not one: write rpm or rad/s",
+        ),
+        ({"bounds": {"torque": [1]}}, "m.json: bounds, torque: expected 2 numbers, found 1"),
+        ({"bounds": {"acceleration": -1}}, "m.json: bounds, acceleration: -1 is not above 0: a bound is a magnitude"),
+        ({"bounds": {"bias": 1}}, "m.json: bounds, bias: expected 6 numbers (m, rad), found 1"),
+        ({"bounds": {"start": {}}}, 'm.json: bounds, start: goes not with type "periodic", which begins where it ends'),
+        ({"objective": {"torque": -1}}, "m.json: objective, torque: -1 is negative, expected a weight"),
+        (
+            {"objective": {"power": 1}},
+            'm.json: objective, power: flywheel "left" has no motor with `constant` and `resistance`',
+        ),
+        (
+            {"bounds": {"speed": 100, "speed_min": 200}},
+            "m.json: bounds, speed_min[0]: 200 rad/s is above speed, 100 rad/s",
+        ),
+        (
+            {"bounds": {"speed": 100}, "winding": [1, 0]},
+            "m.json: bounds, speed[0]: 100 rad/s is below the mean speed of winding 1, 125.664 rad/s",
+        ),
+        (
+            {"bounds": {"speed_min": 1}, "winding": "rock"},
+            "m.json: bounds, speed_min[0]: 1 rad/s, but with winding 0 a flywheel turns back",
+        ),
+        (
+            {"bounds": {"speed_min": 200}, "winding": [2, 1]},
+            "m.json: bounds, speed_min[1]: 200 rad/s is above the mean speed of winding 1, 125.664 rad/s",
+        ),
+    ],
+)
+def test_one_line_for_each_bad_input(change: dict[str, Any], line: str) -> None:
+    assert line in problems({**PLAIN, **change})
+
+
+def test_all_problems_are_told_together() -> None:
+    found = problems({**PLAIN, "period": 0, "perod": 1, "bounds": {"sped": 1}, "winding": 3, "mean": [1]})
+    assert len(found) == 5
+
+
+@pytest.mark.parametrize("missing", ["schema", "type", "period"])
+def test_required_keys(missing: str) -> None:
+    line = f"m.json: {missing}: required, but missing"
+    assert line in problems({key: value for key, value in PLAIN.items() if key != missing})
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{", '{"schema": 1, "schema": 1}', '{"schema": true}', "[" * 100000])
+def test_what_is_no_motion_file(text: str) -> None:
+    assert len(problems(text)) == 1
+
+
+@pytest.mark.parametrize("number", ["NaN", "1e999", "-Infinity"])
+def test_numbers_that_are_none(number: str) -> None:
+    (line,) = problems(json.dumps(PLAIN).replace("0.0001", number))
+    assert line.startswith("m.json: harmonics[0], cos[2]: ")
+
+
+def test_a_singular_attitude_is_refused() -> None:
+    (line,) = problems({**PLAIN, "mean": [0, 0, 0, 0, math.pi / 2, 0]})
+    assert line.startswith("m.json: singular attitude of the ship sequence at t = ")
+    (line,) = problems({**PLAIN, "harmonics": [{"k": 1, "sin": [0, 0, 0, 0, 2.0, 0]}]})
+    assert "theta comes to 0" in line
+
+
+def test_a_step_in_the_samples_is_refused() -> None:
+    z = 1e-4 * np.where(np.arange(32) < 16, 1.0, -1.0)
+    (line,) = problems(sampled(z))
+    assert line.startswith("m.json: samples, q[") and "a jump" in line
+    (line,) = problems(sampled(1e-4 * np.arange(33) / 33))  # a sawtooth
+    assert "a jump" in line
+
+
+def test_samples_of_a_smooth_motion_are_taken() -> None:
+    x = 2 * np.pi * np.arange(24) / 24
+    motion = read_motion(json.dumps(sampled(1e-4 * (np.cos(x) + 0.3 * np.sin(2 * x)))), SHAKER)
+    assert motion.harmonics[:2] == (1, 2)
+
+
+@pytest.mark.parametrize(
+    ("t", "line"),
+    [
+        ([0.0, 0.01], "m.json: samples, t: 2 samples, expected at least 12"),
+        (
+            [0.05 * i / 12 for i in range(13)],
+            "m.json: samples, t[12]: 0.05 s is a period of 0.05 s after the first or more; t = T is left out",
+        ),
+        (
+            [*(0.004 * i for i in range(11)), 0.04],
+            "m.json: samples, t[11]: 0.04 s is not after 0.04 s with another q: the motion must be continuous",
+        ),
+        ([*(0.004 * i for i in range(11)), 0.03], "m.json: samples, t[11]: 0.03 s is not after 0.04 s"),
+    ],
+)
+def test_times_of_samples(t: list[float], line: str) -> None:
+    q = rows(1e-4 * np.cos(2 * np.pi * np.arange(len(t)) / len(t)))
+    assert problems({**sampled(np.zeros(12)), "samples": {"t": t, "q": q}}) == [line]
+
+
+def test_finite_motions_go_from_rest_to_rest() -> None:
+    motion = read_motion(json.dumps(finite()), SHAKER)
+    assert (motion.periodic, motion.span, motion.harmonics) == (False, 2.0, ())
+    q, q_dot, q_ddot = motion.at(np.array([-1.0, 0.0, 1.0, 2.0, 3.0]))
+    assert q[:, 2] == pytest.approx([0.0, 0.0, 5e-4, 1e-3, 1e-3], abs=1e-12)
+    assert q_dot[[0, 1, 3, 4]] == pytest.approx(np.zeros((4, 6)), abs=1e-12)
+    assert q_ddot[[0, 1, 3, 4]] == pytest.approx(np.zeros((4, 6)), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("shape", "words"),
+    [(lambda x: x, "speed"), (lambda x: x**3, "speed"), (lambda x: 1 - np.cos(np.pi * x), "acceleration")],
+)
+def test_finite_motions_that_do_not_are_refused(shape: Any, words: str) -> None:
+    document = finite()
+    document["samples"]["q"] = rows(1e-3 * shape(np.linspace(0.0, 1.0, 21)))
+    (line,) = problems(document)
+    assert words in line and "starts and ends at rest" in line
+
+
+def test_keys_that_are_periodic_only() -> None:
+    found = problems(finite(winding="rock", runup=1, period=1))
+    assert [line.split(":")[1].strip() for line in found] == ["period", "winding", "runup"]
+    assert problems({**FINITE, "harmonics": []}) == [
+        'm.json: harmonics: goes not with type "finite", which has `samples`'
+    ]
+
+
+def test_start_of_a_finite_motion() -> None:
+    start = {"phi": ["90 deg", -1], "phi_dot": -50}
+    bounds = read_motion(json.dumps(finite(bounds={"start": start, "speed": 100})), SHAKER).bounds
+    assert (bounds.start_phi, bounds.start_phi_dot) == ((math.pi / 2, -1.0), (-50.0, -50.0))
+    (first, _) = problems(finite(bounds={"start": start, "speed": 10}))
+    assert first == "m.json: bounds, start: phi_dot[0]: -50 rad/s is outside speed_min, speed: 0 to 10"

@@ -1,0 +1,95 @@
+"""Programmes known to be right, found by least squares on the literal reference, and stands that need no search."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from mahovik import stands
+from mahovik.motion.programme import Fourier, Programme, RunUpTable, Samples
+from mahovik.motion.required import RequiredMotion, load_motion, read_motion
+from mahovik.stand import Stand, load, loads
+from mahovik.stand.identity import identities
+from mahovik.verify.programme.along import instants
+from mahovik.verify.programme.scale import scale_of
+
+Case = tuple[Stand, RequiredMotion, Programme]
+
+
+def programme_of(
+    stand: Stand, motion: RequiredMotion, course: Fourier | Samples, winding: tuple[int, ...], bias: np.ndarray
+) -> Programme:
+    """With the identities of the stand."""
+    own, names = identities(stand), tuple(s.name for s in stand.flywheels)
+    return Programme(
+        stand.name, own.structure, own.physics, motion.name, names, motion.periodic, motion.span, bias, winding, course
+    )
+
+
+def solved(stand: Stand, motion: RequiredMotion, winding: tuple[int, ...], mean: list[float], H: int, M: int) -> Case:
+    """Least residual of (12) at M times, from constant speeds: unknowns are means, harmonics up to H and bias."""
+    N = len(stand.flywheels)
+    t = motion.span * np.arange(M) / M
+
+    def at(x: np.ndarray) -> Programme:
+        parts = np.split(x, [N, N + H * N, N + 2 * H * N])
+        return programme_of(
+            stand, motion, Fourier(parts[0], parts[1].reshape(H, N), parts[2].reshape(H, N)), winding, parts[3] * 1e-3
+        )
+
+    start = np.concatenate([mean, np.zeros(2 * H * N + 6)])
+    scale = scale_of(stand, motion, at(start))
+    L = np.linalg.inv(np.linalg.cholesky(scale.K0)) / scale.wrench
+
+    def residual(x: np.ndarray) -> np.ndarray:
+        programme = at(x)
+        along = instants(stand, motion.at(t, programme.bias), programme.at(t))
+        return np.concatenate([L @ each.residual() for each in along])
+
+    found = least_squares(residual, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=12)
+    return stand, motion, at(found.x)
+
+
+@cache
+def shaker() -> Case:
+    """shaker2 at the one amplitude that two wheels of constant speed give: exact."""
+    stand = load(stands.path("shaker2"))
+    spin = next(path for path in stands.motions("shaker2") if "spin" in path.name)
+    return solved(stand, load_motion(spin, stand), (1, -1), [-1.5, 4.7], H=0, M=6)
+
+
+TWINS = """
+schema = 1
+name = "twins"
+[carrier]
+mass = 5.0
+inertia = [0.05, 0.06, 0.07]
+[suspension]
+stiffness = [400, 400, 400, 20, 20, 20]
+damping = [4, 4, 4, 0.2, 0.2, 0.2]
+"""
+
+
+@cache
+def twins() -> Case:
+    """A carrier held still by two balanced wheels that turn about one axis in opposite senses; with a run-up."""
+    wheel = "mass = 0.5\nposition = [0, 0, {}]\naxis = [0, 0, 1]\nzero = [1, 0, 0]\ninertia = [1e-3, 6e-4, 6e-4]\n"
+    wheels = (f'[[flywheel]]\nname = "{name}"\n{wheel.format(z)}' for name, z in (("upper", 0.1), ("lower", -0.1)))
+    stand = loads(TWINS + "".join(wheels))
+    motion = read_motion('{"schema": 1, "name": "still", "type": "periodic", "period": 0.1, "harmonics": []}', stand)
+    programme = programme_of(
+        stand, motion, Fourier(np.array([0.3, 1.0]), np.zeros((0, 2)), np.zeros((0, 2))), (1, -1), np.zeros(6)
+    )
+    return stand, motion, programme
+
+
+def twins_run_up() -> RunUpTable:
+    """In 0.2 s to the programme of `twins`: speed by a quintic, angle to end where the programme begins."""
+    x = np.linspace(0.0, 1.0, 41)[:, None]
+    Tr, omega = 0.2, 2 * np.pi / 0.1 * np.array([[1.0, -1.0]])
+    speed, slope = x**3 * (10 - 15 * x + 6 * x**2), 30 * x**2 * (1 - x) ** 2
+    way = x**4 * (2.5 - 3 * x + x**2) - 0.5
+    phi = np.array([[0.3, 1.0]]) + omega * Tr * way
+    return RunUpTable(Tr, Samples(Tr * x[:, 0], phi, omega * speed, omega * slope / Tr))

@@ -1,0 +1,116 @@
+"""Run-up and run-down tables: joint, rest, rows, where the carrier ends, bounds on the way."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from mahovik.motion.programme import RunUpTable, Samples
+from mahovik.motion.required import Bounds
+from mahovik.verify.programme import Finding, runup, verify_programme
+from mahovik.verify.programme.finding import tolerance_for
+from mahovik.verify.programme.scale import Scale, scale_of
+from verify.programme.programmes import twins, twins_run_up
+
+
+@cache
+def scale() -> Scale:
+    return scale_of(*twins())
+
+
+def findings(bounds: Bounds | None = None, **tables: RunUpTable) -> dict[str, Finding]:
+    """Of run-up and run-down; what else is asked of the programme is asked elsewhere."""
+    stand, motion, programme = twins()
+    required = replace(motion, bounds=bounds or Bounds())
+    found = runup.findings(stand, required, replace(programme, **tables), scale(), tolerance_for(stand, None))
+    return {each.name: each for each in found}
+
+
+def of_run_up(table: RunUpTable, bounds: Bounds | None = None) -> dict[str, Finding]:
+    return findings(bounds, runup=table)
+
+
+def refused(found: dict[str, Finding]) -> set[str]:
+    return {name for name, each in found.items() if not each.passed}
+
+
+def changed(**columns: np.ndarray) -> RunUpTable:
+    table = twins_run_up()
+    return replace(table, samples=replace(table.samples, **columns))
+
+
+def test_a_run_up_that_ends_on_the_programme_passes() -> None:
+    found = of_run_up(twins_run_up())
+    assert refused(found) == set()
+    assert {"run-up table", "run-up joint", "run-up rest", "run-up end"} <= set(found)
+
+
+def test_whole_turns_do_not_matter() -> None:
+    samples = twins_run_up().samples
+    assert refused(of_run_up(changed(phi=samples.phi + 2 * np.pi * np.array([3, -7])))) == set()
+
+
+def test_a_phase_that_jumps_at_the_joint() -> None:
+    samples = twins_run_up().samples
+    assert refused(of_run_up(changed(phi=samples.phi + np.array([1e-3, 0.0])))) == {"run-up joint"}
+
+
+def test_wheels_that_are_not_at_rest_before() -> None:
+    samples = twins_run_up().samples
+    phi_dot = samples.phi_dot.copy()
+    phi_dot[0] = [0.1, -0.1]
+    assert "run-up rest" in refused(of_run_up(changed(phi_dot=phi_dot)))
+
+
+def test_a_wrong_row() -> None:
+    samples = twins_run_up().samples
+    phi_ddot = samples.phi_ddot.copy()
+    phi_ddot[10] *= 1.2
+    assert "run-up table" in refused(of_run_up(changed(phi_ddot=phi_ddot)))
+
+
+def test_a_carrier_that_does_not_end_where_the_motion_begins() -> None:
+    """One wheel lags a little on the way: the carrier is turned, and swings on."""
+    samples = twins_run_up().samples
+    x = samples.t / samples.t[-1]
+    bump, slope = x**3 * (1 - x) ** 3, 3 * x**2 * (1 - x) ** 2 * (1 - 2 * x)
+    curve = 6 * x * (1 - x) * (1 - 5 * x + 5 * x**2)
+    lag = 0.5 * np.array([1.0, 0.0])
+    T = samples.t[-1]
+    table = changed(
+        phi=samples.phi + np.outer(bump, lag),
+        phi_dot=samples.phi_dot + np.outer(slope, lag) / T,
+        phi_ddot=samples.phi_ddot + np.outer(curve, lag) / T**2,
+    )
+    assert refused(of_run_up(table)) == {"run-up end"}
+
+
+@pytest.mark.parametrize(
+    ("bounds", "offends"),
+    [
+        (Bounds(acceleration=(580.0, 580.0)), {"run-up bound acceleration"}),
+        (Bounds(acceleration=(600.0, 600.0), speed=(63.0, 63.0)), set()),
+        (Bounds(torque=(0.4, 0.4)), {"run-up bound torque"}),
+    ],
+)
+def test_bounds_hold_on_the_way(bounds: Bounds, offends: set[str]) -> None:
+    assert refused(of_run_up(twins_run_up(), bounds)) == offends
+
+
+def test_a_run_down_is_the_run_up_reversed() -> None:
+    up = twins_run_up().samples
+    joint = up.phi[-1]
+    down = Samples(up.t, 2 * joint - up.phi[::-1], up.phi_dot[::-1], -up.phi_ddot[::-1])
+    assert refused(findings(rundown=RunUpTable(up.t[-1], down))) == set()
+    early = Samples(up.t, down.phi + 0.01, down.phi_dot, down.phi_ddot)
+    assert refused(findings(rundown=RunUpTable(up.t[-1], early))) == {"run-down joint"}
+
+
+def test_a_run_up_is_one_of_the_items() -> None:
+    stand, motion, programme = twins()
+    samples = twins_run_up().samples
+    late = replace(programme, runup=changed(phi=samples.phi + 0.01))
+    assert {each.name for each in verify_programme(stand, motion, late) if not each.passed} == {"run-up joint"}
