@@ -89,7 +89,7 @@ def finite() -> Programme:
 @cache
 def started() -> Programme:
     """`spin` with a run-up from rest, and its mirror image as run-down."""
-    duration, omega = 0.4, 2 * pi / PERIOD
+    duration, omega = 0.2, 2 * pi / PERIOD
     t = np.linspace(0.0, duration, 257)
     x, turn = (t / duration)[:, None], np.array([[omega, -omega]])
     w, w1 = x**3 * (10 - 15 * x + 6 * x**2), 30 * x**2 * (1 - x) ** 2
@@ -108,12 +108,10 @@ def stand_files(real: str) -> dict[str, str]:
 
 @cache
 def exported(name: str, kind: str = "quintic", real: str = "double") -> Exported:
-    """One of the programmes above as C, by its name; `spin` and `started` with their motion."""
+    """One of the programmes above as C, by its name; `spin` with its motion."""
     given = {"spin": spin, "swaying": swaying, "sampled": sampled, "finite": finite, "started": started}[name]()
     limit = 1e-4 if name in ("sampled", "finite") and real == "double" else None
-    return export_programme(
-        stand(), given, motion() if name in ("spin", "started") else None, kind, real=real, limit=limit
-    )
+    return export_programme(stand(), given, motion() if name == "spin" else None, kind, real=real, limit=limit)
 
 
 def written(made: Exported, folder: Path, real: str = "double") -> Path:

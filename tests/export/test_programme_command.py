@@ -112,7 +112,7 @@ def test_run_ups_are_told(tmp_path: Path) -> None:
     saved = save(started(), tmp_path)
     result = run("export", "programme", STAND, saved, "-o", str(tmp_path / "made"), "--real", "float")
     assert result.exit_code == 0, result.output
-    assert "run-up: quintic, 512 intervals, float, 0.4 s" in result.stdout
+    assert "run-up: quintic, 128 intervals, float, 0.2 s" in result.stdout
     assert "run-down: quintic, " in result.stdout
 
 

@@ -129,6 +129,21 @@ def test_run_up_ends_on_the_programme_and_run_down_begins_there() -> None:
     assert np.max(np.abs(found["phi_ddot"] - exact.phi_ddot)) < 1e-2
 
 
+def test_torques_of_run_up_and_run_down_are_those_of_a_free_carrier() -> None:
+    """From rest the weight of the unbalance; the run-down begins with the torques of the programme."""
+    made = export_programme(stand(), started(), motion(), real="float")
+    course, up, down = made.made.courses
+    begin, leave, rest = (player(made).at(each, 0.0)[1] for each in (course, down, up))
+    assert leave["tau"] == pytest.approx(begin["tau"], rel=1e-5)
+    weight = [w.mass * 9.81 * w.center_of_mass[1] for w in stand().flywheels]
+    assert rest["tau"] == pytest.approx(weight * np.cos(np.array(rest["phi"])), rel=1e-5)
+    for told in made.errors[1:]:
+        assert told.tau is not None
+        assert told.tau_peak is not None
+        assert told.tau < 1e-4 * told.tau_peak
+        assert told.added is None
+
+
 def test_too_coarse_is_refused_with_what_to_do() -> None:
     with pytest.raises(CheckError, match=r"above 1e-06: give more nodes \(--nodes 128\) or a larger --limit"):
         export_programme(stand(), swaying(), nodes=64)

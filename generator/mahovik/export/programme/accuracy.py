@@ -13,8 +13,8 @@ from mahovik.lower.programme.program import Course
 from mahovik.motion.programme import Angles
 from mahovik.program.types import Precision
 
-POINTS = 1024
-"""Times at least at which a table is compared; of a quintic at least 5 an interval."""
+POINTS = 2048
+"""Times at which a table is compared, spread by the golden ratio: they lie everywhere between the nodes."""
 
 WRENCHES = 100
 """Times among them at which the reference is asked."""
@@ -28,7 +28,8 @@ class Errors:
     relative   of phi'' + phi'^2, what an unbalance feels, with the angle's error as it turns this force; relative to
                the largest of it
     tau, tau_peak   of the drive torques and the largest of them, N m; None without torques
-    given, added    relative residual of the programme, and what the table adds to it; None without a motion
+    given, added    relative residual of the programme, and what the table adds to it; None of a run-up, or without a
+                    motion
     """
 
     phi: float
@@ -48,9 +49,8 @@ class Errors:
 
 def errors(player: Player, course: Course, table: Table, precision: Precision, prescribed: Prescribed | None) -> Errors:
     """Errors of one table; the wrench is asked of the programme itself only, whose carrier moves as prescribed."""
-    rows = table.form.rows
-    points = max(POINTS // rows, 5) * rows if table.form.kind == "quintic" else POINTS
-    phases = np.array([float(precision.scalar((i + 0.37) / points)) for i in range(points)])
+    spread = np.sort((np.arange(1.0, POINTS + 1.0) * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0)
+    phases = np.array([float(precision.scalar(x)) for x in spread])
     t = phases * table.span
     found = player.many(course, list(phases))
     truth = table.at(t)
@@ -61,11 +61,14 @@ def errors(player: Player, course: Course, table: Table, precision: Precision, p
     wrong = np.abs(acceleration) + 2 * np.abs(truth.phi_dot * speed) + force * np.abs(angle)
     largest, fastest, hardest = (float(np.max(np.abs(each))) for each in (angle, speed, acceleration))
     relative = float(np.max(wrong)) / max(float(np.max(force)), np.finfo(np.float64).tiny)
-    if prescribed is None or table.torques is None:
+    if table.torques is None:
         return Errors(largest, fastest, hardest, relative)
-    some = np.linspace(0, points - 1, WRENCHES).astype(int)
-    exact = Angles(*(each[some] for each in truth))
+    some = np.linspace(0, POINTS - 1, WRENCHES).astype(int)
     tau = table.torques(t[some])
+    wrong_tau, peak = float(np.max(np.abs(found["tau"][some] - tau))), float(np.max(np.abs(tau)))
+    if prescribed is None:
+        return Errors(largest, fastest, hardest, relative, wrong_tau, peak)
+    exact = Angles(*(each[some] for each in truth))
     R = prescribed.residual(t[some], exact)
     tabled = prescribed.residual(t[some], _angles(found, some))
     return Errors(
@@ -73,8 +76,8 @@ def errors(player: Player, course: Course, table: Table, precision: Precision, p
         fastest,
         hardest,
         relative,
-        tau=float(np.max(np.abs(found["tau"][some] - tau))),
-        tau_peak=float(np.max(np.abs(tau))),
+        wrong_tau,
+        peak,
         given=prescribed.relative(R),
         added=prescribed.relative(tabled - R),
     )

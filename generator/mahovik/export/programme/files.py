@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mahovik.emit.generate import PRECISIONS
 from mahovik.emit.programme import Facts, programme_files
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.export.programme.accuracy import Errors, errors
-from mahovik.export.programme.carrier import Prescribed
+from mahovik.export.programme.carrier import Array, Prescribed
 from mahovik.export.programme.tables import Table, Torques, fourier_table, quintic_table
 from mahovik.lower.layout import Layout
 from mahovik.lower.programme.form import Form
@@ -29,8 +29,8 @@ NODES = {"double": 256, "float": 64}
 WRONG = 1e-2
 """Relative residual of a programme above which it is not one of this motion."""
 
-MOST_NODES = 1 << 14
-"""Of a run-up."""
+LEAST, MOST_NODES = 32, 1 << 14
+"""Nodes a period, and in all, that a run-up has at least and at most."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,8 @@ def export_programme(
         raise CheckError(_too_coarse(source, first, found[0][1], most, real))
     for part, finite in (("runup", programme.runup), ("rundown", programme.rundown)):
         if finite is not None:
-            found.append(_finite(layout, part, finite, count * finite.duration / programme.span, most, source))
+            table = _finite(layout, part, finite, LEAST * finite.duration / programme.span, most, source)
+            found.append(_finished(layout, _with_torques(table, finite, prescribed, source), None))
     tables, measured = tuple(t for t, _ in found), tuple(e for _, e in found)
     made = lower_programme(layout, [t.form for t in tables])
     player = Player(made, {t.form.part: t.value for t in tables})
@@ -119,25 +120,39 @@ def _finished(layout: Layout, table: Table, prescribed: Prescribed | None) -> tu
     return table, errors(player, made.courses[0], table, layout.precision, prescribed)
 
 
-def _finite(
-    layout: Layout, part: str, finite: RunUpTable, least: float, most: float, source: str
-) -> tuple[Table, Errors]:
-    """A run-up or run-down, with as many nodes a second as the programme, or more where they are needed."""
+def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: float, source: str) -> Table:
+    """A run-up or run-down without torques, with as many nodes as the limit asks for, a power of two."""
     rows = 8
     while rows < least:
         rows *= 2
     while True:
         form = Form(part, "quintic", rows, False, False, layout.count)
         table = quintic_table(form, finite.at, finite.duration, (0,) * int(layout.count), None)
-        found = _finished(layout, table, None)
-        if found[1].judged <= most:
-            return found
+        error = _finished(layout, table, None)[1].judged
+        if error <= most:
+            return table
         if rows >= MOST_NODES:
             raise CheckError(
-                f"{source}: {part}: with {rows} nodes the error of a table is {found[1].judged:.2e} of the largest "
-                f"acceleration, above {most:g}: give a larger --limit"
+                f"{source}: {part}: with {rows} nodes the error of a table is {error:.2e} of the largest acceleration, "
+                f"above {most:g}: give a larger --limit; nothing was written"
             )
         rows *= 2
+
+
+def _with_torques(table: Table, finite: RunUpTable, prescribed: Prescribed | None, source: str) -> Table:
+    """A run-up or run-down with the drive torques of a carrier that is free on the way."""
+    if prescribed is None:
+        return table
+    carrier, up = prescribed, table.form.part == "runup"
+
+    def torques(t: Array) -> Array:
+        try:
+            return carrier.free_torques(finite, up, t)
+        except StateError as error:
+            raise CheckError(f"{source}: {table.form.part}: {error}; nothing was written") from None
+
+    form = replace(table.form, torque=True)
+    return quintic_table(form, finite.at, finite.duration, (0,) * int(form.count), torques)
 
 
 def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str) -> str:
@@ -162,7 +177,8 @@ def said(table: Table, found: Errors, layout: Layout) -> list[str]:
     )
     if found.tau is not None:
         lines.append(f"{name}: largest error of the drive torques {found.tau:.1e} N m, of {found.tau_peak:.3g} N m")
-        lines.append(f"{name}: relative residual {found.given:.1e}, the table adds {found.added:.1e}")
     else:
-        lines.append(f"{name}: no drive torques" + ("" if form.part else ": no motion was given"))
+        lines.append(f"{name}: no drive torques: no motion was given")
+    if found.added is not None:
+        lines.append(f"{name}: relative residual {found.given:.1e}, the table adds {found.added:.1e}")
     return lines

@@ -76,7 +76,8 @@ def output_arguments(form: Form) -> tuple[Argument, ...]:
         Argument("phi_ddot", Kind.REAL, n, "out", "rad/s2", "accelerations"),
     ]
     if form.torque:
-        found.append(Argument("tau", Kind.REAL, n, "out", "N m", "drive torques of the prescribed motion"))
+        of = "a carrier that is free on the way" if form.part else "the prescribed motion"
+        found.append(Argument("tau", Kind.REAL, n, "out", "N m", f"drive torques of {of}"))
     return tuple(found)
 
 
