@@ -13,7 +13,7 @@ from mahovik.lower.programme.program import Course
 from mahovik.motion.programme import Angles
 from mahovik.program.types import Precision
 
-POINTS = 2048
+POINTS = 1024
 """Times at which a table is compared, spread by the golden ratio: they lie everywhere between the nodes."""
 
 WRENCHES = 100

@@ -11,7 +11,7 @@ import numpy as np
 from mahovik.lower.golden import fnv1a
 from mahovik.lower.programme.program import Course, ProgrammeProgram
 from mahovik.program.interpret import Interpreter
-from mahovik.program.types import Precision
+from mahovik.program.types import Kind, Precision
 
 TICKS, PERIODS = 97, 3
 """The control loop of the self-test: an increment that leaves something over."""
@@ -60,8 +60,14 @@ class Player:
 
     def many(self, course: Course, phases: Sequence[float]) -> dict[str, np.ndarray[Any, np.dtype[np.float64]]]:
         """Outputs (M, N each) by name at good phases."""
-        found = [self.at(course, phase)[1] for phase in phases]
-        return {name: np.array([each[name] for each in found], dtype=np.float64) for name in found[0]}
+        outputs = [a for a in course.inner.arguments if a.direction != "in"]
+        storage = [self._interpreter.argument(a) for a in outputs]
+        table, scalar = self._tables[course.form.part], self._interpreter.filled
+        found = np.empty((len(phases), len(outputs), int(course.form.count)))
+        for row, phase in zip(found, phases, strict=True):
+            self._interpreter.call(course.inner.name, table, scalar(Kind.REAL, phase), *storage)
+            row[:] = storage
+        return {a.name: found[:, k] for k, a in enumerate(outputs)}
 
     def golden(self) -> Golden:
         """Answers for the self-test."""
