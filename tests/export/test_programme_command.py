@@ -96,6 +96,7 @@ def test_what_is_not_ours_is_not_overwritten(saved: str, tmp_path: Path) -> None
     )
 
 
+@pytest.mark.slow
 def test_a_delivered_folder_keeps_its_manifest(saved: str, tmp_path: Path) -> None:
     """The programme has a manifest of its own: `generate --check` finds the folder as it should be."""
     folder = str(tmp_path / "made")

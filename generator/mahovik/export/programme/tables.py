@@ -19,6 +19,9 @@ MOST_HARMONICS = 120
 TAIL = {"double": 1e-9, "float": 1e-5}
 """Harmonics are left out where what is left out is below this part of the largest acceleration, or torque."""
 
+FINE_MEAN = 2.0**20
+"""Of the mean angles of a quintic table: multiples of 1/FINE_MEAN have no rounding in a float."""
+
 _FINE, _TORQUES = 1024, 256
 """Samples of a period that Fourier coefficients of angles and torques come from."""
 
@@ -44,6 +47,8 @@ def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], tor
     turn = 2 * np.pi * np.array(winding, dtype=np.float64)
     if form.cyclic:
         phi = _near_zero(found.phi - (t / span)[:, None] * turn)
+        mean = np.round(np.mean(phi, axis=0) * FINE_MEAN) / FINE_MEAN
+        phi = phi - mean
         phi_dot = found.phi_dot - turn / span
     else:
         phi, phi_dot = _in_half_a_turn(found.phi), found.phi_dot
@@ -51,7 +56,8 @@ def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], tor
     if torques is not None:
         columns["tau"] = torques(t)
     value: dict[str, Any] = {"step": span / form.rows, "rate": form.rows / span}
-    value |= _winding(form, winding, span)
+    if form.cyclic:
+        value |= _winding(winding, span) | {"mean": list(map(float, mean))}
     value["node"] = [{name: list(map(float, c[i])) for name, c in columns.items()} for i in range(len(t))]
     return Table(form, value, span, at, torques)
 
@@ -78,7 +84,7 @@ def fourier_table(programme: Programme, count: NamedCount, torques: Torques | No
     if torques is not None:
         columns |= {"tau_cos": tau_cos, "tau_sin": tau_sin}
     value["harmonic"] = [{name: list(map(float, c[k])) for name, c in columns.items()} for k in range(rows)]
-    return Table(form, value | _winding(form, programme.winding, span), span, programme.at, torques)
+    return Table(form, value | _winding(programme.winding, span), span, programme.at, torques)
 
 
 def coefficients(samples: Array) -> tuple[Array, Array, Array]:
@@ -95,9 +101,7 @@ def _enough(sizes: Array, least: float) -> int:
     return int(above[-1]) + 1 if len(above) else 0
 
 
-def _winding(form: Form, winding: tuple[int, ...], span: float) -> dict[str, Any]:
-    if not form.cyclic:
-        return {}
+def _winding(winding: tuple[int, ...], span: float) -> dict[str, Any]:
     return {"winding": list(winding), "speed": [2 * np.pi * n / span for n in winding]}
 
 

@@ -45,7 +45,9 @@ class Form:
         n = (self.count,)
         if self.kind == "quintic":
             fields = [
-                Field("phi", Kind.REAL, n, "rad", "angle, without the winding" if self.cyclic else "in half a turn"),
+                Field(
+                    "phi", Kind.REAL, n, "rad", "angle, less winding and mean" if self.cyclic else "within half a turn"
+                ),
                 Field("phi_dot", Kind.REAL, n, "rad/s", "its rate"),
                 Field("phi_ddot", Kind.REAL, n, "rad/s2", "its second derivative"),
             ]
@@ -70,11 +72,11 @@ class Form:
         if self.cyclic:
             fields.append(Field("winding", Kind.INT, n, "", "turns a period"))
             fields.append(Field("speed", Kind.REAL, n, "rad/s", "mean speed: 2 pi winding / period"))
+            fields.append(Field("mean", Kind.REAL, n, "rad", "mean angle, less the winding"))
         if self.kind == "quintic":
             nodes: int | NamedCount = self.size if self.cyclic else self.rows + 1
             fields.append(Field("node", self.row, (nodes,)))
         else:
-            fields.append(Field("mean", Kind.REAL, n, "rad", "mean angle"))
             if self.torque:
                 fields.append(Field("tau_mean", Kind.REAL, n, "N m", "mean drive torque"))
             fields.append(Field("harmonic", self.row, (self.size,)))

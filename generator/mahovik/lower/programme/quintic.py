@@ -48,7 +48,7 @@ def quintic(lib: Library, form: Form) -> Function:
         angle = first.phi[s] + u * (v0 + u * (a0 * 0.5 + u * (c3 + u * (c4 + u * c5))))
         speed = (v0 + u * (a0 + u * (real(3) * c3 + u * (real(4) * c4 + u * (real(5) * c5))))) * t.rate
         if form.cyclic:
-            angle = turned(lib, body, t.winding[s], at, form.rows) + angle
+            angle = turned(lib, body, t.winding[s], at, form.rows) + t.mean[s] + angle
             speed = t.speed[s] + speed
         body.set(phi[s], call(lib["wrapped"], angle))
         body.set(phi_dot[s], speed)
