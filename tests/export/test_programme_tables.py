@@ -73,6 +73,15 @@ def test_quintic_and_fourier_agree_within_their_errors() -> None:
             assert np.max(apart(a[each], b[each])) <= 2 * bound + 1e-12, each
 
 
+@pytest.mark.parametrize("kind", ["quintic", "fourier"])
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_many_turns_a_period_cost_no_digits(kind: str, real: str) -> None:
+    """Whole turns are taken off as integers: the angle of 15 turns a period is as good as that of one."""
+    many = replace(swaying(2), winding=(12, -15))
+    told = export_programme(stand(), many, kind=kind, real=real, limit=1e-2).errors[0]
+    assert told.phi < {"double": 2e-11, "float": 2e-6}[real]
+
+
 def test_more_nodes_are_better() -> None:
     """The angle by h^6, the acceleration by h^4."""
     coarse, fine = (export_programme(stand(), swaying(4), nodes=nodes, limit=1.0).errors[0] for nodes in (64, 128))
@@ -166,6 +175,9 @@ def test_a_programme_of_another_stand_or_motion_is_refused() -> None:
 def test_what_means_nothing_is_refused() -> None:
     with pytest.raises(UsageError, match="Fourier table has none"):
         export_programme(stand(), spin(), kind="fourier", nodes=64)
+    for limit in (0.0, -1.0, float("nan"), float("inf")):
+        with pytest.raises(UsageError, match="expected a number above 0"):
+            export_programme(stand(), spin(), limit=limit)
     with pytest.raises(UsageError, match="is finite"):
         export_programme(stand(), replace(spin(), periodic=False), kind="fourier")
     assert issubclass(CheckError, MahovikError)
@@ -178,4 +190,7 @@ def test_the_manifest_says_what_it_was_made_of() -> None:
     assert found["real"] == "float"
     assert found["programme"] == "shaker2_spin"
     assert found["limit"] == 1e-3
+    (table,) = found["tables"]
+    assert table["rows"] == 64
+    assert table["errors"]["added"] == made.errors[0].added
     assert set(found["files"]) == set(made.files) - {"shaker2_programme.json"}

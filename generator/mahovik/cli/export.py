@@ -73,7 +73,7 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
 )
 @click.option(
     "--nodes",
-    type=click.Choice(["64", "128", "256", "512", "1024"]),
+    type=click.Choice(["64", "128", "256", "512", "1024", "2048", "4096"]),
     callback=lambda _context, _option, value: value and int(value),
     help="Of a quintic table, a period; default 256, of float 64.",
 )

@@ -33,14 +33,16 @@ from mahovik.stand.model import Stand
 class Facts:
     """What the files say and hold beside their functions.
 
-    motion   name of the required motion
-    tables   part, period or duration (s) and numbers of each table
-    lines    sizes and errors, a line each
-    limit    that the error was compared with
+    motion     name of the required motion
+    tables     part, period or duration (s) and numbers of each table
+    measured   sizes and errors of each table, as the manifest has them
+    lines      the same in words, a line each
+    limit      that the error was compared with
     """
 
     motion: str
     tables: tuple[tuple[str, float, Mapping[str, Any]], ...]
+    measured: tuple[Mapping[str, Any], ...]
     lines: tuple[str, ...]
     limit: float
 
@@ -82,7 +84,7 @@ class _Printer:
         """The header: the manual."""
         return template("programme.h.j2").render(
             **self._common(),
-            spans=[self._span(part, span) for part, span, _ in self._facts.tables],
+            spans=self._spans(),
             counts=[
                 (self._names.constant(c.form.size.name), int(c.form.size), c.form.size.comment)
                 for c in self._made.courses
@@ -144,7 +146,7 @@ class _Printer:
                 "physics": found.physics,
                 "real": self._precision.name,
                 "programme": self._facts.motion,
-                "tables": list(self._facts.lines),
+                "tables": [dict(each) for each in self._facts.measured],
                 "limit": self._facts.limit,
                 "files": {name: digest(files[name]) for name in sorted(files)},
             }
@@ -178,11 +180,15 @@ class _Printer:
             "table_bytes": sum(_numbers(form.table) * width // 8 for form in forms),
         }
 
-    def _span(self, part: str, span: float) -> tuple[str, str, str]:
-        name = {"": "PROGRAMME"}.get(part, f"PROGRAMME_{part.upper()}")
-        cyclic = not part and self._made.courses[0].form.cyclic
-        word = "period" if cyclic else "duration"
-        return self._names.constant(f"{name}_{word.upper()}"), real_literal(span, self._precision), f"s; {word}"
+    def _spans(self) -> list[tuple[str, str, str]]:
+        """Macro, value and meaning of periods and durations, in columns."""
+        rows = []
+        for course, (_, span, _) in zip(self._made.courses, self._facts.tables, strict=True):
+            word = "period" if course.form.cyclic else "duration"
+            macro = self._names.constant(f"{course.form.prefix}{word}".upper())
+            rows.append((macro, real_literal(span, self._precision), f"s; {word}"))
+        width = max(len(macro) for macro, _, _ in rows)
+        return [(f"{macro:<{width}}", f"{value:<8}", words) for macro, value, words in rows]
 
     def _table(self, course: Course, value: Mapping[str, Any]) -> dict[str, Any]:
         table = course.form.table

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
+from math import inf
+from typing import Any
 
 from mahovik.emit.generate import PRECISIONS
 from mahovik.emit.programme import Facts, programme_files
@@ -65,6 +67,8 @@ def export_programme(
     if kind == "fourier" and nodes is not None:
         raise UsageError("--nodes: a Fourier table has none: leave it out")
     count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
+    if not 0 < most < inf:
+        raise UsageError(f"--limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
     layout = Layout(structure(stand), PRECISIONS[real])
     prescribed = None if motion is None else Prescribed(stand, motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
@@ -85,7 +89,8 @@ def export_programme(
     made = lower_programme(layout, [t.form for t in tables])
     player = Player(made, {t.form.part: t.value for t in tables})
     lines = tuple(line for t, e in found for line in said(t, e, layout))
-    facts = Facts(programme.motion, tuple((t.form.part, t.span, t.value) for t in tables), lines, most)
+    numbers = tuple((t.form.part, t.span, t.value) for t in tables)
+    facts = Facts(programme.motion, numbers, tuple(_measured(t, e) for t, e in found), lines, most)
     files = programme_files(stand, made, player.golden(), facts)
     return Exported(files, (*lines, f"limit {most:g}"), made, tables, measured)
 
@@ -163,6 +168,13 @@ def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str
     remedies += ["--real double"] if real == "float" else []
     remedies.append("a larger --limit")
     return f"{source}: {what} is {found.judged:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
+
+
+def _measured(table: Table, found: Errors) -> dict[str, Any]:
+    """Size and errors of a table as data; what was not measured is left out."""
+    known = {name: value for name, value in asdict(found).items() if value is not None}
+    form = table.form
+    return {"part": form.part or "programme", "kind": form.kind, "rows": form.rows, "span": table.span, "errors": known}
 
 
 def said(table: Table, found: Errors, layout: Layout) -> list[str]:

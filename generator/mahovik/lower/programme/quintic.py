@@ -102,7 +102,7 @@ def _torques(body: Body, form: Form, table: Place, at: Spot, tau: Place) -> None
         value: Expr = real(1.0 / prod(n - m for m in range(POINTS) if m != n))
         for m in range(POINTS):
             if m != n:
-                value = value * (w - real(m))
+                value = value * (w - real(m) if m else w)
         body.set(weight[n], value)
     with body.loop("s", form.count) as s:
         body.set(tau[s], real(0))
