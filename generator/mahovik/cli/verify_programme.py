@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @click.option(
     "--tolerance",
     type=click.FloatRange(1e-12, 0.1),
-    help="Of residual and simulation, a share; default 1e-6, with damping of V|V| 1e-5; 1e-3 suits tables of floats.",
+    help="Of the residual, a share; 20 times it of the simulation. Default 1e-6, with damping of V|V| 1e-5.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
 def verify_programme(
@@ -40,9 +40,8 @@ def verify_programme(
 
     stand = load_stand(stand_file)
     motion = load_motion(motion_file, stand)
-    findings = verification.verify_programme(
-        stand, motion, load_programme(programme_file), tolerance=tolerance
-    )  # fmt: skip
+    programme = load_programme(programme_file)
+    findings = verification.verify_programme(stand, motion, programme, tolerance=tolerance)
     if as_json:
         import json
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -12,6 +15,7 @@ from mahovik.motion.programme import Fourier, Programme, RunUpTable, Samples
 from mahovik.motion.required import RequiredMotion, load_motion, read_motion
 from mahovik.stand import Stand, load, loads
 from mahovik.stand.identity import identities
+from mahovik.verify.programme import Finding, verify_programme
 from mahovik.verify.programme.along import instants
 from mahovik.verify.programme.scale import scale_of
 
@@ -93,3 +97,33 @@ def twins_run_up() -> RunUpTable:
     way = x**4 * (2.5 - 3 * x + x**2) - 0.5
     phi = np.array([[0.3, 1.0]]) + omega * Tr * way
     return RunUpTable(Tr, Samples(Tr * x[:, 0], phi, omega * speed, omega * slope / Tr))
+
+
+def failed(found: Sequence[Finding]) -> set[str]:
+    """Names of the items that have not passed."""
+    return {each.name for each in found if not each.passed}
+
+
+def offended(programme: Programme, **motion: Any) -> set[str]:
+    """Items that a changed programme or motion of the shaker fails."""
+    stand, required, _ = shaker()
+    return failed(verify_programme(stand, replace(required, **motion), programme))
+
+
+def item(found: Sequence[Finding], name: str) -> Finding:
+    """The one of a name."""
+    return next(each for each in found if each.name == name)
+
+
+def tabled(M: int = 12) -> Samples:
+    """The shaker's programme as a table."""
+    _, motion, programme = shaker()
+    t = motion.span * np.arange(M) / M
+    return Samples(t, *programme.at(t))
+
+
+def fourier(mean: tuple[float, float] = (0.0, 0.0), cos: float = 0.0) -> Fourier:
+    """The shaker's coefficients with something added."""
+    course = shaker()[2].course
+    assert isinstance(course, Fourier)
+    return Fourier(course.mean + np.array(mean), np.array([[cos, 0.0]]), np.zeros((1, 2)))

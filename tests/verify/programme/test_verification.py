@@ -1,44 +1,21 @@
-"""A right programme passes; whatever is changed in it, it is refused, and the item that it offends is named."""
+"""A right programme passes: as a series, as a table, of a carrier held still, of three wheels of other speeds."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import json
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import Angles, Fourier, Programme, Samples
-from mahovik.motion.required import Bounds
+from mahovik.motion.programme import Fourier
+from mahovik.motion.required import Bounds, read_motion
 from mahovik.stand import load
 from mahovik.stands import path
-from mahovik.verify.programme import Finding, identity, limits, residual, table, verify_programme
+from mahovik.verify.programme import Finding, limits, verify_programme
 from mahovik.verify.programme.finding import tolerance_for
-from mahovik.verify.programme.scale import scale_of
-from verify.programme.programmes import shaker, solved, twins
-
-
-def failed(found: Sequence[Finding]) -> set[str]:
-    return {each.name for each in found if not each.passed}
-
-
-def offended(programme: Programme, **motion: Any) -> set[str]:
-    """Items that a changed programme or motion of the shaker fails."""
-    stand, required, _ = shaker()
-    return failed(verify_programme(stand, replace(required, **motion), programme))
-
-
-def item(found: Sequence[Finding], name: str) -> Finding:
-    return next(each for each in found if each.name == name)
-
-
-def tabled(M: int = 12) -> Samples:
-    """The shaker's programme as a table."""
-    _, motion, programme = shaker()
-    t = motion.span * np.arange(M) / M
-    return Samples(t, *programme.at(t))
+from verify.programme.programmes import Case, failed, fourier, item, shaker, solved, tabled, twins, twins_run_up
 
 
 @cache
@@ -67,148 +44,17 @@ def test_the_same_as_a_table_passes() -> None:
     assert failed(verify_programme(stand, motion, replace(programme, course=tabled()))) == set()
 
 
-def fourier(mean: tuple[float, float] = (0.0, 0.0), cos: float = 0.0) -> Fourier:
-    """The shaker's coefficients with something added."""
-    course = shaker()[2].course
-    assert isinstance(course, Fourier)
-    return Fourier(course.mean + np.array(mean), np.array([[cos, 0.0]]), np.zeros((1, 2)))
-
-
-@pytest.mark.parametrize(
-    "course",
-    [
-        pytest.param(fourier(cos=1e-4), id="a coefficient"),
-        pytest.param(fourier(mean=(1e-4, 0.0)), id="a mean angle"),
-        pytest.param(fourier(mean=(1e-4, -1e-4)), id="a time shift"),
-        pytest.param(Fourier(-fourier().mean, np.zeros((0, 2)), np.zeros((0, 2))), id="a wrong sign"),
-    ],
-)
-def test_changed_angles_are_refused(course: Fourier) -> None:
-    assert offended(replace(shaker()[2], course=course)) == {"residual", "simulation"}
-
-
-def test_changed_windings_are_refused() -> None:
-    programme = shaker()[2]
-    assert offended(replace(programme, winding=(-1, 1))) == {"winding", "residual", "simulation"}
-    assert offended(replace(programme, winding=(2, -1)), winding="any") == {"residual", "simulation"}
-    _, motion, _ = shaker()
-    for wanted, other in (("rock", 2), ("spin", 0), ((1, -1), 0), ((1, 1), 1)):
-        (found,) = limits.winding_finding(replace(motion, winding=wanted), programme)
-        assert (found.value, found.passed) == (other, other == 0)
-
-
-def test_a_changed_bias_is_refused() -> None:
-    programme = shaker()[2]
-    shifted = replace(programme, bias=programme.bias + np.array([0, 0, 1e-6, 0, 0, 0]))
-    assert offended(shifted) == {"residual", "simulation"}
-    assert offended(shifted, free_mean=(True, True, False, True, True, True)) == {"bias", "residual", "simulation"}
-    turned = replace(programme, bias=np.array([0, 0, 0, 0, 0, 1e-4]))
-    assert "residual" in offended(turned)
-
-
-@cache
-def along() -> tuple[Angles, np.ndarray]:
-    """Angles and torques of the shaker's programme."""
-    stand, motion, programme = shaker()
-    found = residual.along(stand, motion, programme, scale_of(stand, motion, programme))
-    return programme.at(found.t), found.tau
-
-
-@pytest.mark.parametrize(
-    ("bounds", "offends"),
-    [
-        (Bounds(speed=(130.0, 120.0)), {"bound speed"}),
-        (Bounds(speed=(130.0, 130.0), speed_min=(120.0, 120.0)), set()),
-        (Bounds(speed_min=(120.0, 130.0)), {"bound speed_min"}),
-        (Bounds(acceleration=(1.0, 1.0), angle=(1e-9, 1e-9)), set()),
-        (Bounds(torque=(0.01, 1.0)), {"bound torque"}),
-        (Bounds(torque=(0.1, 0.1)), set()),
-    ],
-)
-def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
-    _, motion, programme = shaker()
-    angles, tau = along()
-    t = motion.span * np.arange(len(tau)) / len(tau)
-    rocking = limits.rocking_of(programme, t, programme.at(t).phi)
-    found = limits.bound_findings(bounds, programme.flywheels, angles, tau, rocking)
-    assert failed([*found, *limits.slowest_finding(bounds, programme.flywheels, angles.phi_dot)]) == offends
-
-
-def test_a_bound_is_one_of_the_items() -> None:
-    assert offended(shaker()[2], bounds=Bounds(speed=(130.0, 120.0), bias=(0.0,) * 6)) == {"bound speed", "bound bias"}
-
-
-def test_a_speed_that_changes_sign_is_no_least_speed() -> None:
-    (found,) = limits.slowest_finding(Bounds(speed_min=(1.0,)), ("w",), np.array([[-5.0], [5.0]]))
-    assert not found.passed
-
-
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"physics": "00000000"}, "physics is 00000000"),
-        ({"structure": "00000000"}, "structure is 00000000"),
-        ({"stand": "bench8"}, "name is bench8"),
-    ],
-)
-def test_a_programme_of_another_stand_says_so(change: dict[str, str], words: str) -> None:
-    stand, _, programme = shaker()
-    found = identity.stand_finding(stand, replace(programme, **change))
-    assert not found.passed
-    assert found.words.startswith(f"programme of another stand: {words}, of the stand ")
-
-
-def test_other_flywheels_are_not_tried() -> None:
-    _, motion, programme = shaker()
-    (found,) = verify_programme(load(path("bench8")), motion, programme)
-    assert not found.passed
-    assert "flywheels is left, right, of the stand w1" in found.words
-
-
-def test_another_period_is_not_tried() -> None:
-    stand, motion, programme = shaker()
-    (found,) = verify_programme(stand, motion, replace(programme, span=0.051))
-    assert (found.name, found.passed) == ("motion", False)
-    assert "period is 0.051 s, of the motion 0.05 s" in found.words
-
-
-def test_another_motion_is_refused() -> None:
-    _, motion, programme = shaker()
-    assert not identity.motion_finding(motion, replace(programme, motion="shaker2_z")).passed
-    assert not identity.motion_finding(motion, replace(programme, periodic=False)).passed
-
-
-@pytest.mark.parametrize("column", ["phi", "phi_dot", "phi_ddot"])
-@pytest.mark.parametrize(("row", "name"), [(5, "table"), (0, "periodicity")])
-def test_a_row_that_its_neighbours_do_not_foretell(column: str, row: int, name: str) -> None:
-    samples = tabled()
-    changed = getattr(samples, column).copy()
-    changed[row, 1] += {"phi": 0.1, "phi_dot": 10.0, "phi_ddot": 1.0}[column]
-    programme = replace(shaker()[2], course=replace(samples, **{column: changed}))
-    assert name in failed(table.findings(programme, tolerance_for(shaker()[0], None).table))
-
-
-def test_a_table_of_another_winding_is_not_periodic() -> None:
-    programme = replace(shaker()[2], course=tabled(), winding=(1, -2))
-    assert {"periodicity", "winding", "residual"} <= offended(programme)
-
-
-def test_a_residual_between_the_nodes_is_seen() -> None:
-    """A harmonic that vanishes at every node of a collocation, and at every node of a grid without offset."""
-    stand, motion, programme = shaker()
-    sin = np.zeros((3, 2))
-    sin[2, 0] = 1e-4  # six half waves: zero at six nodes
-    changed = replace(programme, course=Fourier(fourier().mean, np.zeros((3, 2)), sin))
-    nodes = motion.span * np.arange(6) / 6
-    assert changed.at(nodes).phi == pytest.approx(programme.at(nodes).phi, abs=1e-15)
-    found = residual.along(stand, motion, changed, scale_of(stand, motion, changed))
-    assert not residual.finding(found, 1e-6).passed
-
-
 def test_a_wider_tolerance_takes_more() -> None:
     stand, motion, programme = shaker()
     rough = replace(programme, course=fourier(cos=1e-5))
-    assert failed(verify_programme(stand, motion, rough, tolerance=1e-3)) == set()
+    assert failed(verify_programme(stand, motion, rough, tolerance=1e-4)) == set()
+
+
+def test_kinked_forces_are_accepted_to_less() -> None:
+    """V|V| has a mean that nothing balances: the drift in a period is (2 pi)^2 / 2 times it."""
+    smooth, kinked = (tolerance_for(load(path(name)), None) for name in ("bench8", "auv6"))
+    assert (smooth.residual, smooth.error) == (1e-6, 1e-6)
+    assert (kinked.residual, kinked.error) == pytest.approx((1e-5, 1e-5 * (2 * np.pi) ** 2 / 2), rel=0.02)
 
 
 def test_a_carrier_that_is_held_still() -> None:
@@ -216,6 +62,36 @@ def test_a_carrier_that_is_held_still() -> None:
     assert failed(verify_programme(stand, motion, programme)) == set()
     one_way = replace(programme, course=Fourier(np.zeros(2), np.array([[0.01, 0.0]]), np.zeros((1, 2))))
     assert failed(verify_programme(stand, motion, one_way)) == {"residual", "simulation"}
+
+
+def still_from_rest() -> Case:
+    """The carrier of `twins` held still while its wheels run up: a finite motion."""
+    stand, _, programme = twins()
+    table = twins_run_up()
+    samples = {"t": np.linspace(0.0, table.duration, 12).tolist(), "q": [[0.0] * 6] * 12}
+    document = {"schema": 1, "name": "hold", "type": "finite", "duration": table.duration, "samples": samples}
+    motion = read_motion(json.dumps(document), stand)
+    finite = replace(
+        programme, motion="hold", periodic=False, span=table.duration, winding=(0, 0), course=table.samples
+    )
+    return stand, motion, finite
+
+
+def test_a_finite_programme() -> None:
+    stand, motion, programme = still_from_rest()
+    phi = programme.at(np.zeros(1)).phi[0]
+    wanted = replace(motion, bounds=Bounds(start_phi=tuple(phi), start_phi_dot=(0.0, 0.0)))
+    found = verify_programme(stand, wanted, programme)
+    assert failed(found) == set()
+    assert {"start phi", "start phi_dot", "table", "simulation"} <= {each.name for each in found}
+    elsewhere = replace(motion, bounds=Bounds(start_phi=(phi[0] + 0.1, phi[1]), start_phi_dot=(0.0, 0.5)))
+    assert failed(limits.start_findings(elsewhere, programme, 1e-6)) == {"start phi", "start phi_dot"}
+
+
+def test_a_finite_programme_of_a_periodic_motion_is_not_tried() -> None:
+    stand, _, programme = still_from_rest()
+    (found,) = verify_programme(stand, twins()[1], replace(programme, motion="still"))
+    assert "it is finite, the motion periodic" in found.words
 
 
 @pytest.mark.slow

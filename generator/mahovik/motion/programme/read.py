@@ -76,6 +76,8 @@ def read_programme(text: str, source: str = "programme") -> Programme:
 
 def _names(top: Section) -> tuple[str, ...]:
     names = top.rows("flywheels") if top.has("flywheels") else []
+    if "flywheels" in top and not names:
+        top.refuse("flywheels", "expected at least one name")
     if not all(isinstance(name, str) for name in names):
         top.refuse("flywheels", "expected names")
         return ("",) * len(names)

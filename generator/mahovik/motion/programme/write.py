@@ -76,8 +76,10 @@ def _samples(samples: Samples) -> dict[str, Any]:
 
 def _plain(value: Any) -> Any:
     """NumPy's arrays and numbers as JSON has them; no negative zero in an array of floats, as a reader has none."""
-    if isinstance(value, np.ndarray | np.generic):
+    if isinstance(value, np.ndarray):
         return (value + 0.0 if value.dtype.kind == "f" else value).tolist()
+    if isinstance(value, np.generic):
+        return value.item()
     if isinstance(value, dict):
         return {key: _plain(each) for key, each in value.items()}
     if isinstance(value, list | tuple):

@@ -58,13 +58,16 @@ class Tolerance:
 
 
 SMOOTH, KINKED, RUNUP = 1e-6, 1e-5, 1e-5
-"""Shares. A stand with V|V| has forces of class C1 only: its Fourier series falls slowly."""
+"""Shares. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may balance."""
+
+DRIFT = 20
+"""(2 pi)^2 / 2: amplitudes that a constant residual, of one amplitude's share, moves a floating carrier in a period."""
 
 
 def tolerance_for(stand: Stand, given: float | None) -> Tolerance:
-    """The limits for a stand; `given` replaces those of residual, error and run-up."""
-    if given is not None:
-        return Tolerance(given, given, max(given, RUNUP))
+    """The limits for a stand; `given` replaces that of the residual, and the others follow from it."""
     quadratic = any(b.damping is not None and (b.damping.quadratic or b.damping.terms) for b in stand.bodies)
-    share = KINKED if quadratic else SMOOTH
-    return Tolerance(share, share, RUNUP)
+    if given is None and not quadratic:
+        return Tolerance(SMOOTH, SMOOTH, RUNUP)
+    share = KINKED if given is None else given
+    return Tolerance(share, DRIFT * share, max(DRIFT * share, RUNUP))

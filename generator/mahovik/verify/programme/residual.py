@@ -23,10 +23,14 @@ OFFSET = 0.382
 
 @dataclass(frozen=True, eq=False)
 class Along:
-    """What the reference says along a programme: times (M), relative residual (M), torques (M, N; N m)."""
+    """What the reference says along a programme.
+
+    t (M, s), residual (M) and its mean as shares, tau (M, N; N m).
+    """
 
     t: Array
     residual: Array
+    mean: float
     tau: Array
 
 
@@ -46,15 +50,19 @@ def fine_grid(programme: Programme, motion: RequiredMotion) -> Array:
 def along(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale) -> Along:
     """The whole span on the fine grid."""
     t = fine_grid(programme, motion)
-    residual, tau = [], []
+    R, tau = [], []
     for instant in instants(stand, motion.at(t, programme.bias), programme.at(t)):
-        residual.append(scale.of_wrench(instant.residual()))
+        R.append(instant.residual())
         tau.append(instant.torque())
-    return Along(t, np.array(residual), np.array(tau))
+    shares = np.array([scale.of_wrench(each) for each in R])
+    return Along(t, shares, scale.of_wrench(np.mean(R, axis=0)), np.array(tau))
 
 
 def finding(found: Along, limit: float) -> Finding:
     """The largest residual of (12), relative."""
     i = int(np.argmax(found.residual))
     value = float(found.residual[i])
-    return judged("residual", value, limit, f"of (12), at {len(found.t)} times; largest at t = {found.t[i]:.6g} s")
+    words = f"of (12), at {len(found.t)} times; largest at t = {found.t[i]:.6g} s"
+    if found.mean > 0.5 * value and value > 0.1 * limit:
+        words += f"; mean {found.mean:.2g}, which nothing balances: the carrier drifts"
+    return judged("residual", value, limit, words)

@@ -53,7 +53,8 @@ def norm(K0: Array, x: Array) -> float:
 
 def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scale:
     """The scales of a required motion. For a carrier held still they are those of the flywheels' own unbalance."""
-    M = min(max(32, 16 * max(motion.harmonics, default=1)), 512)
+    fastest = max(motion.harmonics, default=1) if motion.periodic else 12
+    M = min(max(32, 16 * fastest), 512)
     t = motion.span * np.arange(M) / M
     course = motion.at(t, programme.bias)
     mean = course.q.mean(axis=0)

@@ -24,6 +24,9 @@ RTOL = 1e-12
 STEP_ERROR = 1e-9
 """Of the amplitude, a step."""
 
+FURTHEST = 100.0
+"""Amplitudes from the required motion: a carrier that is thrown off further is not followed."""
+
 
 def rate(stand: Stand, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
     """dy/dt of y = (q, V): q' = A^-1 V by (10), V* by (8). StateError at a singular attitude."""
@@ -34,11 +37,19 @@ def rate(stand: Stand, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) ->
 
 
 def simulate(
-    stand: Stand, angles: Course, start: Array, t: Array, scale: Scale, longest: float, error: float = STEP_ERROR
+    stand: Stand,
+    angles: Course,
+    start: Array,
+    t: Array,
+    scale: Scale,
+    longest: float,
+    error: float = STEP_ERROR,
+    furthest: float = np.inf,
 ) -> Array:
     """y = (q, V) (M, 12) at the times t (M), which begin at the start; no step longer than `longest` (s).
 
-    `error`: of a step, share of the amplitude. StateError where the motion cannot be followed.
+    `error`: of a step, share of the amplitude. StateError where the motion cannot be followed, or is `furthest`
+    amplitudes from the start.
     """
     from scipy.integrate import solve_ivp
 
@@ -50,7 +61,16 @@ def simulate(
         phi, phi_dot, phi_ddot = angles(np.array([now]))
         return rate(stand, y, phi[0], phi_dot[0], phi_ddot[0])
 
-    found = solve_ivp(rates, (t[0], t[-1]), start, method="DOP853", t_eval=t, rtol=RTOL, atol=atol, max_step=longest)
+    def left(_: float, y: Array) -> float:
+        away = np.abs(y[:6] - start[:6])
+        return float(furthest - max(away[:3].max() / m, away[3:].max() / rad))
+
+    left.terminal = True  # type: ignore[attr-defined]
+    events = left if np.isfinite(furthest) else None
+    span = (t[0], t[-1])
+    found = solve_ivp(rates, span, start, "DOP853", t, events=events, rtol=RTOL, atol=atol, max_step=longest)
+    if found.status == 1:
+        raise StateError(f"{furthest:g} amplitudes from the required motion at t = {found.t_events[0][0]:.6g} s")
     if not found.success or not np.all(np.isfinite(found.y)):
         raise StateError(f"the simulation stops at t = {found.t[-1] if len(found.t) else 0.0:.6g} s: {found.message}")
     return np.asarray(found.y.T)
@@ -62,7 +82,7 @@ def finding(stand: Stand, motion: RequiredMotion, programme: Programme, scale: S
     course = motion.at(t, programme.bias)
     start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
     try:
-        y = simulate(stand, programme.at, start, t, scale, programme.span / 16)
+        y = simulate(stand, programme.at, start, t, scale, programme.span / 16, furthest=FURTHEST)
     except StateError as error:
         return Finding("simulation", np.inf, limit, False, str(error))
     apart = y[:, :6] - course.q

@@ -22,7 +22,7 @@ def verify_programme(
     """Findings, one an item; the programme is right where all have passed. Of a carrier that does not follow the
     motion, stability along it and run-ups into it are not asked.
 
-    `tolerance`: of residual and simulation, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
+    `tolerance`: of the residual, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
     stand's flywheels or another motion's kind or period is not tried: only that is said.
     """
     limit = tolerance_for(stand, tolerance)
