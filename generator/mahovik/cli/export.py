@@ -61,3 +61,52 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
         click.echo(click.format_filename(path))
     for note in done.notes:
         click.echo(note)
+
+
+@export.command()
+@stand_argument
+@click.argument("programme_file", metavar="PROGRAMME.json", type=click.Path())
+@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME of the stand.")
+@click.option("--motion", "motion_file", metavar="MOTION.json", type=click.Path(), help="Adds drive torques.")
+@click.option(
+    "--table", "kind", type=click.Choice(["quintic", "fourier"]), default="quintic", show_default=True, help="Method."
+)
+@click.option(
+    "--nodes",
+    type=click.Choice(["64", "128", "256", "512", "1024", "2048", "4096"]),
+    callback=lambda _context, _option, value: value and int(value),
+    help="Of a quintic table, a period; default 256, of float 64.",
+)
+@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default that of the C in DIR.")
+@click.option("--limit", type=float, help="Relative residual that a table may add; default 1e-6, of float 1e-3.")
+def programme(
+    stand_file: str,
+    programme_file: str,
+    output: str | None,
+    motion_file: str | None,
+    kind: str,
+    nodes: int | None,
+    real: str | None,
+    limit: float | None,
+) -> None:
+    """Write a flywheel programme as const tables in C.
+
+    NAME_programme.h and .c beside the C of the stand, with a clock that never drifts, a self-test, a page. With the
+    motion that it was planned for, drive torques are in the tables, and the residual that these add is measured.
+    Exit status 1 where that is above the limit, or where programme, stand and motion do not belong together.
+    """
+    from mahovik.export.programme import export_programme
+    from mahovik.export.programme.place import element_type, write_programme
+    from mahovik.motion.programme import load_programme
+    from mahovik.motion.required import load_motion
+
+    stand = load_stand(stand_file)
+    found = load_programme(programme_file)
+    motion = load_motion(Path(motion_file), stand) if motion_file is not None else None
+    folder = Path(output if output is not None else stand.name)
+    chosen = element_type(folder, stand, real)
+    made = export_programme(stand, found, motion, kind, nodes, chosen, limit, Path(programme_file).name)
+    for path in write_programme(folder, stand, made.files):
+        click.echo(click.format_filename(path))
+    for line in made.lines:
+        click.echo(line)

@@ -124,7 +124,8 @@ def counted(function: Function) -> str:
     divisions = {0: "no division", 1: "1 of them a division"}.get(
         found.divisions, f"{found.divisions} of them divisions"
     )
-    return f"At most {found.total} operations on reals, {divisions}."
+    noun = "operation" if found.total == 1 else "operations"
+    return f"At most {found.total} {noun} on reals, {divisions}."
 
 
 def _shaped(a: Argument) -> str:

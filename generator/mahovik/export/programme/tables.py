@@ -1,0 +1,115 @@
+"""From a programme to the numbers of its tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mahovik.export.programme.carrier import Array
+from mahovik.lower.programme.form import Form
+from mahovik.motion.programme import Angles, Programme
+from mahovik.program.types import NamedCount
+
+MOST_HARMONICS = 120
+"""Of a Fourier table."""
+
+TAIL = {"double": 1e-9, "float": 1e-5}
+"""Harmonics are left out where what is left out is below this part of the largest acceleration, or torque."""
+
+FINE_MEAN = 2.0**20
+"""Of the mean angles of a quintic table: multiples of 1/FINE_MEAN have no rounding in a float."""
+
+_FINE, _TORQUES = 1024, 256
+"""Samples of a period that Fourier coefficients of angles and torques come from."""
+
+At = Callable[[Array], Angles]
+Torques = Callable[[Array], Array]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table's form and numbers, and what it stands for: angles (and torques) at times 0..span (M, s)."""
+
+    form: Form
+    value: dict[str, Any]
+    span: float
+    at: At
+    torques: Torques | None
+
+
+def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], torques: Torques | None) -> Table:
+    """Nodes at equal times."""
+    t = np.arange(float(form.rows + (0 if form.cyclic else 1))) * (span / form.rows)
+    found = at(t)
+    turn = 2 * np.pi * np.array(winding, dtype=np.float64)
+    if form.cyclic:
+        phi = _near_zero(found.phi - (t / span)[:, None] * turn)
+        mean = np.round(np.mean(phi, axis=0) * FINE_MEAN) / FINE_MEAN
+        phi = phi - mean
+        phi_dot = found.phi_dot - turn / span
+    else:
+        phi, phi_dot = _in_half_a_turn(found.phi), found.phi_dot
+    columns = {"phi": phi, "phi_dot": phi_dot, "phi_ddot": found.phi_ddot}
+    if torques is not None:
+        columns["tau"] = torques(t)
+    value: dict[str, Any] = {"step": span / form.rows, "rate": form.rows / span}
+    if form.cyclic:
+        value |= _winding(winding, span) | {"mean": list(map(float, mean))}
+    value["node"] = [{name: list(map(float, c[i])) for name, c in columns.items()} for i in range(len(t))]
+    return Table(form, value, span, at, torques)
+
+
+def fourier_table(programme: Programme, count: NamedCount, torques: Torques | None, real: str) -> Table:
+    """Coefficients of a periodic programme, as many as count."""
+    span, turn = programme.span, 2 * np.pi * np.array(programme.winding, dtype=np.float64)
+    x = np.arange(float(_FINE)) / _FINE
+    phi = _near_zero(programme.at(x * span).phi - x[:, None] * turn)
+    mean, cos, sin = coefficients(phi)
+    order = np.arange(1.0, len(cos) + 1.0)[:, None]
+    largest = max(float(np.max(order**2 * np.hypot(cos, sin))), float(np.max(np.square(programme.winding))))
+    rows = kept = _enough(order**2 * np.hypot(cos, sin), largest * TAIL[real])
+    value: dict[str, Any] = {"omega": 2 * np.pi / span, "mean": list(map(float, mean))}
+    if torques is not None:
+        tau = torques(np.arange(float(_TORQUES)) / _TORQUES * span)
+        tau_mean, tau_cos, tau_sin = coefficients(tau)
+        rows = max(rows, _enough(np.hypot(tau_cos, tau_sin), float(np.max(np.abs(tau))) * TAIL[real]))
+        value["tau_mean"] = list(map(float, tau_mean))
+    rows = max(1, rows)
+    cos, sin = (np.where(order <= kept, part, 0.0) for part in (cos, sin))
+    form = Form("", "fourier", rows, True, torques is not None, count)
+    columns = {"cos": cos, "sin": sin}
+    if torques is not None:
+        columns |= {"tau_cos": tau_cos, "tau_sin": tau_sin}
+    value["harmonic"] = [{name: list(map(float, c[k])) for name, c in columns.items()} for k in range(rows)]
+    return Table(form, value | _winding(programme.winding, span), span, programme.at, torques)
+
+
+def coefficients(samples: Array) -> tuple[Array, Array, Array]:
+    """mean (N), cos, sin (H, N) of samples (M, N) of a period; H = MOST_HARMONICS."""
+    found = np.fft.rfft(samples, axis=0) / len(samples)
+    first = found[1 : MOST_HARMONICS + 1]
+    return found[0].real, 2 * first.real, -2 * first.imag
+
+
+def _enough(sizes: Array, least: float) -> int:
+    """How many harmonics there must be, so that those after them add up to less than `least`."""
+    tails = np.cumsum(np.max(sizes, axis=1)[::-1])[::-1]
+    above = np.flatnonzero(tails > least)
+    return int(above[-1]) + 1 if len(above) else 0
+
+
+def _winding(winding: tuple[int, ...], span: float) -> dict[str, Any]:
+    return {"winding": list(winding), "speed": [2 * np.pi * n / span for n in winding]}
+
+
+def _near_zero(phi: Array) -> Array:
+    """Whole turns taken off the means, so that a float has digits for what varies."""
+    turns: Array = np.round(np.mean(phi, axis=0) / (2 * np.pi))
+    return phi - 2 * np.pi * turns
+
+
+def _in_half_a_turn(phi: Array) -> Array:
+    return phi - 2 * np.pi * np.round(phi / (2 * np.pi))

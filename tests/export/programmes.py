@@ -1,0 +1,134 @@
+"""Programmes made by hand, and their C: written, compiled, run."""
+
+from __future__ import annotations
+
+import subprocess
+from dataclasses import replace
+from functools import cache
+from math import atan2, pi
+from pathlib import Path
+
+import numpy as np
+
+from mahovik import stands
+from mahovik.emit.generate import generate_all
+from mahovik.export.programme import Exported, export_programme
+from mahovik.motion.programme import Fourier, Programme, RunUpTable, Samples
+from mahovik.motion.required import RequiredMotion, load_motion
+from mahovik.stand import identities, load
+from mahovik.stand.model import Stand
+from toolchain.tools import compile_c
+
+PERIOD = 0.05
+
+
+@cache
+def stand() -> Stand:
+    """shaker2: two equal flywheels that turn in opposite senses."""
+    return load(stands.path("shaker2"))
+
+
+@cache
+def motion() -> RequiredMotion:
+    """The one motion that its flywheels give at constant speed."""
+    return load_motion(stands.path("shaker2").parent / "shaker2_spin.motion.json", stand())
+
+
+def _programme(course: Fourier | Samples, name: str = "shaker2_spin") -> Programme:
+    found = identities(stand())
+    names = tuple(w.name for w in stand().flywheels)
+    return Programme(
+        stand().name, found.structure, found.physics, name, names, True, PERIOD, np.zeros(6), (1, -1), course
+    )
+
+
+@cache
+def spin() -> Programme:
+    """The programme of `motion`: constant speed, the phase behind by the damping of the suspension."""
+    given = stand()
+    assert given.suspension is not None
+    omega = 2 * pi / PERIOD
+    mass = given.carrier.mass + sum(w.mass for w in given.flywheels)
+    late = atan2(given.suspension.damping[2][2] * omega, mass * omega**2 - given.suspension.stiffness[2][2])
+    left = -pi / 2 - late
+    return _programme(Fourier(np.array([left, pi - left]), np.zeros((0, 2)), np.zeros((0, 2))))
+
+
+@cache
+def swaying(harmonics: int = 12) -> Programme:
+    """Windings 1, -1 and harmonics that fall as those of real programmes do; of no motion in particular."""
+    rng = np.random.default_rng(7)
+    fall = 0.3 * 10.0 ** (-0.5 * np.arange(harmonics))[:, None]
+    cos, sin = (fall * rng.normal(size=(harmonics, 2)) for _ in range(2))
+    return _programme(Fourier(np.array([9.0, -0.4]), cos, sin))
+
+
+@cache
+def sampled() -> Programme:
+    """`swaying` by a table of times that are not equally far from one another."""
+    t = PERIOD * (np.arange(200) + 0.3 * np.sin(np.arange(200))) / 200
+    return replace(swaying(), course=Samples(t, *swaying().at(t)))
+
+
+def finite_course(duration: float, end: float = 40.0) -> Samples:
+    """From rest to rest: both flywheels go by `end` rad, one back."""
+    t = np.linspace(0.0, duration, 400)
+    x = (t / duration)[:, None]
+    way = np.array([[end, -end]])
+    w, w1 = x**4 * (35 - 84 * x + 70 * x**2 - 20 * x**3), 140 * x**3 * (1 - x) ** 3
+    w2 = 420 * x**2 * (1 - x) ** 2 * (1 - 2 * x)
+    return Samples(t, 0.3 + way * w, way * w1 / duration, way * w2 / duration**2)
+
+
+@cache
+def finite() -> Programme:
+    """A finite programme."""
+    return replace(swaying(), periodic=False, span=0.8, winding=(0, 0), course=finite_course(0.8))
+
+
+@cache
+def started() -> Programme:
+    """`spin` with a run-up from rest, and its mirror image as run-down."""
+    duration, omega = 0.2, 2 * pi / PERIOD
+    t = np.linspace(0.0, duration, 257)
+    x, turn = (t / duration)[:, None], np.array([[omega, -omega]])
+    w, w1 = x**3 * (10 - 15 * x + 6 * x**2), 30 * x**2 * (1 - x) ** 2
+    before = 0.5 - x**4 * (2.5 - 3 * x + x**2)
+    end = spin().at(np.zeros(1)).phi
+    up = Samples(t, end - turn * duration * before, turn * w, turn * w1 / duration)
+    down = Samples(t, (2 * end - up.phi)[::-1], up.phi_dot[::-1], -up.phi_ddot[::-1])
+    return replace(spin(), runup=RunUpTable(duration, up), rundown=RunUpTable(duration, down))
+
+
+@cache
+def stand_files(real: str) -> dict[str, str]:
+    """The C of the stand; in double that of generated/, which another test keeps as it should be."""
+    if real == "double":
+        folder = Path(__file__).resolve().parents[2] / "generated" / "shaker2"
+        return {name: (folder / name).read_text(encoding="ascii") for name in ("shaker2.h", "shaker2.c")}
+    return generate_all(stand(), real).files
+
+
+@cache
+def exported(name: str, kind: str = "quintic", real: str = "double") -> Exported:
+    """One of the programmes above as C, by its name; `spin` with its motion."""
+    given = {"spin": spin, "swaying": swaying, "sampled": sampled, "finite": finite, "started": started}[name]()
+    limit = 1e-4 if name in ("sampled", "finite") and real == "double" else None
+    return export_programme(stand(), given, motion() if name == "spin" else None, kind, real=real, limit=limit)
+
+
+def written(made: Exported, folder: Path, real: str = "double") -> Path:
+    """Programme and stand in a folder; returns the programme's source."""
+    for name, text in {**stand_files(real), **made.files}.items():
+        (folder / name).write_text(text, encoding="ascii")
+    return folder / "shaker2_programme.c"
+
+
+def self_tested(source: Path, compiler: str = "gcc", *flags: str) -> list[str]:
+    """Lines of the self-test, compiled with the strict warnings."""
+    program = source.parent / "programme_test"
+    test = source.parent / "shaker2_programme_test.c"
+    compile_c(compiler, source, *(flags or ("-O1",)), test, "-o", program)
+    done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == (0 if done.stdout.endswith("failures 0\n") else 1)
+    return done.stdout.splitlines()
