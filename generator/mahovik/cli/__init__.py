@@ -20,8 +20,8 @@ from mahovik.cli.group import Commands
 from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
 from mahovik.cli.new import new
-from mahovik.cli.plot import plot
 from mahovik.cli.plan import plan
+from mahovik.cli.plot import plot
 from mahovik.cli.replay import replay
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
@@ -42,6 +42,7 @@ def main() -> None:
         mahovik generate bench8.toml     C into ./bench8
         mahovik verify bench8.toml       that C against the literal reference
         mahovik simulate bench8.toml --until 5 --regime R.toml -o run.csv
+        mahovik plan bench8.toml --motion bench8.motion.json -o P.json
 
     Exit status: 0 good, 1 a check failed or some states, 2 bad input or usage, 130 Ctrl-C.
     """
@@ -59,11 +60,11 @@ for command in (
     evaluate,
     rest,
     simulate,
-    plot,
-    plan,
     replay,
-    verify_programme,
     judge_log,
+    plan,
+    verify_programme,
+    plot,
     export,
 ):
     main.add_command(command)

@@ -65,7 +65,7 @@ def _panel(axes: Any, panel: Panel) -> None:
     if panel.log:
         axes.set_yscale("log")
     if panel.note:
-        axes.text(0.995, 0.97, panel.note, transform=axes.transAxes, ha="right", va="top", color=GREY)
+        axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
     named = sum(bool(line.name) for line in panel.lines)
     if named:
         columns = -(-named // LEGEND)

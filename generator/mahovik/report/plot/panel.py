@@ -29,7 +29,7 @@ class Line:
 class Panel:
     """Lines in one frame. `quantity` stands above with its unit; `log`: by powers of ten.
 
-    `least`: the ordinate reaches at least so far up and down: rounding is no picture. `note`: in a corner.
+    `least`: the ordinate reaches at least so far up and down: rounding is no picture. `note`: above, at the right.
     """
 
     quantity: str
