@@ -10,13 +10,13 @@ import numpy as np
 
 from mahovik.export.programme.carrier import Array
 from mahovik.lower.programme.form import Form
-from mahovik.motion.programme import Angles, Programme
+from mahovik.motion.programme import Angles, Fourier, Programme
 from mahovik.program.types import NamedCount
 
 MOST_HARMONICS = 120
 """Of a Fourier table."""
 
-TAIL = {"double": 1e-9, "float": 1e-5}
+TAIL = {"double": 1e-10, "float": 1e-6}
 """Harmonics are left out where what is left out is below this part of the largest acceleration, or torque."""
 
 FINE_MEAN = 2.0**20
@@ -63,14 +63,12 @@ def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], tor
 
 
 def fourier_table(programme: Programme, count: NamedCount, torques: Torques | None, real: str) -> Table:
-    """Coefficients of a periodic programme, as many as count."""
-    span, turn = programme.span, 2 * np.pi * np.array(programme.winding, dtype=np.float64)
-    x = np.arange(float(_FINE)) / _FINE
-    phi = _near_zero(programme.at(x * span).phi - x[:, None] * turn)
-    mean, cos, sin = coefficients(phi)
+    """Fourier coefficients of a periodic programme of `count` flywheels, no more harmonics than matter."""
+    span = programme.span
+    mean, cos, sin = _angles(programme)
     order = np.arange(1.0, len(cos) + 1.0)[:, None]
-    largest = max(float(np.max(order**2 * np.hypot(cos, sin))), float(np.max(np.square(programme.winding))))
-    rows = kept = _enough(order**2 * np.hypot(cos, sin), largest * TAIL[real])
+    sizes = order**2 * np.hypot(cos, sin)
+    rows = kept = _enough(sizes, float(np.max(sizes)) * TAIL[real])
     value: dict[str, Any] = {"omega": 2 * np.pi / span, "mean": list(map(float, mean))}
     if torques is not None:
         tau = torques(np.arange(float(_TORQUES)) / _TORQUES * span)
@@ -85,6 +83,23 @@ def fourier_table(programme: Programme, count: NamedCount, torques: Torques | No
         columns |= {"tau_cos": tau_cos, "tau_sin": tau_sin}
     value["harmonic"] = [{name: list(map(float, c[k])) for name, c in columns.items()} for k in range(rows)]
     return Table(form, value | _winding(programme.winding, span), span, programme.at, torques)
+
+
+def _angles(programme: Programme) -> tuple[Array, Array, Array]:
+    """mean, cos, sin of the periodic part of the angles: those of the file, with zeros after them, or of samples.
+
+    What is only rounding among the latter, which the squares of high orders make large, is zero.
+    """
+    if isinstance(programme.course, Fourier):
+        parts = (programme.course.cos[:MOST_HARMONICS], programme.course.sin[:MOST_HARMONICS])
+        cos, sin = (np.vstack([part, np.zeros((MOST_HARMONICS - len(part), part.shape[1]))]) for part in parts)
+        return _near_zero(programme.course.mean[None, :])[0], cos, sin
+    x = np.arange(float(_FINE)) / _FINE
+    turn = 2 * np.pi * np.array(programme.winding, dtype=np.float64)
+    mean, cos, sin = coefficients(_near_zero(programme.at(x * programme.span).phi - x[:, None] * turn))
+    sizes = np.hypot(cos, sin)
+    real = sizes > 1e-14 * max(1.0, float(np.max(sizes)))
+    return mean, np.where(real, cos, 0.0), np.where(real, sin, 0.0)
 
 
 def coefficients(samples: Array) -> tuple[Array, Array, Array]:
