@@ -97,7 +97,7 @@ def _turn(t: Array, columns: Mapping[str, Array]) -> Panel:
 
 
 def _flywheels(quantity: str, t: Array, columns: Mapping[str, Array], kind: str, unit: float) -> Panel:
-    found = []
+    found: list[Line] = []
     for name, column in columns.items():
         match = _FLYWHEEL.fullmatch(name)
         if match and match[1] == kind:
