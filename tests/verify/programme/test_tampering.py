@@ -183,3 +183,7 @@ def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.Monkey
     found = simulation.finding(stand, motion, wild, scale(), 1e-6)
     assert not found.passed
     assert "2.5 amplitudes from the required motion at t = 0.0" in found.words
+
+
+def test_numbers_beyond_all_bounds_are_refused_without_a_word_of_numpy() -> None:
+    assert offended(replace(shaker()[2], course=fourier(cos=1e200))) >= {"residual", "simulation"}
