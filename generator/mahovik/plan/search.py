@@ -130,6 +130,7 @@ def search(
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
+    state.interrupted |= budget.interrupted
     return state
 
 
