@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.motion.required import Bounds, Objective, RequiredMotion
-from mahovik.motion.required.course import Harmonics
+from mahovik.motion.required.course import Harmonics, Sampled
 from mahovik.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Suspension, Vec3
 
 Array = NDArray[np.float64]
@@ -122,3 +123,14 @@ def _vec3(x: Array) -> Vec3:
 
 def _diagonal(linear: float, angular: float) -> Mat6:
     return cast(Mat6, tuple(tuple(float(x) for x in row) for row in np.diag([linear] * 3 + [angular] * 3)))
+
+
+def campaign_move(seed: int, N: int, duration: float = 0.3) -> RequiredMotion:
+    """A finite motion: to another place and attitude within 0.2 mm and 0.6 mrad, by a way round, in `duration` s."""
+    rng = np.random.default_rng([seed, 55])
+    t = np.linspace(0.0, duration, 13)
+    x = t / duration
+    size = np.array([2e-4] * 3 + [6e-4] * 3)
+    there, round_way = (rng.uniform(-1, 1, 6) * size for _ in range(2))
+    q = np.outer(x**3 * (10 - 15 * x + 6 * x * x), there) + np.outer(64 * x**3 * (1 - x) ** 3, round_way)
+    return replace(campaign_motion(seed, N), periodic=False, span=duration, course=Sampled(duration, False, t, q))

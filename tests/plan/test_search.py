@@ -11,12 +11,13 @@ from mahovik.plan.preflight import preflight
 from mahovik.plan.problem import EXACT, KINKED
 from mahovik.plan.search import Search, search
 from plan.examples import problem
+from plan.improvable import Plain
 
 
 def found(stand: str, motion: str | None = None, seed: int = 0, **changed: object) -> tuple[Search, float]:
     """Result of a search, and the tolerance."""
     own = problem(stand, motion, **changed)
-    return search(own, Improver.of(own), preflight(own).bias, seed, Budget(4000, None)), own.tolerance
+    return search(own, Plain(Improver.of(own)), preflight(own).bias, seed, Budget(4000, None)), own.tolerance
 
 
 @pytest.mark.parametrize("winding", ["spin", "rock"])
@@ -62,7 +63,7 @@ def test_same_seed_same_programme() -> None:
 def test_what_is_not_there_is_not_found() -> None:
     """shaker2 spins at 0.577 mm only: at 0.3 mm with +1, -1 nothing is given, and the effort is told."""
     own = problem("shaker2", winding=(1, -1))
-    result = search(own, Improver.of(own), preflight(own).bias, 0, Budget(4000, None), most=2)
+    result = search(own, Plain(Improver.of(own)), preflight(own).bias, 0, Budget(4000, None), most=2)
     assert result.found == []
     assert result.best > 1e-3
     assert result.starts == 512
@@ -72,6 +73,6 @@ def test_what_is_not_there_is_not_found() -> None:
 def test_time_cuts_and_says_so() -> None:
     """A budget of no time at all."""
     own = problem("bench8")
-    result = search(own, Improver.of(own), preflight(own).bias, 0, Budget(4000, 0.0))
+    result = search(own, Plain(Improver.of(own)), preflight(own).bias, 0, Budget(4000, 0.0))
     assert result.cut
     assert result.found == []

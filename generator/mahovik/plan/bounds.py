@@ -48,9 +48,18 @@ class Exceeded(NamedTuple):
         """One line."""
         when = "" if self.time is None else f" at {self.time:.6g} s"
         side = "least is" if self.kind == "speed_min" else "bound is"
-        percent = 100.0 * abs(self.value - self.limit) / self.limit if self.limit else float("inf")
         found = f"{self.value:.6g} {self.unit}{when}"
-        return f"{self.kind} of {self.of}: {found}, {side} {self.limit:.6g}: {percent:.3g} % off"
+        return f"{self.kind} of {self.of}: {found}, {side} {self.limit:.6g}: {self._by}"
+
+    @property
+    def _by(self) -> str:
+        """By how much."""
+        if not self.limit:
+            return "not free"
+        if self.ratio > 2.0 and self.kind != "speed_min":
+            return f"{self.ratio:.3g} times the bound"
+        side = "below" if self.kind == "speed_min" else "above"
+        return f"{100.0 * abs(self.value - self.limit) / self.limit:.3g} % {side}"
 
 
 def bounded(bounds: Bounds) -> bool:

@@ -60,10 +60,10 @@ class Improver:
         H = _FIRST + 2 * (order - 1)
         grid = self.problem.grid(4 * H + 8 * order + 16, H)
         near = refine(self.problem, grid, start.with_harmonics(H), _NEARLY, budget)
-        if near.residual > _HOPELESS or budget.exhausted:
+        if near.residual > _HOPELESS:
             return None
         found = improve(self.problem, self.cost, near.motion, budget)
-        if found.used > 1.0:  # not worth the finish, unless nothing better comes
+        if found.used > 1.0 or budget.exhausted:  # not worth the finish, unless nothing better comes
             return self.candidate(found, kind)
         found = finish(self.problem, self.cost, found, budget)
         if found.residual > self.problem.tolerance and not bounded(self.problem.motion.bounds):

@@ -25,10 +25,6 @@ from mahovik.plan.search import Candidate, Search, search
 from mahovik.plan.wishes import Wishes
 from mahovik.stand.model import Stand
 
-STEPS = 20_000
-"""Steps of Levenberg-Marquardt and of optimisation that a plan may take."""
-
-
 Tell = Callable[[Search], None]
 
 
@@ -40,7 +36,7 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
     asked = wishes or Wishes()
     if asked.winding is not None:
         motion = replace(motion, winding=asked.winding)
-    budget = Budget(STEPS, asked.seconds)
+    budget = Budget(asked.steps, asked.seconds)
     try:
         problem = Problem.of(stand, motion)
         first = preflight(problem)

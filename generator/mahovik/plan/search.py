@@ -31,7 +31,8 @@ _PROMISING = 0.6
 SPARE = 3
 """Candidates beyond the bounds that are remembered."""
 ROUNDS = 40
-"""Rounds after which the search ends without a programme."""
+ROUNDS_IN_BOUNDS = 15
+"""Rounds after which the search ends without a programme; with bounds each of them takes longer."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +107,7 @@ def search(
     seed: int,
     budget: Budget,
     enough: int = 1,
-    most: int = ROUNDS,
+    most: int | None = None,
     tell: Tell | None = None,
 ) -> Search:
     """Programmes of a periodic motion, in the order found; the same for the same problem, seed and budget of steps.
@@ -114,11 +115,13 @@ def search(
     polisher  makes programmes of starts
     bias    (6): where starts begin, the mean pose at which the surroundings carry the weight
     enough  programmes of each kind of winding after which it looks for no more of this kind
-    most    rounds; Ctrl-C ends the search with what it has
+    most    rounds, None: as many as are sensible; Ctrl-C ends the search with what it has
     """
     rng = np.random.default_rng(seed)
     state = Search()
     kinds = order(problem.motion, problem.N)
+    if most is None:
+        most = ROUNDS_IN_BOUNDS if bounded(problem.motion.bounds) else ROUNDS
     try:
         for number, kind in enumerate(rounds(problem.motion, problem.N)):
             if number >= most or budget.exhausted or (state.found and number >= min(2, len(kinds))):

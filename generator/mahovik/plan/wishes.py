@@ -17,6 +17,7 @@ class Wishes:
     keep     programmes that are given, best first
     enough   programmes of each kind of winding to choose from
     verify   whether the programmes are put through the independent verification
+    steps    of search and optimisation that may be taken
     """
 
     seed: int = 0
@@ -25,3 +26,4 @@ class Wishes:
     keep: int = 1
     enough: int = 1
     verify: bool = True
+    steps: int = 20_000

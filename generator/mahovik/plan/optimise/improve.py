@@ -8,7 +8,7 @@ anything else would slide along nearly free directions and break the bounds agai
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mahovik.plan.bounds import KNEE, Exceeded, bounded, exceeded
 from mahovik.plan.budget import Budget
@@ -36,6 +36,10 @@ MEANWHILE = 0.17
 GAIN = 0.97
 """A round that leaves more than this of the excess has gained nothing."""
 _IDLE_ROUNDS = 2
+NEAR, LAST = 1.2, 0.99 / KNEE
+"""Use of the bounds below which they are aimed at without a margin, and how wide the limits are then."""
+SPARE = 0.97
+"""Use of the bounds up to which there is a margin to keep."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +68,8 @@ def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> Im
     point = stage.at(motion)
     if bounded(problem.motion.bounds):
         point, steps = _within(problem, cost, stage, point, budget)
-    if point.used <= 1.0 + 1e-3:
-        run = descend(stage, point.motion, STEPS, budget)
+    if point.used <= 1.0:
+        run = descend(replace(stage, wider=aim(point.used)), point.motion, STEPS, budget)
         point, steps = run.point, steps + run.steps
     return judged(problem, cost, point.motion, steps)
 
@@ -84,7 +88,18 @@ def _within(problem: Problem, cost: Cost, asked: Stage, point: Point, budget: Bu
         idle = idle + 1 if point.used > GAIN * before and point.used > 1.0 else 0
         if idle >= _IDLE_ROUNDS or budget.exhausted:
             break
+    if 1.0 < point.used < NEAR:  # nothing to spare: the knee right at the limit
+        stage = stage_of(problem, cost, asked.H, asked.tail, MEANWHILE, LAST)
+        run = descend(stage, point.motion, 3 * STEPS_A_ROUND, budget, enough=0.999)
+        point, taken = run.point, taken + run.steps
     return point, taken
+
+
+def aim(used: float) -> float:
+    """How wide limits are for a motion that shall keep to this use of the bounds."""
+    if used <= SPARE:
+        return 1.0
+    return LAST if used <= 1.0 else used / KNEE
 
 
 def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Improved:
@@ -93,7 +108,7 @@ def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Imp
     First by shortest steps with more harmonics. A motion whose coefficients fall too slowly for that is smoothed by the
     optimiser, with a heavy tail, before them.
     """
-    wider = max(1.0, found.used / KNEE)
+    wider = aim(found.used)
     for smooth, steps, H in FINISHES:
         motion, taken = found.motion, budget.taken
         if found.residual < EXACT_ENOUGH * problem.tolerance or budget.exhausted:

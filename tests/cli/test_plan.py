@@ -1,0 +1,66 @@
+"""mahovik plan: programme files, refusals with a reason, exit statuses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8, DEMO3, refused, run
+from mahovik.motion.programme import load_programme
+
+TURN = str(Path(DEMO3).with_name("demo3.motion.json"))
+
+
+def changed(tmp_path: Path, source: str, **keys: object) -> str:
+    """A motion file with keys changed."""
+    motion = json.loads(Path(source).read_text(encoding="utf-8")) | keys
+    path = tmp_path / "changed.motion.json"
+    path.write_text(json.dumps(motion), encoding="utf-8")
+    return str(path)
+
+
+def test_a_programme_is_written_verified_and_told(tmp_path: Path) -> None:
+    """Of demo3, rocking; nothing else is left in the folder."""
+    result = run("plan", DEMO3, "--motion", TURN, "-o", str(tmp_path / "a.json"), "--winding", "rock", "--seed", "5")
+    assert result.exit_code == 0
+    assert "\nOK\n" in result.stdout
+    assert "simulation error" in result.stdout
+    programme = load_programme(tmp_path / "a.json")
+    assert programme.winding == (0, 0, 0)
+    assert programme.report["verified"] is True
+    assert programme.report["residual"] < 1e-6
+    assert set(programme.report["search"]) >= {"seed", "starts", "steps", "windings_tried", "objective_spread"}
+    assert [path.name for path in sorted(tmp_path.iterdir())] == ["a.json"]
+
+
+def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None:
+    """SPAN: status 1, one line why, and no file."""
+    cos = [0.0, 0.0, 0.1, 1.0, 0.0, 0.0]
+    motion = changed(tmp_path, TURN, harmonics=[{"k": 1, "cos": cos}], winding="any")
+    result = run("plan", DEMO3, "--motion", motion, "-o", str(tmp_path / "p.json"))
+    assert result.exit_code == 1
+    assert result.stdout == "NO_PROGRAM SPAN\n"
+    assert "force along z" in result.stderr
+    assert not (tmp_path / "p.json").exists()
+
+
+@pytest.mark.parametrize(
+    "options,words",
+    [
+        (("--winding", "1,2"), "2 numbers, but the stand has 3 flywheels"),
+        (("--winding", "turn"), "expected any, spin, rock or 3 whole numbers"),
+        (("-o", "nowhere/p.json"), "there is no folder 'nowhere' to write to"),
+        (("--time", "0"), "--time"),
+        (("--keep", "0"), "--keep"),
+    ],
+)
+def test_options_that_mean_nothing(options: tuple[str, ...], words: str) -> None:
+    """Status 2, what was expected."""
+    assert words in refused("plan", DEMO3, "--motion", TURN, "-o", "p.json", *options)
+
+
+def test_a_motion_of_other_flywheels_is_refused(tmp_path: Path) -> None:
+    """The winding of three for eight."""
+    assert "winding" in refused("plan", BENCH8, "--motion", TURN, "-o", str(tmp_path / "p.json"))

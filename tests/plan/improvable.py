@@ -1,0 +1,64 @@
+"""bench8 with motors, for the optimiser: under any bounds and weights, from a programme that nothing has improved."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from mahovik.motion.required import Bounds, Objective
+from mahovik.plan.budget import Budget
+from mahovik.plan.choose import Improver
+from mahovik.plan.fourier import Periodic
+from mahovik.plan.levenberg import ladder
+from mahovik.plan.optimise import Improved, finish, improve, judged
+from mahovik.plan.preflight import preflight
+from mahovik.plan.problem import Problem
+from mahovik.plan.search import RUNGS, Candidate, search
+from mahovik.plan.starts import Crowd
+from mahovik.stand.model import Motor
+from plan.examples import example
+
+N = 8
+UNTIL = 4000
+NONE = (0.0,) * N
+MOTOR = Motor(None, None, 0.05, 0.4, 24.0, 1e-4, 1e-3, 0.1)
+
+
+def setting(bounds: Bounds | None = None, **weights: tuple[float, ...]) -> Improver:
+    """bench8 with motors, inside these bounds, by these weights (acceleration 1 where none is given)."""
+    stand, motion = example("bench8")
+    stand = replace(stand, flywheels=tuple(replace(s, motor=MOTOR) for s in stand.flywheels))
+    given = {"acceleration": NONE, "torque": NONE, "speed_variation": NONE, "power": NONE, **weights}
+    if not weights:
+        given["acceleration"] = (1.0,) * N
+    return Improver.of(Problem.of(stand, replace(motion, bounds=bounds or Bounds(), objective=Objective(**given))))
+
+
+class Plain:
+    """Takes the first start that the ladder makes exact, as it is."""
+
+    def __init__(self, improver: Improver) -> None:
+        self.own = improver
+
+    def rank(self, crowd: Crowd) -> np.ndarray:
+        return np.argsort(crowd.residuals(), kind="stable")
+
+    def polish(self, start: Periodic, kind: str, budget: Budget) -> Candidate | None:
+        exact = ladder(self.own.problem, start, RUNGS, budget).motion
+        return self.own.candidate(judged(self.own.problem, self.own.cost, exact, 0), kind)
+
+
+@cache
+def plain(winding: str) -> Periodic:
+    """A programme of bench8 that nothing has improved."""
+    own = setting()
+    problem = replace(own.problem, motion=replace(own.problem.motion, winding=winding))
+    return search(problem, Plain(own), preflight(problem).bias, 1, Budget(UNTIL)).found[0].motion
+
+
+def improved(own: Improver, winding: str) -> Improved:
+    """The plain programme, improved and finished."""
+    budget = Budget(UNTIL)
+    return finish(own.problem, own.cost, improve(own.problem, own.cost, plain(winding), budget), budget)

@@ -1,0 +1,71 @@
+"""From a start to the best programme inside the bounds, (13): bench8, its flywheels rocking."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from mahovik.motion.required import Bounds
+from mahovik.plan.budget import Budget
+from mahovik.plan.optimise import Improved, improve, judged, over
+from plan.improvable import UNTIL, N, improved, plain, setting
+
+TIGHT = Bounds(acceleration=(1000.0,) * N, torque=(1.2,) * N, speed=(17.0,) * N, angle=(0.28,) * N)
+
+
+@cache
+def tight() -> Improved:
+    """The plain programme, which breaks all of TIGHT, improved."""
+    return improved(setting(TIGHT), "rock")
+
+
+def test_bounds_that_the_start_breaks_are_kept() -> None:
+    """Acceleration, torque, speed and rocking range below those of the plain programme; still exact."""
+    own = setting(TIGHT)
+    broken = {each.kind for each in over(own.problem, own.cost, plain("rock"))}
+    assert broken == {"acceleration", "torque", "speed", "angle"}
+    found = tight()
+    assert over(own.problem, own.cost, found.motion) == ()
+    assert found.used < 1.0
+    assert found.residual < own.problem.tolerance
+
+
+def test_bias_is_bounded_and_fixed_where_its_bound_is_zero() -> None:
+    """The mean pose stays where it was in a component with bound 0."""
+    own = setting(Bounds(bias=(2e-4, 2e-4, 0.0, 1e-2, 1e-2, 1e-2)))
+    found = improved(own, "rock")
+    assert found.motion.bias[2] == plain("rock").bias[2]
+    unfixed = [each for each in over(own.problem, own.cost, found.motion) if each.of != "z"]
+    assert unfixed == []
+
+
+def test_same_start_same_bits() -> None:
+    """Nothing depends on time or chance."""
+    one, two = tight(), improved(setting(TIGHT), "rock")
+    assert np.array_equal(one.motion.waves, two.motion.waves) and np.array_equal(one.motion.bias, two.motion.bias)
+
+
+def test_an_end_of_the_budget_gives_what_there_is() -> None:
+    """No step at all, and a few: the start, and something better."""
+    own = setting()
+    start = judged(own.problem, own.cost, plain("rock"), 0)
+    none = improve(own.problem, own.cost, plain("rock"), Budget(0))
+    few = improve(own.problem, own.cost, plain("rock"), Budget(3))
+    assert none.objective == pytest.approx(start.objective, rel=1e-6)
+    assert few.objective < start.objective and few.steps == 3
+
+
+def test_what_cannot_be_kept_is_told() -> None:
+    """A tenth of what is possible: the excess is that of the motion given, recomputed on another grid."""
+    own = setting(Bounds(acceleration=(60.0,) * N))
+    budget = Budget(UNTIL)
+    found = own.rescue(own.candidate(improve(own.problem, own.cost, plain("rock"), budget), "rock"), None)
+    assert found is not None and found.exact and not found.accepted
+    worst = found.exceeded[0]
+    peaks = np.abs(found.motion.at(own.problem.grid(4001, found.motion.H).basis).phi_ddot).max(axis=0)
+    assert worst.value == pytest.approx(peaks.max(), rel=1e-4)
+    assert worst.ratio == pytest.approx(worst.value / 60.0)
+    assert {each.of for each in found.exceeded} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
+    assert found.used == pytest.approx(worst.ratio, rel=1e-6)

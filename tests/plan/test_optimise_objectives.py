@@ -1,0 +1,47 @@
+"""Each objective lowers what it weighs, and no speed falls below the least: bench8, one programme each."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from mahovik.motion.required import Bounds
+from mahovik.plan.optimise import judged, over
+from plan.improvable import N, improved, plain, setting
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.mark.parametrize("kind", ["acceleration", "torque", "speed_variation", "power"])
+def test_each_objective_lowers_what_it_weighs(kind: str) -> None:
+    """Below the plain programme, and below (or at) what the objective of acceleration leaves of it."""
+    own, by_acceleration = setting(**{kind: (1.0,) * N}), setting()
+    before = judged(own.problem, own.cost, plain("rock"), 0).objective
+    after = improved(own, "rock")
+    other = judged(own.problem, own.cost, improved(by_acceleration, "rock").motion, 0).objective
+    assert after.residual < own.problem.tolerance
+    assert after.objective < 0.95 * before
+    assert after.objective <= other * 1.001
+    assert after.parts == pytest.approx({kind: after.objective})
+
+
+def test_weights_are_of_each_flywheel() -> None:
+    """What is weighted a hundred times as much accelerates less."""
+    heavy = (100.0, *((1.0,) * (N - 1)))
+    rms = []
+    for weights in ((1.0,) * N, heavy):
+        own = setting(acceleration=weights)
+        motion = improved(own, "rock").motion
+        rms.append(np.sqrt(np.mean(motion.at(own.problem.grid(200, motion.H).basis).phi_ddot[:, 0] ** 2)))
+    assert rms[1] < 0.8 * rms[0]
+
+
+def test_least_speed() -> None:
+    """No spinning flywheel slower than asked, though the plain programme has one that is."""
+    own = setting(Bounds(speed_min=(57.0,) * N))
+    assert {each.kind for each in over(own.problem, own.cost, plain("spin"))} == {"speed_min"}
+    found = improved(own, "spin")
+    speeds = np.abs(found.motion.at(own.problem.grid(997, found.motion.H).basis).phi_dot)
+    assert speeds.min() >= 57.0
+    assert over(own.problem, own.cost, found.motion) == ()
+    assert found.residual < own.problem.tolerance
