@@ -20,6 +20,7 @@ from mahovik.plan.finite import plan_finite
 from mahovik.plan.outcome import Plan, Status
 from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
+from mahovik.plan.runup import shortcomings, with_runup
 from mahovik.plan.search import Candidate, Search, search
 from mahovik.plan.shortened import repeated, shortened
 from mahovik.plan.wishes import Wishes
@@ -87,9 +88,9 @@ def _plan(
         return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, found.interrupted)
     best, programme = programmes[0]
     warnings = (*first.warnings, *programme.report.get("warnings", ()))
-    status: Status = "OK_LIMIT" if best.exceeded else "OK"
     given = tuple(each for _, each in programmes)
-    over = tuple(each.words for each in best.exceeded)
+    over = (*(each.words for each in best.exceeded), *shortcomings(programme))
+    status: Status = "OK_LIMIT" if over else "OK"
     return Plan(status, None, over, warnings, given, effort, found.interrupted)
 
 
@@ -127,4 +128,5 @@ def _programme(
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
     programme = programme_of(stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
+    programme = with_runup(stand, motion, programme, effort["seed"])
     return certified(stand, motion, programme) if verify else programme
