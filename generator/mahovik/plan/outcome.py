@@ -16,7 +16,8 @@ Status = Literal["OK", "OK_LIMIT", "NO_PROGRAM", "SINGULAR_ATTITUDE"]
 class Plan:
     """Outcome of planning.
 
-    status      OK; OK_LIMIT: a bound is exceeded; NO_PROGRAM with a `reason` of preflight (proven) or SEARCH (not)
+    status      OK; OK_LIMIT: a bound is exceeded, or no run-up was found; NO_PROGRAM with a `reason` of preflight
+                (proven) or SEARCH (not)
     words       why, a line each: the refusal, or the bounds exceeded and by how much
     warnings    what to know besides
     programmes  best first
