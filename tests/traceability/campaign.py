@@ -34,11 +34,11 @@ from mahovik.verify.draw import draw
 from mahovik.verify.harness import judge
 from traceability.equations import ROOT, subjects
 from traceability.lines import functions, names
-from traceability.mutants import chosen, mutant, planted, sites
+from traceability.mutants import MUTANTS, chosen, mutant, planted, sites
 from verify.build import everything, generated
 
-MUTANTS, TESTED = 10, 1
-"""Mutants of a function; of those that the comparison lets through, how many the tests are run on."""
+TESTED = 1
+"""Of the mutants that the comparison lets through, how many the tests are run on."""
 
 LIMIT = 400
 """Seconds of the tests on a mutant: one on which they take longer is not counted."""

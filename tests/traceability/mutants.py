@@ -60,6 +60,10 @@ def mutant(function: Function, number: int) -> tuple[Function, str]:
     return replace(function, body=body), site.kind
 
 
+MUTANTS = 10
+"""Of a function: so many at most."""
+
+
 def chosen(count: int, most: int) -> list[int]:
     """Numbers of at most so many mutants, spread evenly."""
     return sorted({round((i + 0.5) * count / most - 0.5) for i in range(most)}) if count > most else list(range(count))

@@ -9,6 +9,7 @@ from typing import Any
 from mahovik.program.function import Function
 from traceability.equations import DERIVED, EQUATIONS, OTHERS, REFERENCE, ROOT, SECOND, called, subjects
 from traceability.lines import spans
+from traceability.mutants import MUTANTS, chosen
 
 FOUND = ROOT / "tests" / "traceability" / "found.json"
 PAGE = ROOT / "docs" / "traceability.md"
@@ -20,10 +21,11 @@ Written by `make traceability` (the lines of C alone: `make traceability-page`).
 where these stand in the C of an example stand; how many mutants of each were made, and what noticed them.
 
 A mutant is one operation changed: a sign, a term dropped, a number times 1.5, a comparison turned round, a loop one
-turn short. `comparison` is that of `mahovik verify`, the program against the literal reference, at two states; the
-quantities that differed are named. Of the mutants that it lets through, the first is planted into every program that
-the tests of such a function make, and the tests that failed are named. What nothing noticed is
-[listed](#what-nothing-noticed). (12) is (8) with other unknowns and needs no derivation; (13) is not emitted.
+turn short; of each function at most ten, spread over its places. `comparison` is that of `mahovik verify`, the program
+against the literal reference, at two states; the quantities that differed are named, and `StandError` where the mutant
+gives no answer at all. Of the mutants that it lets through, only the first is planted into every program that the tests of
+such a function make: it is *tried*, and the tests that failed are named; the others have not been tried. What was tried
+and nothing noticed is [listed](#what-nothing-noticed). (12) is (8) with other unknowns and needs no derivation; (13) is not emitted.
 
 """
 
@@ -60,14 +62,37 @@ def write() -> None:
 def text() -> str:
     """The page."""
     found = stored()
-    mutants, caught = (sum(of(f) for f in found.values()) for of in (lambda f: f["mutants"], noticed))
-    parts = [HEAD, f"{len(found)} functions, {mutants} mutants, {caught} noticed.\n\n"]
+    places, planted, compared, tested = (sum(of(f) for f in found.values()) for of in (_places, made, _compared, tried))
+    caught = sum(noticed(f) for f in found.values()) - compared
+    parts = [HEAD, f"{len(found)} functions with {places} places to change: {planted} mutants. "]
+    parts += [
+        f"The comparison noticed {compared}. Of the {planted - compared} that it let through, {tested} were tried "
+    ]
+    parts += [f"by tests, which noticed {caught}.\n\n"]
     parts += ["## Equations\n\n", equations(found), "\n## Functions\n\n", functions(found)]
     parts += ["\n## What nothing noticed\n\n", survivors(found)]
     if NOT_YET:
         parts += ["\n## Not examined yet\n\n", "Mutants of these have not been run: "]
         parts += [", ".join(f"`{name}`" for name in NOT_YET), ".\n"]
     return "".join(parts)
+
+
+def made(found: dict[str, Any]) -> int:
+    """How many mutants of a function were made."""
+    return len(chosen(found["sites"], MUTANTS))
+
+
+def tried(found: dict[str, Any]) -> int:
+    """How many mutants of a function tests were run on."""
+    return int(found["mutants"] - found["comparison"])
+
+
+def _places(found: dict[str, Any]) -> int:
+    return int(found["sites"])
+
+
+def _compared(found: dict[str, Any]) -> int:
+    return int(found["comparison"])
 
 
 def noticed(found: dict[str, Any]) -> int:
@@ -91,8 +116,8 @@ def equations(found: dict[str, dict[str, Any]]) -> str:
 def functions(found: dict[str, dict[str, Any]]) -> str:
     """One row a function: what it is for, lines of C, mutants, tests."""
     where = spans()
-    head = "| function | has | lines of C | mutants | noticed | by comparison of | tests that failed |"
-    lines = [head, "|---|---|---|---:|---:|---|---|"]
+    head = "| function | has | lines of C | places | mutants | by comparison | tried | noticed | differed | tests that failed |"
+    lines = [head, "|---|---|---|---:|---:|---:|---:|---:|---|---|"]
     for name, f in found.items():
         place = "–"
         if name in where:
@@ -101,11 +126,10 @@ def functions(found: dict[str, dict[str, Any]]) -> str:
         quantities = f["quantities"][:5] + (["..."] if len(f["quantities"]) > 5 else [])
         tests = [f"`{t}`" if "::" in t else t for t in f["noticed"][:4]]
         tests += [f"{len(f['noticed']) - 4} more"] if len(f["noticed"]) > 4 else []
-        cells = [f"`{name}`", ", ".join(f["subjects"]), place, str(f["mutants"]), str(noticed(f))]
+        counts = [f["sites"], made(f), f["comparison"], tried(f), f["tests"]]
+        cells = [f"`{name}`", ", ".join(f["subjects"]), place, *map(str, counts)]
         lines.append(f"| {' | '.join([*cells, ', '.join(quantities) or '–', ', '.join(tests) or '–'])} |")
-    left = [f"`{name}`" for name in where if name not in found]
-    rest = f"\nNot examined yet: {', '.join(left)}.\n" if left else ""
-    return "\n".join(lines) + "\n" + rest
+    return "\n".join(lines) + "\n"
 
 
 def survivors(found: dict[str, dict[str, Any]]) -> str:
