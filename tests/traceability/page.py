@@ -23,9 +23,10 @@ where these stand in the C of an example stand; how many mutants of each were ma
 A mutant is one operation changed: a sign, a term dropped, a number times 1.5, a comparison turned round, a loop one
 turn short; of each function at most ten, spread over its places. `comparison` is that of `mahovik verify`, the program
 against the literal reference, at two states; the quantities that differed are named, and `StandError` where the mutant
-gives no answer at all. Of the mutants that it lets through, only the first is planted into every program that the tests of
-such a function make: it is *tried*, and the tests that failed are named; the others have not been tried. What was tried
-and nothing noticed is [listed](#what-nothing-noticed). (12) is (8) with other unknowns and needs no derivation; (13) is not emitted.
+gives no answer at all. Of the mutants that it lets through, only the first is planted into every program that the
+tests of such a function make: it is *tried*, and the tests that failed are named; the others have not been tried. What
+was tried and nothing noticed is [listed](#what-nothing-noticed). (12) is (8) with other unknowns and needs no
+derivation; (13) is not emitted.
 
 """
 
@@ -116,8 +117,8 @@ def equations(found: dict[str, dict[str, Any]]) -> str:
 def functions(found: dict[str, dict[str, Any]]) -> str:
     """One row a function: what it is for, lines of C, mutants, tests."""
     where = spans()
-    head = "| function | has | lines of C | places | mutants | by comparison | tried | noticed | differed | tests that failed |"
-    lines = [head, "|---|---|---|---:|---:|---:|---:|---:|---|---|"]
+    heads = ("function", "has", "lines of C", "places", "mutants", "by comparison", "tried", "noticed", "differed")
+    lines = [f"| {' | '.join(heads)} | tests that failed |", "|---|---|---|---:|---:|---:|---:|---:|---|---|"]
     for name, f in found.items():
         place = "–"
         if name in where:
