@@ -3,7 +3,7 @@
 python tools/generation_time.py [--repeat 5] [--no-page]
 
 Every run is a process of its own: seconds of the clock and of the processor, and the most memory it held; the least of
-the repetitions. Exit status 1 where a limit is passed.
+the repetitions. Exit status 1 where a limit is exceeded.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 class Measurement:
-    """All of it, with the limits that were passed."""
+    """All of it, with the limits that were exceeded."""
 
     def __init__(self, folder: Path, repeat: int) -> None:
         self.passed_limits: list[str] = []
@@ -178,7 +178,7 @@ def main() -> None:
         found = Measurement(Path(scratch), asked.repeat)
         generation, start = found.generation(), found.start()
     verdict = "".join(f"* {line}\n" for line in found.passed_limits) or "None.\n"
-    text = f"{machine()}\n\n{generation}\n{start}\nLimits that were passed:\n\n{verdict}"
+    text = f"{machine()}\n\n{generation}\n{start}\nLimits that were exceeded:\n\n{verdict}"
     if not asked.no_page:
         before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
         PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}", encoding="utf-8")

@@ -31,8 +31,13 @@ independent calls unless a table says *chained*, where each call waits for the r
   `torque` gives the torques alone. `forward` for given accelerations is nothing that they offer: for Pinocchio it is
   put together from CRBA, RNEA and Eigen's LDLT of the carrier's block, and MuJoCo has none.
 * **The expressions for CasADi, SymPy and SymForce are the literal equations**, as one writes them from the paper, with
-  zeros left out. A user who derives tables of harmonics by hand and gives these to CasADi would come near to ours.
+  zeros left out. Tables of harmonics, derived by hand and given to CasADi, would be another peer, which is not here.
 * mahovik checks every input on every call; the peers check none.
+* CasADi generates faster than mahovik, and of few flywheels it compiles faster as well: see the sizes. CasADi's
+  Jacobian is given for two flywheels only, since its C grows too large to compile in the time there is; `inverse` and
+  `step` are nothing that the peers offer in C.
+* Straight code of the *native* builds may be fused by gcc 12 in spite of `-ffp-contract=off`; where the bits matter it
+  takes [one more flag](targets.md#what-breaks-it).
 * *batch* takes 64 states in a call, side by side in vectors: its times are a state's, and none is chained. Its bits
   are those of single calls, so it has no fused multiply-add, which bounds it where a peer's build may use them.
 * Instructions are those of one call at one state, counted by callgrind, which knows no AVX-512: builds for this
@@ -45,7 +50,8 @@ TARGETS = """## Targets
 
 Of the scalar build (-O2), of flywheels across the host's lanes, of batches: how many times faster than the best build
 of the best peer that was timed at that number of flywheels (median of paired ratios). The ratios asked for come from a
-prototype on another processor, where CasADi's C took longer; those of instructions depend on no processor.
+prototype on another processor, where the prototype's C was faster than ours is here and CasADi's slower; those of
+instructions depend on no processor.
 
 """
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from mahovik_bench.slopes import slope
@@ -122,18 +122,33 @@ def target_table(results: Results) -> str:
 
 
 def won_by_peers(results: Results) -> list[str]:
-    """Where a peer is faster than our scalar build, and than all of ours."""
-    lines = []
-    for work in WORKS:
-        for N, one in results["cases"].items():
-            for name, row in one["times"]["independent"][work].items():
-                if name.startswith("mahovik ") or row["ratios"].get(SCALAR, 1.0) >= 1.0:
-                    continue
-                ours = max(row["ratios"], key=lambda build: row["ratios"][build])
-                rest = (
-                    "and than every other build of ours"
-                    if row["ratios"][ours] < 1.0
-                    else f"not than {ours}: {row['ratios'][ours]:.2f}"
-                )
-                lines.append(f"`{work}`, N = {N}: {name} is faster than {SCALAR} ({row['ratios'][SCALAR]:.2f}), {rest}")
-    return lines
+    """Where a peer is faster than our scalar build, or has fewer instructions; whether than all of ours."""
+    return [
+        line
+        for work in WORKS
+        for N, one in results["cases"].items()
+        for line in (
+            *_faster(one["times"]["independent"][work], f"`{work}`, N = {N}"),
+            *_faster(one["times"]["chained"][work], f"`{work}`, N = {N}, chained"),
+            *_shorter({n: c[work] for n, c in one["instructions"].items() if work in c}, f"`{work}`, N = {N}"),
+        )
+    ]
+
+
+def _faster(times: Mapping[str, Any], where: str) -> Iterator[str]:
+    """Of the times of a work."""
+    for name, row in times.items():
+        if name.startswith("mahovik ") or row["ratios"].get(SCALAR, 1.0) >= 1.0:
+            continue
+        ours = max(row["ratios"], key=lambda build: row["ratios"][build])
+        best = row["ratios"][ours]
+        rest = "and than every other build of ours" if best < 1.0 else f"not than {ours}: {best:.2f}"
+        yield f"{where}: {name} is faster than {SCALAR} ({row['ratios'][SCALAR]:.2f}), {rest}"
+
+
+def _shorter(counts: Mapping[str, int], where: str) -> Iterator[str]:
+    """Of the instructions of a work."""
+    own = counts.get(SCALAR)
+    for name, count in counts.items():
+        if own is not None and not name.startswith("mahovik ") and count < own:
+            yield f"{where}: {name} has fewer instructions than {SCALAR}, {count:,} against {own:,}"
