@@ -9,32 +9,31 @@ from mahovik.lower.batch import BATCHED
 from mahovik_bench.build import NATIVE, Recipe, generated
 from mahovik_bench.cases import Case
 from mahovik_bench.peer import Peer
-from mahovik_bench.write_own import HAS_LANES
 
 WORKS = ("forward", "coupled", "torque", "step", "inverse", "inverse_fast", "forward_jacobian", "coupled_jacobian")
 
 
 @dataclass(frozen=True)
 class Build:
-    """How the C is made. `lanes`: of the generator, 0 for its default; -1: the fitting number for this N."""
+    """How the C is made. `lanes`: of the generator; None: the host's number for this N."""
 
     name: str
     flags: tuple[str, ...]
-    lanes: int = 0
+    lanes: int | None = None
     counted: bool = False
 
 
 SCALAR = Build("-O2", ("-O2", "-ffp-contract=off"), lanes=1, counted=True)
 """What firmware is built with; callgrind counts it."""
-LANES = Build("lanes native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=-1)
-"""Flywheels across the lanes of the host's vectors; takes part when the generator has `lanes`."""
+LANES = Build("lanes native", ("-O3", "-march=native", "-ffp-contract=off"))
+"""Flywheels across the lanes of the host's vectors."""
 BUILDS = (
     SCALAR,
     Build("-O3 native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=1),
     Build("-O3 native fma", ("-O3", "-march=native", "-ffp-contract=fast"), lanes=1),
-    *((LANES,) if HAS_LANES else ()),
+    LANES,
     Build("8 lanes native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=8),
-    Build("lanes native fma", ("-O3", "-march=native", "-ffp-contract=fast"), lanes=-1),
+    Build("lanes native fma", ("-O3", "-march=native", "-ffp-contract=fast")),
 )
 
 
@@ -44,10 +43,8 @@ STATES = 64
 
 
 def lanes(build: Build, N: int) -> int:
-    """The argument of the generator; 0 where it has none."""
-    if not HAS_LANES:
-        return 0
-    return build.lanes if build.lanes >= 0 else host_lanes(N)
+    """The argument of the generator."""
+    return host_lanes(N) if build.lanes is None else build.lanes
 
 
 def peers(case: Case) -> list[Peer]:

@@ -44,7 +44,8 @@ independent calls unless a table says *chained*, where each call waits for the r
 TARGETS = """## Targets
 
 Of the scalar build (-O2), of flywheels across the host's lanes, of batches: how many times faster than the best build
-of the best peer that was timed at that number of flywheels (median of paired ratios).
+of the best peer that was timed at that number of flywheels (median of paired ratios). The ratios asked for come from a
+prototype on another processor, where CasADi's C took longer; those of instructions depend on no processor.
 
 """
 

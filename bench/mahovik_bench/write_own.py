@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-import inspect
 import sys
 from pathlib import Path
-from typing import Any
 
 from mahovik.emit.batch import batch_files
 from mahovik.emit.generate import generate_all
 from mahovik_bench.cases import case
 
-HAS_LANES = "lanes" in inspect.signature(generate_all).parameters
-"""Can the generator put flywheels across lanes?"""
-
 
 def main() -> None:
-    """The files of `generate`, with `batch` those of batches too, nothing else; 0 lanes: the generator's default."""
+    """The files of `generate`, with `batch` those of batches too, nothing else."""
     folder, N, lanes = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
-    options: dict[str, Any] = {"lanes": lanes} if lanes else {}
     stand = case(N).stand
-    generated = generate_all(stand, **options)
+    generated = generate_all(stand, lanes=lanes)
     batch = batch_files(stand, generated) if "batch" in sys.argv[4:] else {}
     for name, text in {**generated.files, **batch}.items():
         (folder / name).write_text(text, encoding="ascii")

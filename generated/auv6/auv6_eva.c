@@ -171,6 +171,655 @@ static void untouched(const auv6_real *x, int count)
     }
 }
 
+/* ---- whole structs ---- */
+
+static void normal_state(auv6_state *x)
+{
+    reals(&x->position[0], 3, 100.0);
+    quaternion(x->attitude, 2.0);
+    reals(&x->V[0], 6, 20.0);
+    reals(&x->phi[0], 6, 100.0);
+    reals(&x->phi_dot[0], 6, 1.0e3);
+}
+
+static void any_state(auv6_state *x)
+{
+    reals(&x->position[0], 3, AUV6_LARGEST);
+    quaternion(x->attitude, AUV6_LARGEST);
+    reals(&x->V[0], 6, AUV6_LARGEST);
+    reals(&x->phi[0], 6, AUV6_LARGEST);
+    reals(&x->phi_dot[0], 6, AUV6_LARGEST);
+}
+
+static void bits_state(auv6_state *x)
+{
+    all_bits(&x->position[0], 3);
+    all_bits(&x->attitude[0], 4);
+    all_bits(&x->V[0], 6);
+    all_bits(&x->phi[0], 6);
+    all_bits(&x->phi_dot[0], 6);
+}
+
+static void normal_encoder(auv6_encoder *x)
+{
+    integers(&x->counter, 1, -1048576, 1048576);
+    integers(&x->place, 1, -1048576, 1048576);
+    integers(&x->moved, 1, -1048576, 1048576);
+}
+
+static void any_encoder(auv6_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void bits_encoder(auv6_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void normal_inverse_options(auv6_inverse_options *x)
+{
+    about(&x->weight[0], &auv6_default_options.weight[0], 6);
+    about(&x->limit[0], &auv6_default_options.limit[0], 6);
+    about(&x->near, &auv6_default_options.near, 1);
+    about(&x->damping, &auv6_default_options.damping, 1);
+}
+
+static void any_inverse_options(auv6_inverse_options *x)
+{
+    reals(&x->weight[0], 6, AUV6_LARGEST);
+    reals(&x->limit[0], 6, AUV6_LARGEST);
+    reals(&x->near, 1, AUV6_LARGEST);
+    reals(&x->damping, 1, AUV6_LARGEST);
+}
+
+static void bits_inverse_options(auv6_inverse_options *x)
+{
+    all_bits(&x->weight[0], 6);
+    all_bits(&x->limit[0], 6);
+    one_of_all(&x->near);
+    one_of_all(&x->damping);
+}
+
+static void normal_parameters(auv6_parameters *x)
+{
+    about(&x->carrier.mass, &auv6_default_parameters.carrier.mass, 1);
+    about(&x->carrier.center_of_mass[0], &auv6_default_parameters.carrier.center_of_mass[0], 3);
+    about(&x->carrier.inertia[0], &auv6_default_parameters.carrier.inertia[0], 6);
+    about(&x->carrier.displaced_mass, &auv6_default_parameters.carrier.displaced_mass, 1);
+    about(&x->carrier.displaced_center[0], &auv6_default_parameters.carrier.displaced_center[0], 3);
+    about(&x->added_mass[0][0], &auv6_default_parameters.added_mass[0][0], 36);
+    for (int i = 0; i < 1; ++i) {
+        about(&x->instrument[i].body.mass, &auv6_default_parameters.instrument[i].body.mass, 1);
+        about(&x->instrument[i].body.center_of_mass[0], &auv6_default_parameters.instrument[i].body.center_of_mass[0], 3);
+        about(&x->instrument[i].body.inertia[0], &auv6_default_parameters.instrument[i].body.inertia[0], 6);
+        about(&x->instrument[i].body.displaced_mass, &auv6_default_parameters.instrument[i].body.displaced_mass, 1);
+        about(&x->instrument[i].body.displaced_center[0], &auv6_default_parameters.instrument[i].body.displaced_center[0], 3);
+        about(&x->instrument[i].position[0], &auv6_default_parameters.instrument[i].position[0], 3);
+        about(&x->instrument[i].axis[0], &auv6_default_parameters.instrument[i].axis[0], 3);
+        about(&x->instrument[i].zero[0], &auv6_default_parameters.instrument[i].zero[0], 3);
+    }
+    for (int i = 0; i < AUV6_N; ++i) {
+        about(&x->flywheel[i].body.mass, &auv6_default_parameters.flywheel[i].body.mass, 1);
+        about(&x->flywheel[i].body.center_of_mass[0], &auv6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&x->flywheel[i].body.inertia[0], &auv6_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&x->flywheel[i].position[0], &auv6_default_parameters.flywheel[i].position[0], 3);
+        about(&x->flywheel[i].axis[0], &auv6_default_parameters.flywheel[i].axis[0], 3);
+        about(&x->flywheel[i].zero[0], &auv6_default_parameters.flywheel[i].zero[0], 3);
+        integers(&x->flywheel[i].mount, 1, -1048576, 1048576);
+    }
+}
+
+static void any_parameters(auv6_parameters *x)
+{
+    reals(&x->carrier.mass, 1, AUV6_LARGEST);
+    reals(&x->carrier.center_of_mass[0], 3, AUV6_LARGEST);
+    reals(&x->carrier.inertia[0], 6, AUV6_LARGEST);
+    reals(&x->carrier.displaced_mass, 1, AUV6_LARGEST);
+    reals(&x->carrier.displaced_center[0], 3, AUV6_LARGEST);
+    reals(&x->added_mass[0][0], 36, AUV6_LARGEST);
+    for (int i = 0; i < 1; ++i) {
+        reals(&x->instrument[i].body.mass, 1, AUV6_LARGEST);
+        reals(&x->instrument[i].body.center_of_mass[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].body.inertia[0], 6, AUV6_LARGEST);
+        reals(&x->instrument[i].body.displaced_mass, 1, AUV6_LARGEST);
+        reals(&x->instrument[i].body.displaced_center[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].position[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].axis[0], 3, AUV6_LARGEST);
+        reals(&x->instrument[i].zero[0], 3, AUV6_LARGEST);
+    }
+    for (int i = 0; i < AUV6_N; ++i) {
+        reals(&x->flywheel[i].body.mass, 1, AUV6_LARGEST);
+        reals(&x->flywheel[i].body.center_of_mass[0], 3, AUV6_LARGEST);
+        reals(&x->flywheel[i].body.inertia[0], 6, AUV6_LARGEST);
+        reals(&x->flywheel[i].position[0], 3, AUV6_LARGEST);
+        reals(&x->flywheel[i].axis[0], 3, AUV6_LARGEST);
+        reals(&x->flywheel[i].zero[0], 3, AUV6_LARGEST);
+        integers(&x->flywheel[i].mount, 1, INT_MIN, INT_MAX);
+    }
+}
+
+static void bits_parameters(auv6_parameters *x)
+{
+    one_of_all(&x->carrier.mass);
+    all_bits(&x->carrier.center_of_mass[0], 3);
+    all_bits(&x->carrier.inertia[0], 6);
+    one_of_all(&x->carrier.displaced_mass);
+    all_bits(&x->carrier.displaced_center[0], 3);
+    all_bits(&x->added_mass[0][0], 36);
+    for (int i = 0; i < 1; ++i) {
+        one_of_all(&x->instrument[i].body.mass);
+        all_bits(&x->instrument[i].body.center_of_mass[0], 3);
+        all_bits(&x->instrument[i].body.inertia[0], 6);
+        one_of_all(&x->instrument[i].body.displaced_mass);
+        all_bits(&x->instrument[i].body.displaced_center[0], 3);
+        all_bits(&x->instrument[i].position[0], 3);
+        all_bits(&x->instrument[i].axis[0], 3);
+        all_bits(&x->instrument[i].zero[0], 3);
+    }
+    for (int i = 0; i < AUV6_N; ++i) {
+        one_of_all(&x->flywheel[i].body.mass);
+        all_bits(&x->flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&x->flywheel[i].body.inertia[0], 6);
+        all_bits(&x->flywheel[i].position[0], 3);
+        all_bits(&x->flywheel[i].axis[0], 3);
+        all_bits(&x->flywheel[i].zero[0], 3);
+        integers(&x->flywheel[i].mount, 1, INT_MIN, INT_MAX);
+    }
+}
+
+static void untouched_equations(const auv6_equations *x)
+{
+    untouched(&x->K[0][0], 36);
+    untouched(&x->K_dot[0][0], 36);
+    untouched(&x->M[0][0], 36);
+    untouched(&x->I[0][0], 36);
+    untouched(&x->J[0][0], 36);
+    untouched(&x->F[0], 6);
+}
+
+static void written_equations(const auv6_equations *x)
+{
+    written(&x->K[0][0], 36);
+    written(&x->K_dot[0][0], 36);
+    written(&x->M[0][0], 36);
+    written(&x->I[0][0], 36);
+    written(&x->J[0][0], 36);
+    written(&x->F[0], 6);
+}
+
+static void initialised_equations(const auv6_equations *x)
+{
+    initialised(&x->K[0][0], 36);
+    initialised(&x->K_dot[0][0], 36);
+    initialised(&x->M[0][0], 36);
+    initialised(&x->I[0][0], 36);
+    initialised(&x->J[0][0], 36);
+    initialised(&x->F[0], 6);
+}
+
+static void untouched_momenta(const auv6_momenta *x)
+{
+    untouched(&x->Z[0], 6);
+    untouched(&x->Z0[0], 6);
+    untouched(&x->energy, 1);
+    untouched(&x->center_of_mass[0], 3);
+}
+
+static void written_momenta(const auv6_momenta *x)
+{
+    written(&x->Z[0], 6);
+    written(&x->Z0[0], 6);
+    written(&x->energy, 1);
+    written(&x->center_of_mass[0], 3);
+}
+
+static void initialised_momenta(const auv6_momenta *x)
+{
+    initialised(&x->Z[0], 6);
+    initialised(&x->Z0[0], 6);
+    initialised(&x->energy, 1);
+    initialised(&x->center_of_mass[0], 3);
+}
+
+static void untouched_state(const auv6_state *x)
+{
+    untouched(&x->position[0], 3);
+    untouched(&x->attitude[0], 4);
+    untouched(&x->V[0], 6);
+    untouched(&x->phi[0], 6);
+    untouched(&x->phi_dot[0], 6);
+}
+
+static void written_state(const auv6_state *x)
+{
+    written(&x->position[0], 3);
+    written(&x->attitude[0], 4);
+    written(&x->V[0], 6);
+    written(&x->phi[0], 6);
+    written(&x->phi_dot[0], 6);
+}
+
+static void initialised_state(const auv6_state *x)
+{
+    initialised(&x->position[0], 3);
+    initialised(&x->attitude[0], 4);
+    initialised(&x->V[0], 6);
+    initialised(&x->phi[0], 6);
+    initialised(&x->phi_dot[0], 6);
+}
+
+static void written_encoder(const auv6_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void initialised_encoder(const auv6_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void untouched_forward_slopes(const auv6_forward_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 36);
+    untouched(&x->V_dot_phi_dot[0][0], 36);
+    untouched(&x->V_dot_phi_ddot[0][0], 36);
+}
+
+static void written_forward_slopes(const auv6_forward_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 36);
+    written(&x->V_dot_phi_dot[0][0], 36);
+    written(&x->V_dot_phi_ddot[0][0], 36);
+}
+
+static void initialised_forward_slopes(const auv6_forward_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 36);
+    initialised(&x->V_dot_phi_dot[0][0], 36);
+    initialised(&x->V_dot_phi_ddot[0][0], 36);
+}
+
+static void untouched_coupled_slopes(const auv6_coupled_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 36);
+    untouched(&x->V_dot_phi_dot[0][0], 36);
+    untouched(&x->V_dot_tau[0][0], 36);
+    untouched(&x->phi_ddot_V[0][0], 36);
+    untouched(&x->phi_ddot_phi[0][0], 36);
+    untouched(&x->phi_ddot_phi_dot[0][0], 36);
+    untouched(&x->phi_ddot_tau[0][0], 36);
+}
+
+static void written_coupled_slopes(const auv6_coupled_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 36);
+    written(&x->V_dot_phi_dot[0][0], 36);
+    written(&x->V_dot_tau[0][0], 36);
+    written(&x->phi_ddot_V[0][0], 36);
+    written(&x->phi_ddot_phi[0][0], 36);
+    written(&x->phi_ddot_phi_dot[0][0], 36);
+    written(&x->phi_ddot_tau[0][0], 36);
+}
+
+static void initialised_coupled_slopes(const auv6_coupled_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 36);
+    initialised(&x->V_dot_phi_dot[0][0], 36);
+    initialised(&x->V_dot_tau[0][0], 36);
+    initialised(&x->phi_ddot_V[0][0], 36);
+    initialised(&x->phi_ddot_phi[0][0], 36);
+    initialised(&x->phi_ddot_phi_dot[0][0], 36);
+    initialised(&x->phi_ddot_tau[0][0], 36);
+}
+
+static void untouched_inverse_result(const auv6_inverse_result *x)
+{
+    untouched(&x->phi_ddot[0], 6);
+    untouched(&x->residual[0], 6);
+    untouched(&x->sigma[0], 6);
+    untouched(&x->damped_by, 1);
+    untouched(&x->hardest[0], 6);
+}
+
+static void written_inverse_result(const auv6_inverse_result *x)
+{
+    written(&x->phi_ddot[0], 6);
+    written(&x->residual[0], 6);
+    written(&x->sigma[0], 6);
+    /*@ check \initialized(&x->rank); */
+    written(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    written(&x->hardest[0], 6);
+}
+
+static void initialised_inverse_result(const auv6_inverse_result *x)
+{
+    initialised(&x->phi_ddot[0], 6);
+    initialised(&x->residual[0], 6);
+    initialised(&x->sigma[0], 6);
+    /*@ check \initialized(&x->rank); */
+    initialised(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    initialised(&x->hardest[0], 6);
+}
+
+static void untouched_generalized(const auv6_generalized *x)
+{
+    untouched(&x->A[0][0], 36);
+    untouched(&x->D[0][0], 36);
+    untouched(&x->I0[0][0], 36);
+    untouched(&x->J0[0][0], 36);
+    untouched(&x->q_dot[0], 6);
+    untouched(&x->q_ddot[0], 6);
+}
+
+static void written_generalized(const auv6_generalized *x)
+{
+    written(&x->A[0][0], 36);
+    written(&x->D[0][0], 36);
+    written(&x->I0[0][0], 36);
+    written(&x->J0[0][0], 36);
+    written(&x->q_dot[0], 6);
+    written(&x->q_ddot[0], 6);
+}
+
+static void initialised_generalized(const auv6_generalized *x)
+{
+    initialised(&x->A[0][0], 36);
+    initialised(&x->D[0][0], 36);
+    initialised(&x->I0[0][0], 36);
+    initialised(&x->J0[0][0], 36);
+    initialised(&x->q_dot[0], 6);
+    initialised(&x->q_ddot[0], 6);
+}
+
+static void written_table(const auv6_table *x)
+{
+    written(&x->mass, 1);
+    written(&x->mass_inverse, 1);
+    written(&x->first_moment[0], 3);
+    written(&x->inertia[0], 6);
+    written(&x->A[0], 6);
+    written(&x->A_inv[0], 6);
+    written(&x->G[0], 9);
+    written(&x->weight_mass, 1);
+    written(&x->displaced_moment[0], 3);
+    written(&x->flywheel[0].mu_c[0], 3);
+    written(&x->flywheel[0].mu_s[0], 3);
+    written(&x->flywheel[0].J_c[0], 6);
+    written(&x->flywheel[0].J_s[0], 6);
+    written(&x->flywheel[0].J_2c[0], 6);
+    written(&x->flywheel[0].J_2s[0], 6);
+    written(&x->flywheel[0].t_0[0], 3);
+    written(&x->flywheel[0].t_c[0], 3);
+    written(&x->flywheel[0].t_s[0], 3);
+    written(&x->flywheel[0].spin, 1);
+    written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[1].mu_c[0], 3);
+    written(&x->flywheel[1].mu_s[0], 3);
+    written(&x->flywheel[1].J_c[0], 6);
+    written(&x->flywheel[1].J_s[0], 6);
+    written(&x->flywheel[1].J_2c[0], 6);
+    written(&x->flywheel[1].J_2s[0], 6);
+    written(&x->flywheel[1].t_0[0], 3);
+    written(&x->flywheel[1].t_c[0], 3);
+    written(&x->flywheel[1].t_s[0], 3);
+    written(&x->flywheel[1].spin, 1);
+    written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[2].mu_c[0], 3);
+    written(&x->flywheel[2].mu_s[0], 3);
+    written(&x->flywheel[2].J_c[0], 6);
+    written(&x->flywheel[2].J_s[0], 6);
+    written(&x->flywheel[2].J_2c[0], 6);
+    written(&x->flywheel[2].J_2s[0], 6);
+    written(&x->flywheel[2].t_0[0], 3);
+    written(&x->flywheel[2].t_c[0], 3);
+    written(&x->flywheel[2].t_s[0], 3);
+    written(&x->flywheel[2].spin, 1);
+    written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[3].mu_c[0], 3);
+    written(&x->flywheel[3].mu_s[0], 3);
+    written(&x->flywheel[3].J_c[0], 6);
+    written(&x->flywheel[3].J_s[0], 6);
+    written(&x->flywheel[3].J_2c[0], 6);
+    written(&x->flywheel[3].J_2s[0], 6);
+    written(&x->flywheel[3].t_0[0], 3);
+    written(&x->flywheel[3].t_c[0], 3);
+    written(&x->flywheel[3].t_s[0], 3);
+    written(&x->flywheel[3].spin, 1);
+    written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[4].mu_c[0], 3);
+    written(&x->flywheel[4].mu_s[0], 3);
+    written(&x->flywheel[4].J_c[0], 6);
+    written(&x->flywheel[4].J_s[0], 6);
+    written(&x->flywheel[4].J_2c[0], 6);
+    written(&x->flywheel[4].J_2s[0], 6);
+    written(&x->flywheel[4].t_0[0], 3);
+    written(&x->flywheel[4].t_c[0], 3);
+    written(&x->flywheel[4].t_s[0], 3);
+    written(&x->flywheel[4].spin, 1);
+    written(&x->flywheel[4].spin_inv, 1);
+    written(&x->flywheel[5].mu_c[0], 3);
+    written(&x->flywheel[5].mu_s[0], 3);
+    written(&x->flywheel[5].J_c[0], 6);
+    written(&x->flywheel[5].J_s[0], 6);
+    written(&x->flywheel[5].J_2c[0], 6);
+    written(&x->flywheel[5].J_2s[0], 6);
+    written(&x->flywheel[5].t_0[0], 3);
+    written(&x->flywheel[5].t_c[0], 3);
+    written(&x->flywheel[5].t_s[0], 3);
+    written(&x->flywheel[5].spin, 1);
+    written(&x->flywheel[5].spin_inv, 1);
+    written(&x->sensor[0].origin[0], 3);
+    written(&x->sensor[0].axes[0], 9);
+    written(&x->gravity[0], 3);
+    written(&x->stream[0], 3);
+    written(&x->damper.linear[0][0], 36);
+    written(&x->damper.quadratic[0][0], 36);
+}
+
+static void initialised_table(const auv6_table *x)
+{
+    initialised(&x->mass, 1);
+    initialised(&x->mass_inverse, 1);
+    initialised(&x->first_moment[0], 3);
+    initialised(&x->inertia[0], 6);
+    initialised(&x->A[0], 6);
+    initialised(&x->A_inv[0], 6);
+    initialised(&x->G[0], 9);
+    initialised(&x->weight_mass, 1);
+    initialised(&x->displaced_moment[0], 3);
+    initialised(&x->flywheel[0].mu_c[0], 3);
+    initialised(&x->flywheel[0].mu_s[0], 3);
+    initialised(&x->flywheel[0].J_c[0], 6);
+    initialised(&x->flywheel[0].J_s[0], 6);
+    initialised(&x->flywheel[0].J_2c[0], 6);
+    initialised(&x->flywheel[0].J_2s[0], 6);
+    initialised(&x->flywheel[0].t_0[0], 3);
+    initialised(&x->flywheel[0].t_c[0], 3);
+    initialised(&x->flywheel[0].t_s[0], 3);
+    initialised(&x->flywheel[0].spin, 1);
+    initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[1].mu_c[0], 3);
+    initialised(&x->flywheel[1].mu_s[0], 3);
+    initialised(&x->flywheel[1].J_c[0], 6);
+    initialised(&x->flywheel[1].J_s[0], 6);
+    initialised(&x->flywheel[1].J_2c[0], 6);
+    initialised(&x->flywheel[1].J_2s[0], 6);
+    initialised(&x->flywheel[1].t_0[0], 3);
+    initialised(&x->flywheel[1].t_c[0], 3);
+    initialised(&x->flywheel[1].t_s[0], 3);
+    initialised(&x->flywheel[1].spin, 1);
+    initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[2].mu_c[0], 3);
+    initialised(&x->flywheel[2].mu_s[0], 3);
+    initialised(&x->flywheel[2].J_c[0], 6);
+    initialised(&x->flywheel[2].J_s[0], 6);
+    initialised(&x->flywheel[2].J_2c[0], 6);
+    initialised(&x->flywheel[2].J_2s[0], 6);
+    initialised(&x->flywheel[2].t_0[0], 3);
+    initialised(&x->flywheel[2].t_c[0], 3);
+    initialised(&x->flywheel[2].t_s[0], 3);
+    initialised(&x->flywheel[2].spin, 1);
+    initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[3].mu_c[0], 3);
+    initialised(&x->flywheel[3].mu_s[0], 3);
+    initialised(&x->flywheel[3].J_c[0], 6);
+    initialised(&x->flywheel[3].J_s[0], 6);
+    initialised(&x->flywheel[3].J_2c[0], 6);
+    initialised(&x->flywheel[3].J_2s[0], 6);
+    initialised(&x->flywheel[3].t_0[0], 3);
+    initialised(&x->flywheel[3].t_c[0], 3);
+    initialised(&x->flywheel[3].t_s[0], 3);
+    initialised(&x->flywheel[3].spin, 1);
+    initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[4].mu_c[0], 3);
+    initialised(&x->flywheel[4].mu_s[0], 3);
+    initialised(&x->flywheel[4].J_c[0], 6);
+    initialised(&x->flywheel[4].J_s[0], 6);
+    initialised(&x->flywheel[4].J_2c[0], 6);
+    initialised(&x->flywheel[4].J_2s[0], 6);
+    initialised(&x->flywheel[4].t_0[0], 3);
+    initialised(&x->flywheel[4].t_c[0], 3);
+    initialised(&x->flywheel[4].t_s[0], 3);
+    initialised(&x->flywheel[4].spin, 1);
+    initialised(&x->flywheel[4].spin_inv, 1);
+    initialised(&x->flywheel[5].mu_c[0], 3);
+    initialised(&x->flywheel[5].mu_s[0], 3);
+    initialised(&x->flywheel[5].J_c[0], 6);
+    initialised(&x->flywheel[5].J_s[0], 6);
+    initialised(&x->flywheel[5].J_2c[0], 6);
+    initialised(&x->flywheel[5].J_2s[0], 6);
+    initialised(&x->flywheel[5].t_0[0], 3);
+    initialised(&x->flywheel[5].t_c[0], 3);
+    initialised(&x->flywheel[5].t_s[0], 3);
+    initialised(&x->flywheel[5].spin, 1);
+    initialised(&x->flywheel[5].spin_inv, 1);
+    initialised(&x->sensor[0].origin[0], 3);
+    initialised(&x->sensor[0].axes[0], 9);
+    initialised(&x->gravity[0], 3);
+    initialised(&x->stream[0], 3);
+    initialised(&x->damper.linear[0][0], 36);
+    initialised(&x->damper.quadratic[0][0], 36);
+}
+
+static void untouched_mount_table(const auv6_mount_table *x)
+{
+    untouched(&x->flywheel[0].mass, 1);
+    untouched(&x->flywheel[0].first_moment[0], 3);
+    untouched(&x->flywheel[0].inertia[0], 6);
+    untouched(&x->flywheel[0].origin[0], 3);
+    untouched(&x->flywheel[0].axes[0], 9);
+    untouched(&x->flywheel[1].mass, 1);
+    untouched(&x->flywheel[1].first_moment[0], 3);
+    untouched(&x->flywheel[1].inertia[0], 6);
+    untouched(&x->flywheel[1].origin[0], 3);
+    untouched(&x->flywheel[1].axes[0], 9);
+    untouched(&x->flywheel[2].mass, 1);
+    untouched(&x->flywheel[2].first_moment[0], 3);
+    untouched(&x->flywheel[2].inertia[0], 6);
+    untouched(&x->flywheel[2].origin[0], 3);
+    untouched(&x->flywheel[2].axes[0], 9);
+    untouched(&x->flywheel[3].mass, 1);
+    untouched(&x->flywheel[3].first_moment[0], 3);
+    untouched(&x->flywheel[3].inertia[0], 6);
+    untouched(&x->flywheel[3].origin[0], 3);
+    untouched(&x->flywheel[3].axes[0], 9);
+    untouched(&x->flywheel[4].mass, 1);
+    untouched(&x->flywheel[4].first_moment[0], 3);
+    untouched(&x->flywheel[4].inertia[0], 6);
+    untouched(&x->flywheel[4].origin[0], 3);
+    untouched(&x->flywheel[4].axes[0], 9);
+    untouched(&x->flywheel[5].mass, 1);
+    untouched(&x->flywheel[5].first_moment[0], 3);
+    untouched(&x->flywheel[5].inertia[0], 6);
+    untouched(&x->flywheel[5].origin[0], 3);
+    untouched(&x->flywheel[5].axes[0], 9);
+}
+
+static void written_mount_table(const auv6_mount_table *x)
+{
+    written(&x->flywheel[0].mass, 1);
+    written(&x->flywheel[0].first_moment[0], 3);
+    written(&x->flywheel[0].inertia[0], 6);
+    written(&x->flywheel[0].origin[0], 3);
+    written(&x->flywheel[0].axes[0], 9);
+    written(&x->flywheel[1].mass, 1);
+    written(&x->flywheel[1].first_moment[0], 3);
+    written(&x->flywheel[1].inertia[0], 6);
+    written(&x->flywheel[1].origin[0], 3);
+    written(&x->flywheel[1].axes[0], 9);
+    written(&x->flywheel[2].mass, 1);
+    written(&x->flywheel[2].first_moment[0], 3);
+    written(&x->flywheel[2].inertia[0], 6);
+    written(&x->flywheel[2].origin[0], 3);
+    written(&x->flywheel[2].axes[0], 9);
+    written(&x->flywheel[3].mass, 1);
+    written(&x->flywheel[3].first_moment[0], 3);
+    written(&x->flywheel[3].inertia[0], 6);
+    written(&x->flywheel[3].origin[0], 3);
+    written(&x->flywheel[3].axes[0], 9);
+    written(&x->flywheel[4].mass, 1);
+    written(&x->flywheel[4].first_moment[0], 3);
+    written(&x->flywheel[4].inertia[0], 6);
+    written(&x->flywheel[4].origin[0], 3);
+    written(&x->flywheel[4].axes[0], 9);
+    written(&x->flywheel[5].mass, 1);
+    written(&x->flywheel[5].first_moment[0], 3);
+    written(&x->flywheel[5].inertia[0], 6);
+    written(&x->flywheel[5].origin[0], 3);
+    written(&x->flywheel[5].axes[0], 9);
+}
+
+static void initialised_mount_table(const auv6_mount_table *x)
+{
+    initialised(&x->flywheel[0].mass, 1);
+    initialised(&x->flywheel[0].first_moment[0], 3);
+    initialised(&x->flywheel[0].inertia[0], 6);
+    initialised(&x->flywheel[0].origin[0], 3);
+    initialised(&x->flywheel[0].axes[0], 9);
+    initialised(&x->flywheel[1].mass, 1);
+    initialised(&x->flywheel[1].first_moment[0], 3);
+    initialised(&x->flywheel[1].inertia[0], 6);
+    initialised(&x->flywheel[1].origin[0], 3);
+    initialised(&x->flywheel[1].axes[0], 9);
+    initialised(&x->flywheel[2].mass, 1);
+    initialised(&x->flywheel[2].first_moment[0], 3);
+    initialised(&x->flywheel[2].inertia[0], 6);
+    initialised(&x->flywheel[2].origin[0], 3);
+    initialised(&x->flywheel[2].axes[0], 9);
+    initialised(&x->flywheel[3].mass, 1);
+    initialised(&x->flywheel[3].first_moment[0], 3);
+    initialised(&x->flywheel[3].inertia[0], 6);
+    initialised(&x->flywheel[3].origin[0], 3);
+    initialised(&x->flywheel[3].axes[0], 9);
+    initialised(&x->flywheel[4].mass, 1);
+    initialised(&x->flywheel[4].first_moment[0], 3);
+    initialised(&x->flywheel[4].inertia[0], 6);
+    initialised(&x->flywheel[4].origin[0], 3);
+    initialised(&x->flywheel[4].axes[0], 9);
+    initialised(&x->flywheel[5].mass, 1);
+    initialised(&x->flywheel[5].first_moment[0], 3);
+    initialised(&x->flywheel[5].inertia[0], 6);
+    initialised(&x->flywheel[5].origin[0], 3);
+    initialised(&x->flywheel[5].axes[0], 9);
+}
+
 /* ---- drivers: a function and a set each ---- */
 
 void auv6_eva_normal_forward(void);
@@ -179,11 +828,7 @@ void auv6_eva_normal_forward(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
     auv6_real V_dot[6];
@@ -202,11 +847,7 @@ void auv6_eva_any_forward(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
     auv6_real V_dot[6];
@@ -225,11 +866,7 @@ void auv6_eva_bits_forward(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
     auv6_real V_dot[6];
@@ -248,11 +885,7 @@ void auv6_eva_normal_wrench(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real F[6];
     const auv6_status status = auv6_wrench(&stand, &x, F);
     if (status < 0) {
@@ -269,11 +902,7 @@ void auv6_eva_any_wrench(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real F[6];
     const auv6_status status = auv6_wrench(&stand, &x, F);
     if (status < 0) {
@@ -290,11 +919,7 @@ void auv6_eva_bits_wrench(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real F[6];
     const auv6_status status = auv6_wrench(&stand, &x, F);
     if (status < 0) {
@@ -311,28 +936,14 @@ void auv6_eva_normal_matrices(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_equations out;
     const auv6_status status = auv6_matrices(&stand, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 36);
-        untouched(&out.J[0][0], 36);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 36);
-        written(&out.J[0][0], 36);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -342,28 +953,14 @@ void auv6_eva_any_matrices(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_equations out;
     const auv6_status status = auv6_matrices(&stand, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 36);
-        untouched(&out.J[0][0], 36);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 36);
-        written(&out.J[0][0], 36);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -373,28 +970,14 @@ void auv6_eva_bits_matrices(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_equations out;
     const auv6_status status = auv6_matrices(&stand, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 36);
-        untouched(&out.J[0][0], 36);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.K[0][0], 36);
-        initialised(&out.K_dot[0][0], 36);
-        initialised(&out.M[0][0], 36);
-        initialised(&out.I[0][0], 36);
-        initialised(&out.J[0][0], 36);
-        initialised(&out.F[0], 6);
+        initialised_equations(&out);
     }
 }
 
@@ -404,24 +987,14 @@ void auv6_eva_normal_momentum(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_momenta out;
     const auv6_status status = auv6_momentum(&stand, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -431,24 +1004,14 @@ void auv6_eva_any_momentum(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_momenta out;
     const auv6_status status = auv6_momentum(&stand, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -458,24 +1021,14 @@ void auv6_eva_bits_momentum(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_momenta out;
     const auv6_status status = auv6_momentum(&stand, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.Z[0], 6);
-        initialised(&out.Z0[0], 6);
-        initialised(&out.energy, 1);
-        initialised(&out.center_of_mass[0], 3);
+        initialised_momenta(&out);
     }
 }
 
@@ -485,11 +1038,7 @@ void auv6_eva_normal_torque(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     auv6_real phi_ddot[AUV6_N];
@@ -510,11 +1059,7 @@ void auv6_eva_any_torque(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, AUV6_LARGEST);
     auv6_real phi_ddot[AUV6_N];
@@ -535,11 +1080,7 @@ void auv6_eva_bits_torque(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
     auv6_real phi_ddot[AUV6_N];
@@ -560,11 +1101,7 @@ void auv6_eva_normal_coupled(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
     int locked[AUV6_N];
@@ -588,11 +1125,7 @@ void auv6_eva_any_coupled(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, AUV6_LARGEST);
     int locked[AUV6_N];
@@ -616,11 +1149,7 @@ void auv6_eva_bits_coupled(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
     int locked[AUV6_N];
@@ -644,11 +1173,7 @@ void auv6_eva_normal_step(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
     int locked[AUV6_N];
@@ -660,18 +1185,10 @@ void auv6_eva_normal_step(void)
     auv6_state next;
     const auv6_status status = auv6_step(&stand, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 6);
-        untouched(&next.phi_dot[0], 6);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 6);
-        written(&next.phi_dot[0], 6);
+        written_state(&next);
     }
 }
 
@@ -681,11 +1198,7 @@ void auv6_eva_any_step(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, AUV6_LARGEST);
     int locked[AUV6_N];
@@ -697,18 +1210,10 @@ void auv6_eva_any_step(void)
     auv6_state next;
     const auv6_status status = auv6_step(&stand, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 6);
-        untouched(&next.phi_dot[0], 6);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 6);
-        written(&next.phi_dot[0], 6);
+        written_state(&next);
     }
 }
 
@@ -718,11 +1223,7 @@ void auv6_eva_bits_step(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
     int locked[AUV6_N];
@@ -734,18 +1235,10 @@ void auv6_eva_bits_step(void)
     auv6_state next;
     const auv6_status status = auv6_step(&stand, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 6);
-        untouched(&next.phi_dot[0], 6);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 6);
-        initialised(&next.phi_dot[0], 6);
+        initialised_state(&next);
     }
 }
 
@@ -755,11 +1248,7 @@ void auv6_eva_normal_step_driven(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
     auv6_real dt;
@@ -769,18 +1258,10 @@ void auv6_eva_normal_step_driven(void)
     auv6_state next;
     const auv6_status status = auv6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 6);
-        untouched(&next.phi_dot[0], 6);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 6);
-        written(&next.phi_dot[0], 6);
+        written_state(&next);
     }
 }
 
@@ -790,11 +1271,7 @@ void auv6_eva_any_step_driven(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
     auv6_real dt;
@@ -804,18 +1281,10 @@ void auv6_eva_any_step_driven(void)
     auv6_state next;
     const auv6_status status = auv6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 6);
-        untouched(&next.phi_dot[0], 6);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 6);
-        written(&next.phi_dot[0], 6);
+        written_state(&next);
     }
 }
 
@@ -825,11 +1294,7 @@ void auv6_eva_bits_step_driven(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
     auv6_real dt;
@@ -839,18 +1304,10 @@ void auv6_eva_bits_step_driven(void)
     auv6_state next;
     const auv6_status status = auv6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 6);
-        untouched(&next.phi_dot[0], 6);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 6);
-        initialised(&next.phi_dot[0], 6);
+        initialised_state(&next);
     }
 }
 
@@ -1017,9 +1474,7 @@ void auv6_eva_normal_accumulate(void);
 void auv6_eva_normal_accumulate(void)
 {
     auv6_encoder encoder;
-    integers(&encoder.counter, 1, -1048576, 1048576);
-    integers(&encoder.place, 1, -1048576, 1048576);
-    integers(&encoder.moved, 1, -1048576, 1048576);
+    normal_encoder(&encoder);
     int counter;
     integers(&counter, 1, -1048576, 1048576);
     int bits;
@@ -1030,9 +1485,7 @@ void auv6_eva_normal_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -1040,9 +1493,7 @@ void auv6_eva_any_accumulate(void);
 void auv6_eva_any_accumulate(void)
 {
     auv6_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    any_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -1053,9 +1504,7 @@ void auv6_eva_any_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -1063,9 +1512,7 @@ void auv6_eva_bits_accumulate(void);
 void auv6_eva_bits_accumulate(void)
 {
     auv6_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    bits_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -1076,9 +1523,7 @@ void auv6_eva_bits_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        initialised_encoder(&encoder);
     }
 }
 
@@ -1088,26 +1533,16 @@ void auv6_eva_normal_forward_jacobian(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
     auv6_forward_slopes out;
     const auv6_status status = auv6_forward_jacobian(&stand, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 36);
-        untouched(&out.V_dot_phi_dot[0][0], 36);
-        untouched(&out.V_dot_phi_ddot[0][0], 36);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 36);
-        written(&out.V_dot_phi_dot[0][0], 36);
-        written(&out.V_dot_phi_ddot[0][0], 36);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1117,26 +1552,16 @@ void auv6_eva_any_forward_jacobian(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
     auv6_forward_slopes out;
     const auv6_status status = auv6_forward_jacobian(&stand, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 36);
-        untouched(&out.V_dot_phi_dot[0][0], 36);
-        untouched(&out.V_dot_phi_ddot[0][0], 36);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 36);
-        written(&out.V_dot_phi_dot[0][0], 36);
-        written(&out.V_dot_phi_ddot[0][0], 36);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1146,26 +1571,16 @@ void auv6_eva_bits_forward_jacobian(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
     auv6_forward_slopes out;
     const auv6_status status = auv6_forward_jacobian(&stand, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 36);
-        untouched(&out.V_dot_phi_dot[0][0], 36);
-        untouched(&out.V_dot_phi_ddot[0][0], 36);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 36);
-        initialised(&out.V_dot_phi_dot[0][0], 36);
-        initialised(&out.V_dot_phi_ddot[0][0], 36);
+        initialised_forward_slopes(&out);
     }
 }
 
@@ -1175,11 +1590,7 @@ void auv6_eva_normal_coupled_jacobian(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
     int locked[AUV6_N];
@@ -1187,24 +1598,10 @@ void auv6_eva_normal_coupled_jacobian(void)
     auv6_coupled_slopes out;
     const auv6_status status = auv6_coupled_jacobian(&stand, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 36);
-        untouched(&out.V_dot_phi_dot[0][0], 36);
-        untouched(&out.V_dot_tau[0][0], 36);
-        untouched(&out.phi_ddot_V[0][0], 36);
-        untouched(&out.phi_ddot_phi[0][0], 36);
-        untouched(&out.phi_ddot_phi_dot[0][0], 36);
-        untouched(&out.phi_ddot_tau[0][0], 36);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 36);
-        written(&out.V_dot_phi_dot[0][0], 36);
-        written(&out.V_dot_tau[0][0], 36);
-        written(&out.phi_ddot_V[0][0], 36);
-        written(&out.phi_ddot_phi[0][0], 36);
-        written(&out.phi_ddot_phi_dot[0][0], 36);
-        written(&out.phi_ddot_tau[0][0], 36);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1214,11 +1611,7 @@ void auv6_eva_any_coupled_jacobian(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, AUV6_LARGEST);
     int locked[AUV6_N];
@@ -1226,24 +1619,10 @@ void auv6_eva_any_coupled_jacobian(void)
     auv6_coupled_slopes out;
     const auv6_status status = auv6_coupled_jacobian(&stand, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 36);
-        untouched(&out.V_dot_phi_dot[0][0], 36);
-        untouched(&out.V_dot_tau[0][0], 36);
-        untouched(&out.phi_ddot_V[0][0], 36);
-        untouched(&out.phi_ddot_phi[0][0], 36);
-        untouched(&out.phi_ddot_phi_dot[0][0], 36);
-        untouched(&out.phi_ddot_tau[0][0], 36);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 36);
-        written(&out.V_dot_phi_dot[0][0], 36);
-        written(&out.V_dot_tau[0][0], 36);
-        written(&out.phi_ddot_V[0][0], 36);
-        written(&out.phi_ddot_phi[0][0], 36);
-        written(&out.phi_ddot_phi_dot[0][0], 36);
-        written(&out.phi_ddot_tau[0][0], 36);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1253,11 +1632,7 @@ void auv6_eva_bits_coupled_jacobian(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
     int locked[AUV6_N];
@@ -1265,24 +1640,10 @@ void auv6_eva_bits_coupled_jacobian(void)
     auv6_coupled_slopes out;
     const auv6_status status = auv6_coupled_jacobian(&stand, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 36);
-        untouched(&out.V_dot_phi_dot[0][0], 36);
-        untouched(&out.V_dot_tau[0][0], 36);
-        untouched(&out.phi_ddot_V[0][0], 36);
-        untouched(&out.phi_ddot_phi[0][0], 36);
-        untouched(&out.phi_ddot_phi_dot[0][0], 36);
-        untouched(&out.phi_ddot_tau[0][0], 36);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 36);
-        initialised(&out.V_dot_phi_dot[0][0], 36);
-        initialised(&out.V_dot_tau[0][0], 36);
-        initialised(&out.phi_ddot_V[0][0], 36);
-        initialised(&out.phi_ddot_phi[0][0], 36);
-        initialised(&out.phi_ddot_phi_dot[0][0], 36);
-        initialised(&out.phi_ddot_tau[0][0], 36);
+        initialised_coupled_slopes(&out);
     }
 }
 
@@ -1292,35 +1653,18 @@ void auv6_eva_normal_inverse(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     auv6_inverse_options options;
-    about(&options.weight[0], &auv6_default_options.weight[0], 6);
-    about(&options.limit[0], &auv6_default_options.limit[0], 6);
-    about(&options.near, &auv6_default_options.near, 1);
-    about(&options.damping, &auv6_default_options.damping, 1);
+    normal_inverse_options(&options);
     auv6_inverse_result out;
     const auv6_status status = auv6_inverse(&stand, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 6);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 6);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 6);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 6);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1330,35 +1674,18 @@ void auv6_eva_any_inverse(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, AUV6_LARGEST);
     auv6_inverse_options options;
-    reals(&options.weight[0], 6, AUV6_LARGEST);
-    reals(&options.limit[0], 6, AUV6_LARGEST);
-    reals(&options.near, 1, AUV6_LARGEST);
-    reals(&options.damping, 1, AUV6_LARGEST);
+    any_inverse_options(&options);
     auv6_inverse_result out;
     const auv6_status status = auv6_inverse(&stand, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 6);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 6);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 6);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 6);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1368,35 +1695,18 @@ void auv6_eva_bits_inverse(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
     auv6_inverse_options options;
-    all_bits(&options.weight[0], 6);
-    all_bits(&options.limit[0], 6);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     auv6_inverse_result out;
     const auv6_status status = auv6_inverse(&stand, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 6);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 6);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.phi_ddot[0], 6);
-        initialised(&out.residual[0], 6);
-        initialised(&out.sigma[0], 6);
-        /*@ check \initialized(&out.rank); */
-        initialised(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        initialised(&out.hardest[0], 6);
+        initialised_inverse_result(&out);
     }
 }
 
@@ -1406,18 +1716,11 @@ void auv6_eva_normal_inverse_fast(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     auv6_inverse_options options;
-    about(&options.weight[0], &auv6_default_options.weight[0], 6);
-    about(&options.limit[0], &auv6_default_options.limit[0], 6);
-    about(&options.near, &auv6_default_options.near, 1);
-    about(&options.damping, &auv6_default_options.damping, 1);
+    normal_inverse_options(&options);
     auv6_real phi_ddot[AUV6_N];
     const auv6_status status = auv6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1434,18 +1737,11 @@ void auv6_eva_any_inverse_fast(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, AUV6_LARGEST);
     auv6_inverse_options options;
-    reals(&options.weight[0], 6, AUV6_LARGEST);
-    reals(&options.limit[0], 6, AUV6_LARGEST);
-    reals(&options.near, 1, AUV6_LARGEST);
-    reals(&options.damping, 1, AUV6_LARGEST);
+    any_inverse_options(&options);
     auv6_real phi_ddot[AUV6_N];
     const auv6_status status = auv6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1462,18 +1758,11 @@ void auv6_eva_bits_inverse_fast(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
     auv6_inverse_options options;
-    all_bits(&options.weight[0], 6);
-    all_bits(&options.limit[0], 6);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     auv6_real phi_ddot[AUV6_N];
     const auv6_status status = auv6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1490,11 +1779,7 @@ void auv6_eva_normal_measure(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     auv6_reading out[AUV6_SENSORS];
@@ -1521,11 +1806,7 @@ void auv6_eva_any_measure(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, AUV6_LARGEST);
     auv6_reading out[AUV6_SENSORS];
@@ -1552,11 +1833,7 @@ void auv6_eva_bits_measure(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
     auv6_reading out[AUV6_SENSORS];
@@ -1634,22 +1911,14 @@ void auv6_eva_normal_target(void)
     auv6_real q_ddot[6];
     reals(&q_ddot[0], 6, 1.0e3);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real V_dot[6];
     const auv6_status status = auv6_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 6);
-        written(&x.phi_dot[0], 6);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1666,22 +1935,14 @@ void auv6_eva_any_target(void)
     auv6_real q_ddot[6];
     reals(&q_ddot[0], 6, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real V_dot[6];
     const auv6_status status = auv6_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 6);
-        written(&x.phi_dot[0], 6);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1698,22 +1959,14 @@ void auv6_eva_bits_target(void)
     auv6_real q_ddot[6];
     all_bits(&q_ddot[0], 6);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real V_dot[6];
     const auv6_status status = auv6_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&x.position[0], 3);
-        initialised(&x.attitude[0], 4);
-        initialised(&x.V[0], 6);
-        initialised(&x.phi[0], 6);
-        initialised(&x.phi_dot[0], 6);
+        initialised_state(&x);
         initialised(&V_dot[0], 6);
     }
 }
@@ -1724,11 +1977,7 @@ void auv6_eva_normal_attitude(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real angles[3];
     reals(&angles[0], 3, 7.0);
     auv6_real phi_ddot[AUV6_N];
@@ -1736,20 +1985,10 @@ void auv6_eva_normal_attitude(void)
     auv6_generalized out;
     const auv6_status status = auv6_attitude(&stand, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1759,11 +1998,7 @@ void auv6_eva_any_attitude(void)
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real angles[3];
     reals(&angles[0], 3, AUV6_LARGEST);
     auv6_real phi_ddot[AUV6_N];
@@ -1771,20 +2006,10 @@ void auv6_eva_any_attitude(void)
     auv6_generalized out;
     const auv6_status status = auv6_attitude(&stand, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1794,11 +2019,7 @@ void auv6_eva_bits_attitude(void)
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real angles[3];
     all_bits(&angles[0], 3);
     auv6_real phi_ddot[AUV6_N];
@@ -1806,20 +2027,10 @@ void auv6_eva_bits_attitude(void)
     auv6_generalized out;
     const auv6_status status = auv6_attitude(&stand, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.A[0][0], 36);
-        initialised(&out.D[0][0], 36);
-        initialised(&out.I0[0][0], 36);
-        initialised(&out.J0[0][0], 36);
-        initialised(&out.q_dot[0], 6);
-        initialised(&out.q_ddot[0], 6);
+        initialised_generalized(&out);
     }
 }
 
@@ -1827,118 +2038,14 @@ void auv6_eva_normal_prepare(void);
 void auv6_eva_normal_prepare(void)
 {
     auv6_parameters parameters;
-    about(&parameters.carrier.mass, &auv6_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &auv6_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &auv6_default_parameters.carrier.inertia[0], 6);
-    about(&parameters.carrier.displaced_mass, &auv6_default_parameters.carrier.displaced_mass, 1);
-    about(&parameters.carrier.displaced_center[0], &auv6_default_parameters.carrier.displaced_center[0], 3);
-    about(&parameters.added_mass[0][0], &auv6_default_parameters.added_mass[0][0], 36);
-    for (int i = 0; i < 1; ++i) {
-        about(&parameters.instrument[i].body.mass, &auv6_default_parameters.instrument[i].body.mass, 1);
-        about(&parameters.instrument[i].body.center_of_mass[0], &auv6_default_parameters.instrument[i].body.center_of_mass[0], 3);
-        about(&parameters.instrument[i].body.inertia[0], &auv6_default_parameters.instrument[i].body.inertia[0], 6);
-        about(&parameters.instrument[i].body.displaced_mass, &auv6_default_parameters.instrument[i].body.displaced_mass, 1);
-        about(&parameters.instrument[i].body.displaced_center[0], &auv6_default_parameters.instrument[i].body.displaced_center[0], 3);
-        about(&parameters.instrument[i].position[0], &auv6_default_parameters.instrument[i].position[0], 3);
-        about(&parameters.instrument[i].axis[0], &auv6_default_parameters.instrument[i].axis[0], 3);
-        about(&parameters.instrument[i].zero[0], &auv6_default_parameters.instrument[i].zero[0], 3);
-    }
-    for (int i = 0; i < AUV6_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &auv6_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &auv6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &auv6_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &auv6_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &auv6_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &auv6_default_parameters.flywheel[i].zero[0], 3);
-        integers(&parameters.flywheel[i].mount, 1, -1048576, 1048576);
-    }
+    normal_parameters(&parameters);
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, 10.0);
     const auv6_status status = auv6_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.A[0], 6);
-        written(&stand.A_inv[0], 6);
-        written(&stand.G[0], 9);
-        written(&stand.weight_mass, 1);
-        written(&stand.displaced_moment[0], 3);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
-        written(&stand.flywheel[3].mu_c[0], 3);
-        written(&stand.flywheel[3].mu_s[0], 3);
-        written(&stand.flywheel[3].J_c[0], 6);
-        written(&stand.flywheel[3].J_s[0], 6);
-        written(&stand.flywheel[3].J_2c[0], 6);
-        written(&stand.flywheel[3].J_2s[0], 6);
-        written(&stand.flywheel[3].t_0[0], 3);
-        written(&stand.flywheel[3].t_c[0], 3);
-        written(&stand.flywheel[3].t_s[0], 3);
-        written(&stand.flywheel[3].spin, 1);
-        written(&stand.flywheel[3].spin_inv, 1);
-        written(&stand.flywheel[4].mu_c[0], 3);
-        written(&stand.flywheel[4].mu_s[0], 3);
-        written(&stand.flywheel[4].J_c[0], 6);
-        written(&stand.flywheel[4].J_s[0], 6);
-        written(&stand.flywheel[4].J_2c[0], 6);
-        written(&stand.flywheel[4].J_2s[0], 6);
-        written(&stand.flywheel[4].t_0[0], 3);
-        written(&stand.flywheel[4].t_c[0], 3);
-        written(&stand.flywheel[4].t_s[0], 3);
-        written(&stand.flywheel[4].spin, 1);
-        written(&stand.flywheel[4].spin_inv, 1);
-        written(&stand.flywheel[5].mu_c[0], 3);
-        written(&stand.flywheel[5].mu_s[0], 3);
-        written(&stand.flywheel[5].J_c[0], 6);
-        written(&stand.flywheel[5].J_s[0], 6);
-        written(&stand.flywheel[5].J_2c[0], 6);
-        written(&stand.flywheel[5].J_2s[0], 6);
-        written(&stand.flywheel[5].t_0[0], 3);
-        written(&stand.flywheel[5].t_c[0], 3);
-        written(&stand.flywheel[5].t_s[0], 3);
-        written(&stand.flywheel[5].spin, 1);
-        written(&stand.flywheel[5].spin_inv, 1);
-        written(&stand.sensor[0].origin[0], 3);
-        written(&stand.sensor[0].axes[0], 9);
-        written(&stand.gravity[0], 3);
-        written(&stand.stream[0], 3);
-        written(&stand.damper.linear[0][0], 36);
-        written(&stand.damper.quadratic[0][0], 36);
+        written_table(&stand);
     }
 }
 
@@ -1946,118 +2053,14 @@ void auv6_eva_any_prepare(void);
 void auv6_eva_any_prepare(void)
 {
     auv6_parameters parameters;
-    reals(&parameters.carrier.mass, 1, AUV6_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, AUV6_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, AUV6_LARGEST);
-    reals(&parameters.carrier.displaced_mass, 1, AUV6_LARGEST);
-    reals(&parameters.carrier.displaced_center[0], 3, AUV6_LARGEST);
-    reals(&parameters.added_mass[0][0], 36, AUV6_LARGEST);
-    for (int i = 0; i < 1; ++i) {
-        reals(&parameters.instrument[i].body.mass, 1, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.center_of_mass[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.inertia[0], 6, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.displaced_mass, 1, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.displaced_center[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].position[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].axis[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].zero[0], 3, AUV6_LARGEST);
-    }
-    for (int i = 0; i < AUV6_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, AUV6_LARGEST);
-        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
-    }
+    any_parameters(&parameters);
     auv6_table stand = auv6_default;
     reals(&stand.stream[0], 3, AUV6_LARGEST);
     const auv6_status status = auv6_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.A[0], 6);
-        written(&stand.A_inv[0], 6);
-        written(&stand.G[0], 9);
-        written(&stand.weight_mass, 1);
-        written(&stand.displaced_moment[0], 3);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
-        written(&stand.flywheel[3].mu_c[0], 3);
-        written(&stand.flywheel[3].mu_s[0], 3);
-        written(&stand.flywheel[3].J_c[0], 6);
-        written(&stand.flywheel[3].J_s[0], 6);
-        written(&stand.flywheel[3].J_2c[0], 6);
-        written(&stand.flywheel[3].J_2s[0], 6);
-        written(&stand.flywheel[3].t_0[0], 3);
-        written(&stand.flywheel[3].t_c[0], 3);
-        written(&stand.flywheel[3].t_s[0], 3);
-        written(&stand.flywheel[3].spin, 1);
-        written(&stand.flywheel[3].spin_inv, 1);
-        written(&stand.flywheel[4].mu_c[0], 3);
-        written(&stand.flywheel[4].mu_s[0], 3);
-        written(&stand.flywheel[4].J_c[0], 6);
-        written(&stand.flywheel[4].J_s[0], 6);
-        written(&stand.flywheel[4].J_2c[0], 6);
-        written(&stand.flywheel[4].J_2s[0], 6);
-        written(&stand.flywheel[4].t_0[0], 3);
-        written(&stand.flywheel[4].t_c[0], 3);
-        written(&stand.flywheel[4].t_s[0], 3);
-        written(&stand.flywheel[4].spin, 1);
-        written(&stand.flywheel[4].spin_inv, 1);
-        written(&stand.flywheel[5].mu_c[0], 3);
-        written(&stand.flywheel[5].mu_s[0], 3);
-        written(&stand.flywheel[5].J_c[0], 6);
-        written(&stand.flywheel[5].J_s[0], 6);
-        written(&stand.flywheel[5].J_2c[0], 6);
-        written(&stand.flywheel[5].J_2s[0], 6);
-        written(&stand.flywheel[5].t_0[0], 3);
-        written(&stand.flywheel[5].t_c[0], 3);
-        written(&stand.flywheel[5].t_s[0], 3);
-        written(&stand.flywheel[5].spin, 1);
-        written(&stand.flywheel[5].spin_inv, 1);
-        written(&stand.sensor[0].origin[0], 3);
-        written(&stand.sensor[0].axes[0], 9);
-        written(&stand.gravity[0], 3);
-        written(&stand.stream[0], 3);
-        written(&stand.damper.linear[0][0], 36);
-        written(&stand.damper.quadratic[0][0], 36);
+        written_table(&stand);
     }
 }
 
@@ -2065,118 +2068,14 @@ void auv6_eva_bits_prepare(void);
 void auv6_eva_bits_prepare(void)
 {
     auv6_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    one_of_all(&parameters.carrier.displaced_mass);
-    all_bits(&parameters.carrier.displaced_center[0], 3);
-    all_bits(&parameters.added_mass[0][0], 36);
-    for (int i = 0; i < 1; ++i) {
-        one_of_all(&parameters.instrument[i].body.mass);
-        all_bits(&parameters.instrument[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.instrument[i].body.inertia[0], 6);
-        one_of_all(&parameters.instrument[i].body.displaced_mass);
-        all_bits(&parameters.instrument[i].body.displaced_center[0], 3);
-        all_bits(&parameters.instrument[i].position[0], 3);
-        all_bits(&parameters.instrument[i].axis[0], 3);
-        all_bits(&parameters.instrument[i].zero[0], 3);
-    }
-    for (int i = 0; i < AUV6_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
-    }
+    bits_parameters(&parameters);
     auv6_table stand = auv6_default;
     all_bits(&stand.stream[0], 3);
     const auv6_status status = auv6_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&stand.mass, 1);
-        initialised(&stand.mass_inverse, 1);
-        initialised(&stand.first_moment[0], 3);
-        initialised(&stand.inertia[0], 6);
-        initialised(&stand.A[0], 6);
-        initialised(&stand.A_inv[0], 6);
-        initialised(&stand.G[0], 9);
-        initialised(&stand.weight_mass, 1);
-        initialised(&stand.displaced_moment[0], 3);
-        initialised(&stand.flywheel[0].mu_c[0], 3);
-        initialised(&stand.flywheel[0].mu_s[0], 3);
-        initialised(&stand.flywheel[0].J_c[0], 6);
-        initialised(&stand.flywheel[0].J_s[0], 6);
-        initialised(&stand.flywheel[0].J_2c[0], 6);
-        initialised(&stand.flywheel[0].J_2s[0], 6);
-        initialised(&stand.flywheel[0].t_0[0], 3);
-        initialised(&stand.flywheel[0].t_c[0], 3);
-        initialised(&stand.flywheel[0].t_s[0], 3);
-        initialised(&stand.flywheel[0].spin, 1);
-        initialised(&stand.flywheel[0].spin_inv, 1);
-        initialised(&stand.flywheel[1].mu_c[0], 3);
-        initialised(&stand.flywheel[1].mu_s[0], 3);
-        initialised(&stand.flywheel[1].J_c[0], 6);
-        initialised(&stand.flywheel[1].J_s[0], 6);
-        initialised(&stand.flywheel[1].J_2c[0], 6);
-        initialised(&stand.flywheel[1].J_2s[0], 6);
-        initialised(&stand.flywheel[1].t_0[0], 3);
-        initialised(&stand.flywheel[1].t_c[0], 3);
-        initialised(&stand.flywheel[1].t_s[0], 3);
-        initialised(&stand.flywheel[1].spin, 1);
-        initialised(&stand.flywheel[1].spin_inv, 1);
-        initialised(&stand.flywheel[2].mu_c[0], 3);
-        initialised(&stand.flywheel[2].mu_s[0], 3);
-        initialised(&stand.flywheel[2].J_c[0], 6);
-        initialised(&stand.flywheel[2].J_s[0], 6);
-        initialised(&stand.flywheel[2].J_2c[0], 6);
-        initialised(&stand.flywheel[2].J_2s[0], 6);
-        initialised(&stand.flywheel[2].t_0[0], 3);
-        initialised(&stand.flywheel[2].t_c[0], 3);
-        initialised(&stand.flywheel[2].t_s[0], 3);
-        initialised(&stand.flywheel[2].spin, 1);
-        initialised(&stand.flywheel[2].spin_inv, 1);
-        initialised(&stand.flywheel[3].mu_c[0], 3);
-        initialised(&stand.flywheel[3].mu_s[0], 3);
-        initialised(&stand.flywheel[3].J_c[0], 6);
-        initialised(&stand.flywheel[3].J_s[0], 6);
-        initialised(&stand.flywheel[3].J_2c[0], 6);
-        initialised(&stand.flywheel[3].J_2s[0], 6);
-        initialised(&stand.flywheel[3].t_0[0], 3);
-        initialised(&stand.flywheel[3].t_c[0], 3);
-        initialised(&stand.flywheel[3].t_s[0], 3);
-        initialised(&stand.flywheel[3].spin, 1);
-        initialised(&stand.flywheel[3].spin_inv, 1);
-        initialised(&stand.flywheel[4].mu_c[0], 3);
-        initialised(&stand.flywheel[4].mu_s[0], 3);
-        initialised(&stand.flywheel[4].J_c[0], 6);
-        initialised(&stand.flywheel[4].J_s[0], 6);
-        initialised(&stand.flywheel[4].J_2c[0], 6);
-        initialised(&stand.flywheel[4].J_2s[0], 6);
-        initialised(&stand.flywheel[4].t_0[0], 3);
-        initialised(&stand.flywheel[4].t_c[0], 3);
-        initialised(&stand.flywheel[4].t_s[0], 3);
-        initialised(&stand.flywheel[4].spin, 1);
-        initialised(&stand.flywheel[4].spin_inv, 1);
-        initialised(&stand.flywheel[5].mu_c[0], 3);
-        initialised(&stand.flywheel[5].mu_s[0], 3);
-        initialised(&stand.flywheel[5].J_c[0], 6);
-        initialised(&stand.flywheel[5].J_s[0], 6);
-        initialised(&stand.flywheel[5].J_2c[0], 6);
-        initialised(&stand.flywheel[5].J_2s[0], 6);
-        initialised(&stand.flywheel[5].t_0[0], 3);
-        initialised(&stand.flywheel[5].t_c[0], 3);
-        initialised(&stand.flywheel[5].t_s[0], 3);
-        initialised(&stand.flywheel[5].spin, 1);
-        initialised(&stand.flywheel[5].spin_inv, 1);
-        initialised(&stand.sensor[0].origin[0], 3);
-        initialised(&stand.sensor[0].axes[0], 9);
-        initialised(&stand.gravity[0], 3);
-        initialised(&stand.stream[0], 3);
-        initialised(&stand.damper.linear[0][0], 36);
-        initialised(&stand.damper.quadratic[0][0], 36);
+        initialised_table(&stand);
     }
 }
 
@@ -2188,11 +2087,7 @@ void auv6_eva_normal_mounts(void)
     auv6_mount_table mounting;
     (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
     auv6_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 6, 100.0);
-    reals(&x.phi_dot[0], 6, 1.0e3);
+    normal_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     auv6_real phi_ddot[AUV6_N];
@@ -2215,11 +2110,7 @@ void auv6_eva_any_mounts(void)
     auv6_mount_table mounting;
     (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
     auv6_state x;
-    reals(&x.position[0], 3, AUV6_LARGEST);
-    quaternion(x.attitude, AUV6_LARGEST);
-    reals(&x.V[0], 6, AUV6_LARGEST);
-    reals(&x.phi[0], 6, AUV6_LARGEST);
-    reals(&x.phi_dot[0], 6, AUV6_LARGEST);
+    any_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, AUV6_LARGEST);
     auv6_real phi_ddot[AUV6_N];
@@ -2242,11 +2133,7 @@ void auv6_eva_bits_mounts(void)
     auv6_mount_table mounting;
     (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
     auv6_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 6);
-    all_bits(&x.phi_dot[0], 6);
+    bits_state(&x);
     auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
     auv6_real phi_ddot[AUV6_N];
@@ -2265,96 +2152,14 @@ void auv6_eva_normal_prepare_mounts(void);
 void auv6_eva_normal_prepare_mounts(void)
 {
     auv6_parameters parameters;
-    about(&parameters.carrier.mass, &auv6_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &auv6_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &auv6_default_parameters.carrier.inertia[0], 6);
-    about(&parameters.carrier.displaced_mass, &auv6_default_parameters.carrier.displaced_mass, 1);
-    about(&parameters.carrier.displaced_center[0], &auv6_default_parameters.carrier.displaced_center[0], 3);
-    about(&parameters.added_mass[0][0], &auv6_default_parameters.added_mass[0][0], 36);
-    for (int i = 0; i < 1; ++i) {
-        about(&parameters.instrument[i].body.mass, &auv6_default_parameters.instrument[i].body.mass, 1);
-        about(&parameters.instrument[i].body.center_of_mass[0], &auv6_default_parameters.instrument[i].body.center_of_mass[0], 3);
-        about(&parameters.instrument[i].body.inertia[0], &auv6_default_parameters.instrument[i].body.inertia[0], 6);
-        about(&parameters.instrument[i].body.displaced_mass, &auv6_default_parameters.instrument[i].body.displaced_mass, 1);
-        about(&parameters.instrument[i].body.displaced_center[0], &auv6_default_parameters.instrument[i].body.displaced_center[0], 3);
-        about(&parameters.instrument[i].position[0], &auv6_default_parameters.instrument[i].position[0], 3);
-        about(&parameters.instrument[i].axis[0], &auv6_default_parameters.instrument[i].axis[0], 3);
-        about(&parameters.instrument[i].zero[0], &auv6_default_parameters.instrument[i].zero[0], 3);
-    }
-    for (int i = 0; i < AUV6_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &auv6_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &auv6_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &auv6_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &auv6_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &auv6_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &auv6_default_parameters.flywheel[i].zero[0], 3);
-        integers(&parameters.flywheel[i].mount, 1, -1048576, 1048576);
-    }
+    normal_parameters(&parameters);
     auv6_mount_table mounting;
     const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
-        untouched(&mounting.flywheel[4].mass, 1);
-        untouched(&mounting.flywheel[4].first_moment[0], 3);
-        untouched(&mounting.flywheel[4].inertia[0], 6);
-        untouched(&mounting.flywheel[4].origin[0], 3);
-        untouched(&mounting.flywheel[4].axes[0], 9);
-        untouched(&mounting.flywheel[5].mass, 1);
-        untouched(&mounting.flywheel[5].first_moment[0], 3);
-        untouched(&mounting.flywheel[5].inertia[0], 6);
-        untouched(&mounting.flywheel[5].origin[0], 3);
-        untouched(&mounting.flywheel[5].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
-        written(&mounting.flywheel[3].mass, 1);
-        written(&mounting.flywheel[3].first_moment[0], 3);
-        written(&mounting.flywheel[3].inertia[0], 6);
-        written(&mounting.flywheel[3].origin[0], 3);
-        written(&mounting.flywheel[3].axes[0], 9);
-        written(&mounting.flywheel[4].mass, 1);
-        written(&mounting.flywheel[4].first_moment[0], 3);
-        written(&mounting.flywheel[4].inertia[0], 6);
-        written(&mounting.flywheel[4].origin[0], 3);
-        written(&mounting.flywheel[4].axes[0], 9);
-        written(&mounting.flywheel[5].mass, 1);
-        written(&mounting.flywheel[5].first_moment[0], 3);
-        written(&mounting.flywheel[5].inertia[0], 6);
-        written(&mounting.flywheel[5].origin[0], 3);
-        written(&mounting.flywheel[5].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -2362,96 +2167,14 @@ void auv6_eva_any_prepare_mounts(void);
 void auv6_eva_any_prepare_mounts(void)
 {
     auv6_parameters parameters;
-    reals(&parameters.carrier.mass, 1, AUV6_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, AUV6_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, AUV6_LARGEST);
-    reals(&parameters.carrier.displaced_mass, 1, AUV6_LARGEST);
-    reals(&parameters.carrier.displaced_center[0], 3, AUV6_LARGEST);
-    reals(&parameters.added_mass[0][0], 36, AUV6_LARGEST);
-    for (int i = 0; i < 1; ++i) {
-        reals(&parameters.instrument[i].body.mass, 1, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.center_of_mass[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.inertia[0], 6, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.displaced_mass, 1, AUV6_LARGEST);
-        reals(&parameters.instrument[i].body.displaced_center[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].position[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].axis[0], 3, AUV6_LARGEST);
-        reals(&parameters.instrument[i].zero[0], 3, AUV6_LARGEST);
-    }
-    for (int i = 0; i < AUV6_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, AUV6_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, AUV6_LARGEST);
-        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
-    }
+    any_parameters(&parameters);
     auv6_mount_table mounting;
     const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
-        untouched(&mounting.flywheel[4].mass, 1);
-        untouched(&mounting.flywheel[4].first_moment[0], 3);
-        untouched(&mounting.flywheel[4].inertia[0], 6);
-        untouched(&mounting.flywheel[4].origin[0], 3);
-        untouched(&mounting.flywheel[4].axes[0], 9);
-        untouched(&mounting.flywheel[5].mass, 1);
-        untouched(&mounting.flywheel[5].first_moment[0], 3);
-        untouched(&mounting.flywheel[5].inertia[0], 6);
-        untouched(&mounting.flywheel[5].origin[0], 3);
-        untouched(&mounting.flywheel[5].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
-        written(&mounting.flywheel[3].mass, 1);
-        written(&mounting.flywheel[3].first_moment[0], 3);
-        written(&mounting.flywheel[3].inertia[0], 6);
-        written(&mounting.flywheel[3].origin[0], 3);
-        written(&mounting.flywheel[3].axes[0], 9);
-        written(&mounting.flywheel[4].mass, 1);
-        written(&mounting.flywheel[4].first_moment[0], 3);
-        written(&mounting.flywheel[4].inertia[0], 6);
-        written(&mounting.flywheel[4].origin[0], 3);
-        written(&mounting.flywheel[4].axes[0], 9);
-        written(&mounting.flywheel[5].mass, 1);
-        written(&mounting.flywheel[5].first_moment[0], 3);
-        written(&mounting.flywheel[5].inertia[0], 6);
-        written(&mounting.flywheel[5].origin[0], 3);
-        written(&mounting.flywheel[5].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -2459,96 +2182,14 @@ void auv6_eva_bits_prepare_mounts(void);
 void auv6_eva_bits_prepare_mounts(void)
 {
     auv6_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    one_of_all(&parameters.carrier.displaced_mass);
-    all_bits(&parameters.carrier.displaced_center[0], 3);
-    all_bits(&parameters.added_mass[0][0], 36);
-    for (int i = 0; i < 1; ++i) {
-        one_of_all(&parameters.instrument[i].body.mass);
-        all_bits(&parameters.instrument[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.instrument[i].body.inertia[0], 6);
-        one_of_all(&parameters.instrument[i].body.displaced_mass);
-        all_bits(&parameters.instrument[i].body.displaced_center[0], 3);
-        all_bits(&parameters.instrument[i].position[0], 3);
-        all_bits(&parameters.instrument[i].axis[0], 3);
-        all_bits(&parameters.instrument[i].zero[0], 3);
-    }
-    for (int i = 0; i < AUV6_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-        integers(&parameters.flywheel[i].mount, 1, INT_MIN, INT_MAX);
-    }
+    bits_parameters(&parameters);
     auv6_mount_table mounting;
     const auv6_status status = auv6_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
-        untouched(&mounting.flywheel[4].mass, 1);
-        untouched(&mounting.flywheel[4].first_moment[0], 3);
-        untouched(&mounting.flywheel[4].inertia[0], 6);
-        untouched(&mounting.flywheel[4].origin[0], 3);
-        untouched(&mounting.flywheel[4].axes[0], 9);
-        untouched(&mounting.flywheel[5].mass, 1);
-        untouched(&mounting.flywheel[5].first_moment[0], 3);
-        untouched(&mounting.flywheel[5].inertia[0], 6);
-        untouched(&mounting.flywheel[5].origin[0], 3);
-        untouched(&mounting.flywheel[5].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&mounting.flywheel[0].mass, 1);
-        initialised(&mounting.flywheel[0].first_moment[0], 3);
-        initialised(&mounting.flywheel[0].inertia[0], 6);
-        initialised(&mounting.flywheel[0].origin[0], 3);
-        initialised(&mounting.flywheel[0].axes[0], 9);
-        initialised(&mounting.flywheel[1].mass, 1);
-        initialised(&mounting.flywheel[1].first_moment[0], 3);
-        initialised(&mounting.flywheel[1].inertia[0], 6);
-        initialised(&mounting.flywheel[1].origin[0], 3);
-        initialised(&mounting.flywheel[1].axes[0], 9);
-        initialised(&mounting.flywheel[2].mass, 1);
-        initialised(&mounting.flywheel[2].first_moment[0], 3);
-        initialised(&mounting.flywheel[2].inertia[0], 6);
-        initialised(&mounting.flywheel[2].origin[0], 3);
-        initialised(&mounting.flywheel[2].axes[0], 9);
-        initialised(&mounting.flywheel[3].mass, 1);
-        initialised(&mounting.flywheel[3].first_moment[0], 3);
-        initialised(&mounting.flywheel[3].inertia[0], 6);
-        initialised(&mounting.flywheel[3].origin[0], 3);
-        initialised(&mounting.flywheel[3].axes[0], 9);
-        initialised(&mounting.flywheel[4].mass, 1);
-        initialised(&mounting.flywheel[4].first_moment[0], 3);
-        initialised(&mounting.flywheel[4].inertia[0], 6);
-        initialised(&mounting.flywheel[4].origin[0], 3);
-        initialised(&mounting.flywheel[4].axes[0], 9);
-        initialised(&mounting.flywheel[5].mass, 1);
-        initialised(&mounting.flywheel[5].first_moment[0], 3);
-        initialised(&mounting.flywheel[5].inertia[0], 6);
-        initialised(&mounting.flywheel[5].origin[0], 3);
-        initialised(&mounting.flywheel[5].axes[0], 9);
+        initialised_mount_table(&mounting);
     }
 }
 

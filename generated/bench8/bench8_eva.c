@@ -186,17 +186,682 @@ static void untouched(const bench8_real *x, int count)
     }
 }
 
+/* ---- whole structs ---- */
+
+static void normal_state(bench8_state *x)
+{
+    reals(&x->position[0], 3, 100.0);
+    quaternion(x->attitude, 2.0);
+    reals(&x->V[0], 6, 20.0);
+    reals(&x->phi[0], 8, 100.0);
+    reals(&x->phi_dot[0], 8, 1.0e3);
+}
+
+static void any_state(bench8_state *x)
+{
+    reals(&x->position[0], 3, BENCH8_LARGEST);
+    quaternion(x->attitude, BENCH8_LARGEST);
+    reals(&x->V[0], 6, BENCH8_LARGEST);
+    reals(&x->phi[0], 8, BENCH8_LARGEST);
+    reals(&x->phi_dot[0], 8, BENCH8_LARGEST);
+}
+
+static void bits_state(bench8_state *x)
+{
+    all_bits(&x->position[0], 3);
+    all_bits(&x->attitude[0], 4);
+    all_bits(&x->V[0], 6);
+    all_bits(&x->phi[0], 8);
+    all_bits(&x->phi_dot[0], 8);
+}
+
+static void normal_encoder(bench8_encoder *x)
+{
+    integers(&x->counter, 1, -1048576, 1048576);
+    integers(&x->place, 1, -1048576, 1048576);
+    integers(&x->moved, 1, -1048576, 1048576);
+}
+
+static void any_encoder(bench8_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void bits_encoder(bench8_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void normal_inverse_options(bench8_inverse_options *x)
+{
+    about(&x->weight[0], &bench8_default_options.weight[0], 8);
+    about(&x->limit[0], &bench8_default_options.limit[0], 8);
+    about(&x->near, &bench8_default_options.near, 1);
+    about(&x->damping, &bench8_default_options.damping, 1);
+}
+
+static void any_inverse_options(bench8_inverse_options *x)
+{
+    reals(&x->weight[0], 8, BENCH8_LARGEST);
+    reals(&x->limit[0], 8, BENCH8_LARGEST);
+    reals(&x->near, 1, BENCH8_LARGEST);
+    reals(&x->damping, 1, BENCH8_LARGEST);
+}
+
+static void bits_inverse_options(bench8_inverse_options *x)
+{
+    all_bits(&x->weight[0], 8);
+    all_bits(&x->limit[0], 8);
+    one_of_all(&x->near);
+    one_of_all(&x->damping);
+}
+
+static void normal_parameters(bench8_parameters *x)
+{
+    about(&x->carrier.mass, &bench8_default_parameters.carrier.mass, 1);
+    about(&x->carrier.center_of_mass[0], &bench8_default_parameters.carrier.center_of_mass[0], 3);
+    about(&x->carrier.inertia[0], &bench8_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < BENCH8_N; ++i) {
+        about(&x->flywheel[i].body.mass, &bench8_default_parameters.flywheel[i].body.mass, 1);
+        about(&x->flywheel[i].body.center_of_mass[0], &bench8_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&x->flywheel[i].body.inertia[0], &bench8_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&x->flywheel[i].position[0], &bench8_default_parameters.flywheel[i].position[0], 3);
+        about(&x->flywheel[i].axis[0], &bench8_default_parameters.flywheel[i].axis[0], 3);
+        about(&x->flywheel[i].zero[0], &bench8_default_parameters.flywheel[i].zero[0], 3);
+    }
+}
+
+static void any_parameters(bench8_parameters *x)
+{
+    reals(&x->carrier.mass, 1, BENCH8_LARGEST);
+    reals(&x->carrier.center_of_mass[0], 3, BENCH8_LARGEST);
+    reals(&x->carrier.inertia[0], 6, BENCH8_LARGEST);
+    for (int i = 0; i < BENCH8_N; ++i) {
+        reals(&x->flywheel[i].body.mass, 1, BENCH8_LARGEST);
+        reals(&x->flywheel[i].body.center_of_mass[0], 3, BENCH8_LARGEST);
+        reals(&x->flywheel[i].body.inertia[0], 6, BENCH8_LARGEST);
+        reals(&x->flywheel[i].position[0], 3, BENCH8_LARGEST);
+        reals(&x->flywheel[i].axis[0], 3, BENCH8_LARGEST);
+        reals(&x->flywheel[i].zero[0], 3, BENCH8_LARGEST);
+    }
+}
+
+static void bits_parameters(bench8_parameters *x)
+{
+    one_of_all(&x->carrier.mass);
+    all_bits(&x->carrier.center_of_mass[0], 3);
+    all_bits(&x->carrier.inertia[0], 6);
+    for (int i = 0; i < BENCH8_N; ++i) {
+        one_of_all(&x->flywheel[i].body.mass);
+        all_bits(&x->flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&x->flywheel[i].body.inertia[0], 6);
+        all_bits(&x->flywheel[i].position[0], 3);
+        all_bits(&x->flywheel[i].axis[0], 3);
+        all_bits(&x->flywheel[i].zero[0], 3);
+    }
+}
+
+static void untouched_equations(const bench8_equations *x)
+{
+    untouched(&x->K[0][0], 36);
+    untouched(&x->K_dot[0][0], 36);
+    untouched(&x->M[0][0], 36);
+    untouched(&x->I[0][0], 48);
+    untouched(&x->J[0][0], 48);
+    untouched(&x->F[0], 6);
+}
+
+static void written_equations(const bench8_equations *x)
+{
+    written(&x->K[0][0], 36);
+    written(&x->K_dot[0][0], 36);
+    written(&x->M[0][0], 36);
+    written(&x->I[0][0], 48);
+    written(&x->J[0][0], 48);
+    written(&x->F[0], 6);
+}
+
+static void initialised_equations(const bench8_equations *x)
+{
+    initialised(&x->K[0][0], 36);
+    initialised(&x->K_dot[0][0], 36);
+    initialised(&x->M[0][0], 36);
+    initialised(&x->I[0][0], 48);
+    initialised(&x->J[0][0], 48);
+    initialised(&x->F[0], 6);
+}
+
+static void untouched_momenta(const bench8_momenta *x)
+{
+    untouched(&x->Z[0], 6);
+    untouched(&x->Z0[0], 6);
+    untouched(&x->energy, 1);
+    untouched(&x->center_of_mass[0], 3);
+}
+
+static void written_momenta(const bench8_momenta *x)
+{
+    written(&x->Z[0], 6);
+    written(&x->Z0[0], 6);
+    written(&x->energy, 1);
+    written(&x->center_of_mass[0], 3);
+}
+
+static void initialised_momenta(const bench8_momenta *x)
+{
+    initialised(&x->Z[0], 6);
+    initialised(&x->Z0[0], 6);
+    initialised(&x->energy, 1);
+    initialised(&x->center_of_mass[0], 3);
+}
+
+static void untouched_state(const bench8_state *x)
+{
+    untouched(&x->position[0], 3);
+    untouched(&x->attitude[0], 4);
+    untouched(&x->V[0], 6);
+    untouched(&x->phi[0], 8);
+    untouched(&x->phi_dot[0], 8);
+}
+
+static void written_state(const bench8_state *x)
+{
+    written(&x->position[0], 3);
+    written(&x->attitude[0], 4);
+    written(&x->V[0], 6);
+    written(&x->phi[0], 8);
+    written(&x->phi_dot[0], 8);
+}
+
+static void initialised_state(const bench8_state *x)
+{
+    initialised(&x->position[0], 3);
+    initialised(&x->attitude[0], 4);
+    initialised(&x->V[0], 6);
+    initialised(&x->phi[0], 8);
+    initialised(&x->phi_dot[0], 8);
+}
+
+static void written_encoder(const bench8_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void initialised_encoder(const bench8_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void untouched_forward_slopes(const bench8_forward_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 48);
+    untouched(&x->V_dot_phi_dot[0][0], 48);
+    untouched(&x->V_dot_phi_ddot[0][0], 48);
+}
+
+static void written_forward_slopes(const bench8_forward_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 48);
+    written(&x->V_dot_phi_dot[0][0], 48);
+    written(&x->V_dot_phi_ddot[0][0], 48);
+}
+
+static void initialised_forward_slopes(const bench8_forward_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 48);
+    initialised(&x->V_dot_phi_dot[0][0], 48);
+    initialised(&x->V_dot_phi_ddot[0][0], 48);
+}
+
+static void untouched_coupled_slopes(const bench8_coupled_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 48);
+    untouched(&x->V_dot_phi_dot[0][0], 48);
+    untouched(&x->V_dot_tau[0][0], 48);
+    untouched(&x->phi_ddot_V[0][0], 48);
+    untouched(&x->phi_ddot_phi[0][0], 64);
+    untouched(&x->phi_ddot_phi_dot[0][0], 64);
+    untouched(&x->phi_ddot_tau[0][0], 64);
+}
+
+static void written_coupled_slopes(const bench8_coupled_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 48);
+    written(&x->V_dot_phi_dot[0][0], 48);
+    written(&x->V_dot_tau[0][0], 48);
+    written(&x->phi_ddot_V[0][0], 48);
+    written(&x->phi_ddot_phi[0][0], 64);
+    written(&x->phi_ddot_phi_dot[0][0], 64);
+    written(&x->phi_ddot_tau[0][0], 64);
+}
+
+static void initialised_coupled_slopes(const bench8_coupled_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 48);
+    initialised(&x->V_dot_phi_dot[0][0], 48);
+    initialised(&x->V_dot_tau[0][0], 48);
+    initialised(&x->phi_ddot_V[0][0], 48);
+    initialised(&x->phi_ddot_phi[0][0], 64);
+    initialised(&x->phi_ddot_phi_dot[0][0], 64);
+    initialised(&x->phi_ddot_tau[0][0], 64);
+}
+
+static void untouched_inverse_result(const bench8_inverse_result *x)
+{
+    untouched(&x->phi_ddot[0], 8);
+    untouched(&x->residual[0], 6);
+    untouched(&x->sigma[0], 6);
+    untouched(&x->damped_by, 1);
+    untouched(&x->hardest[0], 6);
+}
+
+static void written_inverse_result(const bench8_inverse_result *x)
+{
+    written(&x->phi_ddot[0], 8);
+    written(&x->residual[0], 6);
+    written(&x->sigma[0], 6);
+    /*@ check \initialized(&x->rank); */
+    written(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    written(&x->hardest[0], 6);
+}
+
+static void initialised_inverse_result(const bench8_inverse_result *x)
+{
+    initialised(&x->phi_ddot[0], 8);
+    initialised(&x->residual[0], 6);
+    initialised(&x->sigma[0], 6);
+    /*@ check \initialized(&x->rank); */
+    initialised(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    initialised(&x->hardest[0], 6);
+}
+
+static void untouched_generalized(const bench8_generalized *x)
+{
+    untouched(&x->A[0][0], 36);
+    untouched(&x->D[0][0], 36);
+    untouched(&x->I0[0][0], 36);
+    untouched(&x->J0[0][0], 36);
+    untouched(&x->q_dot[0], 6);
+    untouched(&x->q_ddot[0], 6);
+}
+
+static void written_generalized(const bench8_generalized *x)
+{
+    written(&x->A[0][0], 36);
+    written(&x->D[0][0], 36);
+    written(&x->I0[0][0], 36);
+    written(&x->J0[0][0], 36);
+    written(&x->q_dot[0], 6);
+    written(&x->q_ddot[0], 6);
+}
+
+static void initialised_generalized(const bench8_generalized *x)
+{
+    initialised(&x->A[0][0], 36);
+    initialised(&x->D[0][0], 36);
+    initialised(&x->I0[0][0], 36);
+    initialised(&x->J0[0][0], 36);
+    initialised(&x->q_dot[0], 6);
+    initialised(&x->q_ddot[0], 6);
+}
+
+static void written_table(const bench8_table *x)
+{
+    written(&x->mass, 1);
+    written(&x->mass_inverse, 1);
+    written(&x->first_moment[0], 3);
+    written(&x->inertia[0], 6);
+    written(&x->flywheel[0].mu_c[0], 3);
+    written(&x->flywheel[0].mu_s[0], 3);
+    written(&x->flywheel[0].J_c[0], 6);
+    written(&x->flywheel[0].J_s[0], 6);
+    written(&x->flywheel[0].J_2c[0], 6);
+    written(&x->flywheel[0].J_2s[0], 6);
+    written(&x->flywheel[0].t_0[0], 3);
+    written(&x->flywheel[0].t_c[0], 3);
+    written(&x->flywheel[0].t_s[0], 3);
+    written(&x->flywheel[0].spin, 1);
+    written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[1].mu_c[0], 3);
+    written(&x->flywheel[1].mu_s[0], 3);
+    written(&x->flywheel[1].J_c[0], 6);
+    written(&x->flywheel[1].J_s[0], 6);
+    written(&x->flywheel[1].J_2c[0], 6);
+    written(&x->flywheel[1].J_2s[0], 6);
+    written(&x->flywheel[1].t_0[0], 3);
+    written(&x->flywheel[1].t_c[0], 3);
+    written(&x->flywheel[1].t_s[0], 3);
+    written(&x->flywheel[1].spin, 1);
+    written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[2].mu_c[0], 3);
+    written(&x->flywheel[2].mu_s[0], 3);
+    written(&x->flywheel[2].J_c[0], 6);
+    written(&x->flywheel[2].J_s[0], 6);
+    written(&x->flywheel[2].J_2c[0], 6);
+    written(&x->flywheel[2].J_2s[0], 6);
+    written(&x->flywheel[2].t_0[0], 3);
+    written(&x->flywheel[2].t_c[0], 3);
+    written(&x->flywheel[2].t_s[0], 3);
+    written(&x->flywheel[2].spin, 1);
+    written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[3].mu_c[0], 3);
+    written(&x->flywheel[3].mu_s[0], 3);
+    written(&x->flywheel[3].J_c[0], 6);
+    written(&x->flywheel[3].J_s[0], 6);
+    written(&x->flywheel[3].J_2c[0], 6);
+    written(&x->flywheel[3].J_2s[0], 6);
+    written(&x->flywheel[3].t_0[0], 3);
+    written(&x->flywheel[3].t_c[0], 3);
+    written(&x->flywheel[3].t_s[0], 3);
+    written(&x->flywheel[3].spin, 1);
+    written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[4].mu_c[0], 3);
+    written(&x->flywheel[4].mu_s[0], 3);
+    written(&x->flywheel[4].J_c[0], 6);
+    written(&x->flywheel[4].J_s[0], 6);
+    written(&x->flywheel[4].J_2c[0], 6);
+    written(&x->flywheel[4].J_2s[0], 6);
+    written(&x->flywheel[4].t_0[0], 3);
+    written(&x->flywheel[4].t_c[0], 3);
+    written(&x->flywheel[4].t_s[0], 3);
+    written(&x->flywheel[4].spin, 1);
+    written(&x->flywheel[4].spin_inv, 1);
+    written(&x->flywheel[5].mu_c[0], 3);
+    written(&x->flywheel[5].mu_s[0], 3);
+    written(&x->flywheel[5].J_c[0], 6);
+    written(&x->flywheel[5].J_s[0], 6);
+    written(&x->flywheel[5].J_2c[0], 6);
+    written(&x->flywheel[5].J_2s[0], 6);
+    written(&x->flywheel[5].t_0[0], 3);
+    written(&x->flywheel[5].t_c[0], 3);
+    written(&x->flywheel[5].t_s[0], 3);
+    written(&x->flywheel[5].spin, 1);
+    written(&x->flywheel[5].spin_inv, 1);
+    written(&x->flywheel[6].mu_c[0], 3);
+    written(&x->flywheel[6].mu_s[0], 3);
+    written(&x->flywheel[6].J_c[0], 6);
+    written(&x->flywheel[6].J_s[0], 6);
+    written(&x->flywheel[6].J_2c[0], 6);
+    written(&x->flywheel[6].J_2s[0], 6);
+    written(&x->flywheel[6].t_0[0], 3);
+    written(&x->flywheel[6].t_c[0], 3);
+    written(&x->flywheel[6].t_s[0], 3);
+    written(&x->flywheel[6].spin, 1);
+    written(&x->flywheel[6].spin_inv, 1);
+    written(&x->flywheel[7].mu_c[0], 3);
+    written(&x->flywheel[7].mu_s[0], 3);
+    written(&x->flywheel[7].J_c[0], 6);
+    written(&x->flywheel[7].J_s[0], 6);
+    written(&x->flywheel[7].J_2c[0], 6);
+    written(&x->flywheel[7].J_2s[0], 6);
+    written(&x->flywheel[7].t_0[0], 3);
+    written(&x->flywheel[7].t_c[0], 3);
+    written(&x->flywheel[7].t_s[0], 3);
+    written(&x->flywheel[7].spin, 1);
+    written(&x->flywheel[7].spin_inv, 1);
+    written(&x->gravity[0], 3);
+    written(&x->suspension.stiffness[0][0], 36);
+    written(&x->suspension.damping[0][0], 36);
+    written(&x->suspension.position[0], 3);
+    written(&x->suspension.attitude[0], 4);
+}
+
+static void initialised_table(const bench8_table *x)
+{
+    initialised(&x->mass, 1);
+    initialised(&x->mass_inverse, 1);
+    initialised(&x->first_moment[0], 3);
+    initialised(&x->inertia[0], 6);
+    initialised(&x->flywheel[0].mu_c[0], 3);
+    initialised(&x->flywheel[0].mu_s[0], 3);
+    initialised(&x->flywheel[0].J_c[0], 6);
+    initialised(&x->flywheel[0].J_s[0], 6);
+    initialised(&x->flywheel[0].J_2c[0], 6);
+    initialised(&x->flywheel[0].J_2s[0], 6);
+    initialised(&x->flywheel[0].t_0[0], 3);
+    initialised(&x->flywheel[0].t_c[0], 3);
+    initialised(&x->flywheel[0].t_s[0], 3);
+    initialised(&x->flywheel[0].spin, 1);
+    initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[1].mu_c[0], 3);
+    initialised(&x->flywheel[1].mu_s[0], 3);
+    initialised(&x->flywheel[1].J_c[0], 6);
+    initialised(&x->flywheel[1].J_s[0], 6);
+    initialised(&x->flywheel[1].J_2c[0], 6);
+    initialised(&x->flywheel[1].J_2s[0], 6);
+    initialised(&x->flywheel[1].t_0[0], 3);
+    initialised(&x->flywheel[1].t_c[0], 3);
+    initialised(&x->flywheel[1].t_s[0], 3);
+    initialised(&x->flywheel[1].spin, 1);
+    initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[2].mu_c[0], 3);
+    initialised(&x->flywheel[2].mu_s[0], 3);
+    initialised(&x->flywheel[2].J_c[0], 6);
+    initialised(&x->flywheel[2].J_s[0], 6);
+    initialised(&x->flywheel[2].J_2c[0], 6);
+    initialised(&x->flywheel[2].J_2s[0], 6);
+    initialised(&x->flywheel[2].t_0[0], 3);
+    initialised(&x->flywheel[2].t_c[0], 3);
+    initialised(&x->flywheel[2].t_s[0], 3);
+    initialised(&x->flywheel[2].spin, 1);
+    initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[3].mu_c[0], 3);
+    initialised(&x->flywheel[3].mu_s[0], 3);
+    initialised(&x->flywheel[3].J_c[0], 6);
+    initialised(&x->flywheel[3].J_s[0], 6);
+    initialised(&x->flywheel[3].J_2c[0], 6);
+    initialised(&x->flywheel[3].J_2s[0], 6);
+    initialised(&x->flywheel[3].t_0[0], 3);
+    initialised(&x->flywheel[3].t_c[0], 3);
+    initialised(&x->flywheel[3].t_s[0], 3);
+    initialised(&x->flywheel[3].spin, 1);
+    initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[4].mu_c[0], 3);
+    initialised(&x->flywheel[4].mu_s[0], 3);
+    initialised(&x->flywheel[4].J_c[0], 6);
+    initialised(&x->flywheel[4].J_s[0], 6);
+    initialised(&x->flywheel[4].J_2c[0], 6);
+    initialised(&x->flywheel[4].J_2s[0], 6);
+    initialised(&x->flywheel[4].t_0[0], 3);
+    initialised(&x->flywheel[4].t_c[0], 3);
+    initialised(&x->flywheel[4].t_s[0], 3);
+    initialised(&x->flywheel[4].spin, 1);
+    initialised(&x->flywheel[4].spin_inv, 1);
+    initialised(&x->flywheel[5].mu_c[0], 3);
+    initialised(&x->flywheel[5].mu_s[0], 3);
+    initialised(&x->flywheel[5].J_c[0], 6);
+    initialised(&x->flywheel[5].J_s[0], 6);
+    initialised(&x->flywheel[5].J_2c[0], 6);
+    initialised(&x->flywheel[5].J_2s[0], 6);
+    initialised(&x->flywheel[5].t_0[0], 3);
+    initialised(&x->flywheel[5].t_c[0], 3);
+    initialised(&x->flywheel[5].t_s[0], 3);
+    initialised(&x->flywheel[5].spin, 1);
+    initialised(&x->flywheel[5].spin_inv, 1);
+    initialised(&x->flywheel[6].mu_c[0], 3);
+    initialised(&x->flywheel[6].mu_s[0], 3);
+    initialised(&x->flywheel[6].J_c[0], 6);
+    initialised(&x->flywheel[6].J_s[0], 6);
+    initialised(&x->flywheel[6].J_2c[0], 6);
+    initialised(&x->flywheel[6].J_2s[0], 6);
+    initialised(&x->flywheel[6].t_0[0], 3);
+    initialised(&x->flywheel[6].t_c[0], 3);
+    initialised(&x->flywheel[6].t_s[0], 3);
+    initialised(&x->flywheel[6].spin, 1);
+    initialised(&x->flywheel[6].spin_inv, 1);
+    initialised(&x->flywheel[7].mu_c[0], 3);
+    initialised(&x->flywheel[7].mu_s[0], 3);
+    initialised(&x->flywheel[7].J_c[0], 6);
+    initialised(&x->flywheel[7].J_s[0], 6);
+    initialised(&x->flywheel[7].J_2c[0], 6);
+    initialised(&x->flywheel[7].J_2s[0], 6);
+    initialised(&x->flywheel[7].t_0[0], 3);
+    initialised(&x->flywheel[7].t_c[0], 3);
+    initialised(&x->flywheel[7].t_s[0], 3);
+    initialised(&x->flywheel[7].spin, 1);
+    initialised(&x->flywheel[7].spin_inv, 1);
+    initialised(&x->gravity[0], 3);
+    initialised(&x->suspension.stiffness[0][0], 36);
+    initialised(&x->suspension.damping[0][0], 36);
+    initialised(&x->suspension.position[0], 3);
+    initialised(&x->suspension.attitude[0], 4);
+}
+
+static void untouched_mount_table(const bench8_mount_table *x)
+{
+    untouched(&x->flywheel[0].mass, 1);
+    untouched(&x->flywheel[0].first_moment[0], 3);
+    untouched(&x->flywheel[0].inertia[0], 6);
+    untouched(&x->flywheel[0].origin[0], 3);
+    untouched(&x->flywheel[0].axes[0], 9);
+    untouched(&x->flywheel[1].mass, 1);
+    untouched(&x->flywheel[1].first_moment[0], 3);
+    untouched(&x->flywheel[1].inertia[0], 6);
+    untouched(&x->flywheel[1].origin[0], 3);
+    untouched(&x->flywheel[1].axes[0], 9);
+    untouched(&x->flywheel[2].mass, 1);
+    untouched(&x->flywheel[2].first_moment[0], 3);
+    untouched(&x->flywheel[2].inertia[0], 6);
+    untouched(&x->flywheel[2].origin[0], 3);
+    untouched(&x->flywheel[2].axes[0], 9);
+    untouched(&x->flywheel[3].mass, 1);
+    untouched(&x->flywheel[3].first_moment[0], 3);
+    untouched(&x->flywheel[3].inertia[0], 6);
+    untouched(&x->flywheel[3].origin[0], 3);
+    untouched(&x->flywheel[3].axes[0], 9);
+    untouched(&x->flywheel[4].mass, 1);
+    untouched(&x->flywheel[4].first_moment[0], 3);
+    untouched(&x->flywheel[4].inertia[0], 6);
+    untouched(&x->flywheel[4].origin[0], 3);
+    untouched(&x->flywheel[4].axes[0], 9);
+    untouched(&x->flywheel[5].mass, 1);
+    untouched(&x->flywheel[5].first_moment[0], 3);
+    untouched(&x->flywheel[5].inertia[0], 6);
+    untouched(&x->flywheel[5].origin[0], 3);
+    untouched(&x->flywheel[5].axes[0], 9);
+    untouched(&x->flywheel[6].mass, 1);
+    untouched(&x->flywheel[6].first_moment[0], 3);
+    untouched(&x->flywheel[6].inertia[0], 6);
+    untouched(&x->flywheel[6].origin[0], 3);
+    untouched(&x->flywheel[6].axes[0], 9);
+    untouched(&x->flywheel[7].mass, 1);
+    untouched(&x->flywheel[7].first_moment[0], 3);
+    untouched(&x->flywheel[7].inertia[0], 6);
+    untouched(&x->flywheel[7].origin[0], 3);
+    untouched(&x->flywheel[7].axes[0], 9);
+}
+
+static void written_mount_table(const bench8_mount_table *x)
+{
+    written(&x->flywheel[0].mass, 1);
+    written(&x->flywheel[0].first_moment[0], 3);
+    written(&x->flywheel[0].inertia[0], 6);
+    written(&x->flywheel[0].origin[0], 3);
+    written(&x->flywheel[0].axes[0], 9);
+    written(&x->flywheel[1].mass, 1);
+    written(&x->flywheel[1].first_moment[0], 3);
+    written(&x->flywheel[1].inertia[0], 6);
+    written(&x->flywheel[1].origin[0], 3);
+    written(&x->flywheel[1].axes[0], 9);
+    written(&x->flywheel[2].mass, 1);
+    written(&x->flywheel[2].first_moment[0], 3);
+    written(&x->flywheel[2].inertia[0], 6);
+    written(&x->flywheel[2].origin[0], 3);
+    written(&x->flywheel[2].axes[0], 9);
+    written(&x->flywheel[3].mass, 1);
+    written(&x->flywheel[3].first_moment[0], 3);
+    written(&x->flywheel[3].inertia[0], 6);
+    written(&x->flywheel[3].origin[0], 3);
+    written(&x->flywheel[3].axes[0], 9);
+    written(&x->flywheel[4].mass, 1);
+    written(&x->flywheel[4].first_moment[0], 3);
+    written(&x->flywheel[4].inertia[0], 6);
+    written(&x->flywheel[4].origin[0], 3);
+    written(&x->flywheel[4].axes[0], 9);
+    written(&x->flywheel[5].mass, 1);
+    written(&x->flywheel[5].first_moment[0], 3);
+    written(&x->flywheel[5].inertia[0], 6);
+    written(&x->flywheel[5].origin[0], 3);
+    written(&x->flywheel[5].axes[0], 9);
+    written(&x->flywheel[6].mass, 1);
+    written(&x->flywheel[6].first_moment[0], 3);
+    written(&x->flywheel[6].inertia[0], 6);
+    written(&x->flywheel[6].origin[0], 3);
+    written(&x->flywheel[6].axes[0], 9);
+    written(&x->flywheel[7].mass, 1);
+    written(&x->flywheel[7].first_moment[0], 3);
+    written(&x->flywheel[7].inertia[0], 6);
+    written(&x->flywheel[7].origin[0], 3);
+    written(&x->flywheel[7].axes[0], 9);
+}
+
+static void initialised_mount_table(const bench8_mount_table *x)
+{
+    initialised(&x->flywheel[0].mass, 1);
+    initialised(&x->flywheel[0].first_moment[0], 3);
+    initialised(&x->flywheel[0].inertia[0], 6);
+    initialised(&x->flywheel[0].origin[0], 3);
+    initialised(&x->flywheel[0].axes[0], 9);
+    initialised(&x->flywheel[1].mass, 1);
+    initialised(&x->flywheel[1].first_moment[0], 3);
+    initialised(&x->flywheel[1].inertia[0], 6);
+    initialised(&x->flywheel[1].origin[0], 3);
+    initialised(&x->flywheel[1].axes[0], 9);
+    initialised(&x->flywheel[2].mass, 1);
+    initialised(&x->flywheel[2].first_moment[0], 3);
+    initialised(&x->flywheel[2].inertia[0], 6);
+    initialised(&x->flywheel[2].origin[0], 3);
+    initialised(&x->flywheel[2].axes[0], 9);
+    initialised(&x->flywheel[3].mass, 1);
+    initialised(&x->flywheel[3].first_moment[0], 3);
+    initialised(&x->flywheel[3].inertia[0], 6);
+    initialised(&x->flywheel[3].origin[0], 3);
+    initialised(&x->flywheel[3].axes[0], 9);
+    initialised(&x->flywheel[4].mass, 1);
+    initialised(&x->flywheel[4].first_moment[0], 3);
+    initialised(&x->flywheel[4].inertia[0], 6);
+    initialised(&x->flywheel[4].origin[0], 3);
+    initialised(&x->flywheel[4].axes[0], 9);
+    initialised(&x->flywheel[5].mass, 1);
+    initialised(&x->flywheel[5].first_moment[0], 3);
+    initialised(&x->flywheel[5].inertia[0], 6);
+    initialised(&x->flywheel[5].origin[0], 3);
+    initialised(&x->flywheel[5].axes[0], 9);
+    initialised(&x->flywheel[6].mass, 1);
+    initialised(&x->flywheel[6].first_moment[0], 3);
+    initialised(&x->flywheel[6].inertia[0], 6);
+    initialised(&x->flywheel[6].origin[0], 3);
+    initialised(&x->flywheel[6].axes[0], 9);
+    initialised(&x->flywheel[7].mass, 1);
+    initialised(&x->flywheel[7].first_moment[0], 3);
+    initialised(&x->flywheel[7].inertia[0], 6);
+    initialised(&x->flywheel[7].origin[0], 3);
+    initialised(&x->flywheel[7].axes[0], 9);
+}
+
 /* ---- drivers: a function and a set each ---- */
 
 void bench8_eva_normal_forward(void);
 void bench8_eva_normal_forward(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, 1.0e4);
     bench8_real V_dot[6];
@@ -213,11 +878,7 @@ void bench8_eva_any_forward(void);
 void bench8_eva_any_forward(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, BENCH8_LARGEST);
     bench8_real V_dot[6];
@@ -234,11 +895,7 @@ void bench8_eva_bits_forward(void);
 void bench8_eva_bits_forward(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     all_bits(&phi_ddot[0], 8);
     bench8_real V_dot[6];
@@ -255,11 +912,7 @@ void bench8_eva_normal_wrench(void);
 void bench8_eva_normal_wrench(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real F[6];
     const bench8_status status = bench8_wrench(&bench8_default, &x, F);
     if (status < 0) {
@@ -274,11 +927,7 @@ void bench8_eva_any_wrench(void);
 void bench8_eva_any_wrench(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real F[6];
     const bench8_status status = bench8_wrench(&bench8_default, &x, F);
     if (status < 0) {
@@ -293,11 +942,7 @@ void bench8_eva_bits_wrench(void);
 void bench8_eva_bits_wrench(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real F[6];
     const bench8_status status = bench8_wrench(&bench8_default, &x, F);
     if (status < 0) {
@@ -312,28 +957,14 @@ void bench8_eva_normal_matrices(void);
 void bench8_eva_normal_matrices(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_equations out;
     const bench8_status status = bench8_matrices(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 48);
-        untouched(&out.J[0][0], 48);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 48);
-        written(&out.J[0][0], 48);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -341,28 +972,14 @@ void bench8_eva_any_matrices(void);
 void bench8_eva_any_matrices(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_equations out;
     const bench8_status status = bench8_matrices(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 48);
-        untouched(&out.J[0][0], 48);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 48);
-        written(&out.J[0][0], 48);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -370,28 +987,14 @@ void bench8_eva_bits_matrices(void);
 void bench8_eva_bits_matrices(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_equations out;
     const bench8_status status = bench8_matrices(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 48);
-        untouched(&out.J[0][0], 48);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.K[0][0], 36);
-        initialised(&out.K_dot[0][0], 36);
-        initialised(&out.M[0][0], 36);
-        initialised(&out.I[0][0], 48);
-        initialised(&out.J[0][0], 48);
-        initialised(&out.F[0], 6);
+        initialised_equations(&out);
     }
 }
 
@@ -399,24 +1002,14 @@ void bench8_eva_normal_momentum(void);
 void bench8_eva_normal_momentum(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_momenta out;
     const bench8_status status = bench8_momentum(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -424,24 +1017,14 @@ void bench8_eva_any_momentum(void);
 void bench8_eva_any_momentum(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_momenta out;
     const bench8_status status = bench8_momentum(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -449,24 +1032,14 @@ void bench8_eva_bits_momentum(void);
 void bench8_eva_bits_momentum(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_momenta out;
     const bench8_status status = bench8_momentum(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.Z[0], 6);
-        initialised(&out.Z0[0], 6);
-        initialised(&out.energy, 1);
-        initialised(&out.center_of_mass[0], 3);
+        initialised_momenta(&out);
     }
 }
 
@@ -474,11 +1047,7 @@ void bench8_eva_normal_torque(void);
 void bench8_eva_normal_torque(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     bench8_real phi_ddot[BENCH8_N];
@@ -497,11 +1066,7 @@ void bench8_eva_any_torque(void);
 void bench8_eva_any_torque(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, BENCH8_LARGEST);
     bench8_real phi_ddot[BENCH8_N];
@@ -520,11 +1085,7 @@ void bench8_eva_bits_torque(void);
 void bench8_eva_bits_torque(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real V_dot[6];
     all_bits(&V_dot[0], 6);
     bench8_real phi_ddot[BENCH8_N];
@@ -543,11 +1104,7 @@ void bench8_eva_normal_coupled(void);
 void bench8_eva_normal_coupled(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real tau[BENCH8_N];
     reals(&tau[0], 8, 100.0);
     int locked[BENCH8_N];
@@ -569,11 +1126,7 @@ void bench8_eva_any_coupled(void);
 void bench8_eva_any_coupled(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real tau[BENCH8_N];
     reals(&tau[0], 8, BENCH8_LARGEST);
     int locked[BENCH8_N];
@@ -595,11 +1148,7 @@ void bench8_eva_bits_coupled(void);
 void bench8_eva_bits_coupled(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real tau[BENCH8_N];
     all_bits(&tau[0], 8);
     int locked[BENCH8_N];
@@ -621,11 +1170,7 @@ void bench8_eva_normal_step(void);
 void bench8_eva_normal_step(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real tau[BENCH8_N];
     reals(&tau[0], 8, 100.0);
     int locked[BENCH8_N];
@@ -637,18 +1182,10 @@ void bench8_eva_normal_step(void)
     bench8_state next;
     const bench8_status status = bench8_step(&bench8_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 8);
-        untouched(&next.phi_dot[0], 8);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 8);
-        written(&next.phi_dot[0], 8);
+        written_state(&next);
     }
 }
 
@@ -656,11 +1193,7 @@ void bench8_eva_any_step(void);
 void bench8_eva_any_step(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real tau[BENCH8_N];
     reals(&tau[0], 8, BENCH8_LARGEST);
     int locked[BENCH8_N];
@@ -672,18 +1205,10 @@ void bench8_eva_any_step(void)
     bench8_state next;
     const bench8_status status = bench8_step(&bench8_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 8);
-        untouched(&next.phi_dot[0], 8);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 8);
-        written(&next.phi_dot[0], 8);
+        written_state(&next);
     }
 }
 
@@ -691,11 +1216,7 @@ void bench8_eva_bits_step(void);
 void bench8_eva_bits_step(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real tau[BENCH8_N];
     all_bits(&tau[0], 8);
     int locked[BENCH8_N];
@@ -707,18 +1228,10 @@ void bench8_eva_bits_step(void)
     bench8_state next;
     const bench8_status status = bench8_step(&bench8_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 8);
-        untouched(&next.phi_dot[0], 8);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 8);
-        initialised(&next.phi_dot[0], 8);
+        initialised_state(&next);
     }
 }
 
@@ -726,11 +1239,7 @@ void bench8_eva_normal_step_driven(void);
 void bench8_eva_normal_step_driven(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, 1.0e4);
     bench8_real dt;
@@ -740,18 +1249,10 @@ void bench8_eva_normal_step_driven(void)
     bench8_state next;
     const bench8_status status = bench8_step_driven(&bench8_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 8);
-        untouched(&next.phi_dot[0], 8);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 8);
-        written(&next.phi_dot[0], 8);
+        written_state(&next);
     }
 }
 
@@ -759,11 +1260,7 @@ void bench8_eva_any_step_driven(void);
 void bench8_eva_any_step_driven(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, BENCH8_LARGEST);
     bench8_real dt;
@@ -773,18 +1270,10 @@ void bench8_eva_any_step_driven(void)
     bench8_state next;
     const bench8_status status = bench8_step_driven(&bench8_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 8);
-        untouched(&next.phi_dot[0], 8);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 8);
-        written(&next.phi_dot[0], 8);
+        written_state(&next);
     }
 }
 
@@ -792,11 +1281,7 @@ void bench8_eva_bits_step_driven(void);
 void bench8_eva_bits_step_driven(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     all_bits(&phi_ddot[0], 8);
     bench8_real dt;
@@ -806,18 +1291,10 @@ void bench8_eva_bits_step_driven(void)
     bench8_state next;
     const bench8_status status = bench8_step_driven(&bench8_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 8);
-        untouched(&next.phi_dot[0], 8);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 8);
-        initialised(&next.phi_dot[0], 8);
+        initialised_state(&next);
     }
 }
 
@@ -984,9 +1461,7 @@ void bench8_eva_normal_accumulate(void);
 void bench8_eva_normal_accumulate(void)
 {
     bench8_encoder encoder;
-    integers(&encoder.counter, 1, -1048576, 1048576);
-    integers(&encoder.place, 1, -1048576, 1048576);
-    integers(&encoder.moved, 1, -1048576, 1048576);
+    normal_encoder(&encoder);
     int counter;
     integers(&counter, 1, -1048576, 1048576);
     int bits;
@@ -997,9 +1472,7 @@ void bench8_eva_normal_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -1007,9 +1480,7 @@ void bench8_eva_any_accumulate(void);
 void bench8_eva_any_accumulate(void)
 {
     bench8_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    any_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -1020,9 +1491,7 @@ void bench8_eva_any_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -1030,9 +1499,7 @@ void bench8_eva_bits_accumulate(void);
 void bench8_eva_bits_accumulate(void)
 {
     bench8_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    bits_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -1043,9 +1510,7 @@ void bench8_eva_bits_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        initialised_encoder(&encoder);
     }
 }
 
@@ -1053,26 +1518,16 @@ void bench8_eva_normal_forward_jacobian(void);
 void bench8_eva_normal_forward_jacobian(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, 1.0e4);
     bench8_forward_slopes out;
     const bench8_status status = bench8_forward_jacobian(&bench8_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 48);
-        untouched(&out.V_dot_phi_dot[0][0], 48);
-        untouched(&out.V_dot_phi_ddot[0][0], 48);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 48);
-        written(&out.V_dot_phi_dot[0][0], 48);
-        written(&out.V_dot_phi_ddot[0][0], 48);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1080,26 +1535,16 @@ void bench8_eva_any_forward_jacobian(void);
 void bench8_eva_any_forward_jacobian(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, BENCH8_LARGEST);
     bench8_forward_slopes out;
     const bench8_status status = bench8_forward_jacobian(&bench8_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 48);
-        untouched(&out.V_dot_phi_dot[0][0], 48);
-        untouched(&out.V_dot_phi_ddot[0][0], 48);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 48);
-        written(&out.V_dot_phi_dot[0][0], 48);
-        written(&out.V_dot_phi_ddot[0][0], 48);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1107,26 +1552,16 @@ void bench8_eva_bits_forward_jacobian(void);
 void bench8_eva_bits_forward_jacobian(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     all_bits(&phi_ddot[0], 8);
     bench8_forward_slopes out;
     const bench8_status status = bench8_forward_jacobian(&bench8_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 48);
-        untouched(&out.V_dot_phi_dot[0][0], 48);
-        untouched(&out.V_dot_phi_ddot[0][0], 48);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 48);
-        initialised(&out.V_dot_phi_dot[0][0], 48);
-        initialised(&out.V_dot_phi_ddot[0][0], 48);
+        initialised_forward_slopes(&out);
     }
 }
 
@@ -1134,11 +1569,7 @@ void bench8_eva_normal_coupled_jacobian(void);
 void bench8_eva_normal_coupled_jacobian(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real tau[BENCH8_N];
     reals(&tau[0], 8, 100.0);
     int locked[BENCH8_N];
@@ -1146,24 +1577,10 @@ void bench8_eva_normal_coupled_jacobian(void)
     bench8_coupled_slopes out;
     const bench8_status status = bench8_coupled_jacobian(&bench8_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 48);
-        untouched(&out.V_dot_phi_dot[0][0], 48);
-        untouched(&out.V_dot_tau[0][0], 48);
-        untouched(&out.phi_ddot_V[0][0], 48);
-        untouched(&out.phi_ddot_phi[0][0], 64);
-        untouched(&out.phi_ddot_phi_dot[0][0], 64);
-        untouched(&out.phi_ddot_tau[0][0], 64);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 48);
-        written(&out.V_dot_phi_dot[0][0], 48);
-        written(&out.V_dot_tau[0][0], 48);
-        written(&out.phi_ddot_V[0][0], 48);
-        written(&out.phi_ddot_phi[0][0], 64);
-        written(&out.phi_ddot_phi_dot[0][0], 64);
-        written(&out.phi_ddot_tau[0][0], 64);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1171,11 +1588,7 @@ void bench8_eva_any_coupled_jacobian(void);
 void bench8_eva_any_coupled_jacobian(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real tau[BENCH8_N];
     reals(&tau[0], 8, BENCH8_LARGEST);
     int locked[BENCH8_N];
@@ -1183,24 +1596,10 @@ void bench8_eva_any_coupled_jacobian(void)
     bench8_coupled_slopes out;
     const bench8_status status = bench8_coupled_jacobian(&bench8_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 48);
-        untouched(&out.V_dot_phi_dot[0][0], 48);
-        untouched(&out.V_dot_tau[0][0], 48);
-        untouched(&out.phi_ddot_V[0][0], 48);
-        untouched(&out.phi_ddot_phi[0][0], 64);
-        untouched(&out.phi_ddot_phi_dot[0][0], 64);
-        untouched(&out.phi_ddot_tau[0][0], 64);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 48);
-        written(&out.V_dot_phi_dot[0][0], 48);
-        written(&out.V_dot_tau[0][0], 48);
-        written(&out.phi_ddot_V[0][0], 48);
-        written(&out.phi_ddot_phi[0][0], 64);
-        written(&out.phi_ddot_phi_dot[0][0], 64);
-        written(&out.phi_ddot_tau[0][0], 64);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1208,11 +1607,7 @@ void bench8_eva_bits_coupled_jacobian(void);
 void bench8_eva_bits_coupled_jacobian(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real tau[BENCH8_N];
     all_bits(&tau[0], 8);
     int locked[BENCH8_N];
@@ -1220,24 +1615,10 @@ void bench8_eva_bits_coupled_jacobian(void)
     bench8_coupled_slopes out;
     const bench8_status status = bench8_coupled_jacobian(&bench8_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 48);
-        untouched(&out.V_dot_phi_dot[0][0], 48);
-        untouched(&out.V_dot_tau[0][0], 48);
-        untouched(&out.phi_ddot_V[0][0], 48);
-        untouched(&out.phi_ddot_phi[0][0], 64);
-        untouched(&out.phi_ddot_phi_dot[0][0], 64);
-        untouched(&out.phi_ddot_tau[0][0], 64);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 48);
-        initialised(&out.V_dot_phi_dot[0][0], 48);
-        initialised(&out.V_dot_tau[0][0], 48);
-        initialised(&out.phi_ddot_V[0][0], 48);
-        initialised(&out.phi_ddot_phi[0][0], 64);
-        initialised(&out.phi_ddot_phi_dot[0][0], 64);
-        initialised(&out.phi_ddot_tau[0][0], 64);
+        initialised_coupled_slopes(&out);
     }
 }
 
@@ -1245,35 +1626,18 @@ void bench8_eva_normal_inverse(void);
 void bench8_eva_normal_inverse(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     bench8_inverse_options options;
-    about(&options.weight[0], &bench8_default_options.weight[0], 8);
-    about(&options.limit[0], &bench8_default_options.limit[0], 8);
-    about(&options.near, &bench8_default_options.near, 1);
-    about(&options.damping, &bench8_default_options.damping, 1);
+    normal_inverse_options(&options);
     bench8_inverse_result out;
     const bench8_status status = bench8_inverse(&bench8_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 8);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 6);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 8);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 6);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1281,35 +1645,18 @@ void bench8_eva_any_inverse(void);
 void bench8_eva_any_inverse(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, BENCH8_LARGEST);
     bench8_inverse_options options;
-    reals(&options.weight[0], 8, BENCH8_LARGEST);
-    reals(&options.limit[0], 8, BENCH8_LARGEST);
-    reals(&options.near, 1, BENCH8_LARGEST);
-    reals(&options.damping, 1, BENCH8_LARGEST);
+    any_inverse_options(&options);
     bench8_inverse_result out;
     const bench8_status status = bench8_inverse(&bench8_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 8);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 6);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 8);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 6);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1317,35 +1664,18 @@ void bench8_eva_bits_inverse(void);
 void bench8_eva_bits_inverse(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real V_dot[6];
     all_bits(&V_dot[0], 6);
     bench8_inverse_options options;
-    all_bits(&options.weight[0], 8);
-    all_bits(&options.limit[0], 8);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     bench8_inverse_result out;
     const bench8_status status = bench8_inverse(&bench8_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 8);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 6);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.phi_ddot[0], 8);
-        initialised(&out.residual[0], 6);
-        initialised(&out.sigma[0], 6);
-        /*@ check \initialized(&out.rank); */
-        initialised(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        initialised(&out.hardest[0], 6);
+        initialised_inverse_result(&out);
     }
 }
 
@@ -1353,18 +1683,11 @@ void bench8_eva_normal_inverse_fast(void);
 void bench8_eva_normal_inverse_fast(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     bench8_inverse_options options;
-    about(&options.weight[0], &bench8_default_options.weight[0], 8);
-    about(&options.limit[0], &bench8_default_options.limit[0], 8);
-    about(&options.near, &bench8_default_options.near, 1);
-    about(&options.damping, &bench8_default_options.damping, 1);
+    normal_inverse_options(&options);
     bench8_real phi_ddot[BENCH8_N];
     const bench8_status status = bench8_inverse_fast(&bench8_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1379,18 +1702,11 @@ void bench8_eva_any_inverse_fast(void);
 void bench8_eva_any_inverse_fast(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, BENCH8_LARGEST);
     bench8_inverse_options options;
-    reals(&options.weight[0], 8, BENCH8_LARGEST);
-    reals(&options.limit[0], 8, BENCH8_LARGEST);
-    reals(&options.near, 1, BENCH8_LARGEST);
-    reals(&options.damping, 1, BENCH8_LARGEST);
+    any_inverse_options(&options);
     bench8_real phi_ddot[BENCH8_N];
     const bench8_status status = bench8_inverse_fast(&bench8_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1405,18 +1721,11 @@ void bench8_eva_bits_inverse_fast(void);
 void bench8_eva_bits_inverse_fast(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real V_dot[6];
     all_bits(&V_dot[0], 6);
     bench8_inverse_options options;
-    all_bits(&options.weight[0], 8);
-    all_bits(&options.limit[0], 8);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     bench8_real phi_ddot[BENCH8_N];
     const bench8_status status = bench8_inverse_fast(&bench8_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1484,22 +1793,14 @@ void bench8_eva_normal_target(void)
     bench8_real q_ddot[6];
     reals(&q_ddot[0], 6, 1.0e3);
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real V_dot[6];
     const bench8_status status = bench8_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 8);
-        written(&x.phi_dot[0], 8);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1516,22 +1817,14 @@ void bench8_eva_any_target(void)
     bench8_real q_ddot[6];
     reals(&q_ddot[0], 6, BENCH8_LARGEST);
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real V_dot[6];
     const bench8_status status = bench8_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 8);
-        written(&x.phi_dot[0], 8);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1548,22 +1841,14 @@ void bench8_eva_bits_target(void)
     bench8_real q_ddot[6];
     all_bits(&q_ddot[0], 6);
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real V_dot[6];
     const bench8_status status = bench8_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&x.position[0], 3);
-        initialised(&x.attitude[0], 4);
-        initialised(&x.V[0], 6);
-        initialised(&x.phi[0], 8);
-        initialised(&x.phi_dot[0], 8);
+        initialised_state(&x);
         initialised(&V_dot[0], 6);
     }
 }
@@ -1572,11 +1857,7 @@ void bench8_eva_normal_attitude(void);
 void bench8_eva_normal_attitude(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real angles[3];
     reals(&angles[0], 3, 7.0);
     bench8_real phi_ddot[BENCH8_N];
@@ -1584,20 +1865,10 @@ void bench8_eva_normal_attitude(void)
     bench8_generalized out;
     const bench8_status status = bench8_attitude(&bench8_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1605,11 +1876,7 @@ void bench8_eva_any_attitude(void);
 void bench8_eva_any_attitude(void)
 {
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real angles[3];
     reals(&angles[0], 3, BENCH8_LARGEST);
     bench8_real phi_ddot[BENCH8_N];
@@ -1617,20 +1884,10 @@ void bench8_eva_any_attitude(void)
     bench8_generalized out;
     const bench8_status status = bench8_attitude(&bench8_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1638,11 +1895,7 @@ void bench8_eva_bits_attitude(void);
 void bench8_eva_bits_attitude(void)
 {
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real angles[3];
     all_bits(&angles[0], 3);
     bench8_real phi_ddot[BENCH8_N];
@@ -1650,20 +1903,10 @@ void bench8_eva_bits_attitude(void)
     bench8_generalized out;
     const bench8_status status = bench8_attitude(&bench8_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.A[0][0], 36);
-        initialised(&out.D[0][0], 36);
-        initialised(&out.I0[0][0], 36);
-        initialised(&out.J0[0][0], 36);
-        initialised(&out.q_dot[0], 6);
-        initialised(&out.q_ddot[0], 6);
+        initialised_generalized(&out);
     }
 }
 
@@ -1671,119 +1914,13 @@ void bench8_eva_normal_prepare(void);
 void bench8_eva_normal_prepare(void)
 {
     bench8_parameters parameters;
-    about(&parameters.carrier.mass, &bench8_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &bench8_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &bench8_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < BENCH8_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &bench8_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &bench8_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &bench8_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &bench8_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &bench8_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &bench8_default_parameters.flywheel[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     bench8_table stand = bench8_default;
     const bench8_status status = bench8_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
-        written(&stand.flywheel[3].mu_c[0], 3);
-        written(&stand.flywheel[3].mu_s[0], 3);
-        written(&stand.flywheel[3].J_c[0], 6);
-        written(&stand.flywheel[3].J_s[0], 6);
-        written(&stand.flywheel[3].J_2c[0], 6);
-        written(&stand.flywheel[3].J_2s[0], 6);
-        written(&stand.flywheel[3].t_0[0], 3);
-        written(&stand.flywheel[3].t_c[0], 3);
-        written(&stand.flywheel[3].t_s[0], 3);
-        written(&stand.flywheel[3].spin, 1);
-        written(&stand.flywheel[3].spin_inv, 1);
-        written(&stand.flywheel[4].mu_c[0], 3);
-        written(&stand.flywheel[4].mu_s[0], 3);
-        written(&stand.flywheel[4].J_c[0], 6);
-        written(&stand.flywheel[4].J_s[0], 6);
-        written(&stand.flywheel[4].J_2c[0], 6);
-        written(&stand.flywheel[4].J_2s[0], 6);
-        written(&stand.flywheel[4].t_0[0], 3);
-        written(&stand.flywheel[4].t_c[0], 3);
-        written(&stand.flywheel[4].t_s[0], 3);
-        written(&stand.flywheel[4].spin, 1);
-        written(&stand.flywheel[4].spin_inv, 1);
-        written(&stand.flywheel[5].mu_c[0], 3);
-        written(&stand.flywheel[5].mu_s[0], 3);
-        written(&stand.flywheel[5].J_c[0], 6);
-        written(&stand.flywheel[5].J_s[0], 6);
-        written(&stand.flywheel[5].J_2c[0], 6);
-        written(&stand.flywheel[5].J_2s[0], 6);
-        written(&stand.flywheel[5].t_0[0], 3);
-        written(&stand.flywheel[5].t_c[0], 3);
-        written(&stand.flywheel[5].t_s[0], 3);
-        written(&stand.flywheel[5].spin, 1);
-        written(&stand.flywheel[5].spin_inv, 1);
-        written(&stand.flywheel[6].mu_c[0], 3);
-        written(&stand.flywheel[6].mu_s[0], 3);
-        written(&stand.flywheel[6].J_c[0], 6);
-        written(&stand.flywheel[6].J_s[0], 6);
-        written(&stand.flywheel[6].J_2c[0], 6);
-        written(&stand.flywheel[6].J_2s[0], 6);
-        written(&stand.flywheel[6].t_0[0], 3);
-        written(&stand.flywheel[6].t_c[0], 3);
-        written(&stand.flywheel[6].t_s[0], 3);
-        written(&stand.flywheel[6].spin, 1);
-        written(&stand.flywheel[6].spin_inv, 1);
-        written(&stand.flywheel[7].mu_c[0], 3);
-        written(&stand.flywheel[7].mu_s[0], 3);
-        written(&stand.flywheel[7].J_c[0], 6);
-        written(&stand.flywheel[7].J_s[0], 6);
-        written(&stand.flywheel[7].J_2c[0], 6);
-        written(&stand.flywheel[7].J_2s[0], 6);
-        written(&stand.flywheel[7].t_0[0], 3);
-        written(&stand.flywheel[7].t_c[0], 3);
-        written(&stand.flywheel[7].t_s[0], 3);
-        written(&stand.flywheel[7].spin, 1);
-        written(&stand.flywheel[7].spin_inv, 1);
-        written(&stand.gravity[0], 3);
-        written(&stand.suspension.stiffness[0][0], 36);
-        written(&stand.suspension.damping[0][0], 36);
-        written(&stand.suspension.position[0], 3);
-        written(&stand.suspension.attitude[0], 4);
+        written_table(&stand);
     }
 }
 
@@ -1791,119 +1928,13 @@ void bench8_eva_any_prepare(void);
 void bench8_eva_any_prepare(void)
 {
     bench8_parameters parameters;
-    reals(&parameters.carrier.mass, 1, BENCH8_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, BENCH8_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, BENCH8_LARGEST);
-    for (int i = 0; i < BENCH8_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, BENCH8_LARGEST);
-    }
+    any_parameters(&parameters);
     bench8_table stand = bench8_default;
     const bench8_status status = bench8_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
-        written(&stand.flywheel[3].mu_c[0], 3);
-        written(&stand.flywheel[3].mu_s[0], 3);
-        written(&stand.flywheel[3].J_c[0], 6);
-        written(&stand.flywheel[3].J_s[0], 6);
-        written(&stand.flywheel[3].J_2c[0], 6);
-        written(&stand.flywheel[3].J_2s[0], 6);
-        written(&stand.flywheel[3].t_0[0], 3);
-        written(&stand.flywheel[3].t_c[0], 3);
-        written(&stand.flywheel[3].t_s[0], 3);
-        written(&stand.flywheel[3].spin, 1);
-        written(&stand.flywheel[3].spin_inv, 1);
-        written(&stand.flywheel[4].mu_c[0], 3);
-        written(&stand.flywheel[4].mu_s[0], 3);
-        written(&stand.flywheel[4].J_c[0], 6);
-        written(&stand.flywheel[4].J_s[0], 6);
-        written(&stand.flywheel[4].J_2c[0], 6);
-        written(&stand.flywheel[4].J_2s[0], 6);
-        written(&stand.flywheel[4].t_0[0], 3);
-        written(&stand.flywheel[4].t_c[0], 3);
-        written(&stand.flywheel[4].t_s[0], 3);
-        written(&stand.flywheel[4].spin, 1);
-        written(&stand.flywheel[4].spin_inv, 1);
-        written(&stand.flywheel[5].mu_c[0], 3);
-        written(&stand.flywheel[5].mu_s[0], 3);
-        written(&stand.flywheel[5].J_c[0], 6);
-        written(&stand.flywheel[5].J_s[0], 6);
-        written(&stand.flywheel[5].J_2c[0], 6);
-        written(&stand.flywheel[5].J_2s[0], 6);
-        written(&stand.flywheel[5].t_0[0], 3);
-        written(&stand.flywheel[5].t_c[0], 3);
-        written(&stand.flywheel[5].t_s[0], 3);
-        written(&stand.flywheel[5].spin, 1);
-        written(&stand.flywheel[5].spin_inv, 1);
-        written(&stand.flywheel[6].mu_c[0], 3);
-        written(&stand.flywheel[6].mu_s[0], 3);
-        written(&stand.flywheel[6].J_c[0], 6);
-        written(&stand.flywheel[6].J_s[0], 6);
-        written(&stand.flywheel[6].J_2c[0], 6);
-        written(&stand.flywheel[6].J_2s[0], 6);
-        written(&stand.flywheel[6].t_0[0], 3);
-        written(&stand.flywheel[6].t_c[0], 3);
-        written(&stand.flywheel[6].t_s[0], 3);
-        written(&stand.flywheel[6].spin, 1);
-        written(&stand.flywheel[6].spin_inv, 1);
-        written(&stand.flywheel[7].mu_c[0], 3);
-        written(&stand.flywheel[7].mu_s[0], 3);
-        written(&stand.flywheel[7].J_c[0], 6);
-        written(&stand.flywheel[7].J_s[0], 6);
-        written(&stand.flywheel[7].J_2c[0], 6);
-        written(&stand.flywheel[7].J_2s[0], 6);
-        written(&stand.flywheel[7].t_0[0], 3);
-        written(&stand.flywheel[7].t_c[0], 3);
-        written(&stand.flywheel[7].t_s[0], 3);
-        written(&stand.flywheel[7].spin, 1);
-        written(&stand.flywheel[7].spin_inv, 1);
-        written(&stand.gravity[0], 3);
-        written(&stand.suspension.stiffness[0][0], 36);
-        written(&stand.suspension.damping[0][0], 36);
-        written(&stand.suspension.position[0], 3);
-        written(&stand.suspension.attitude[0], 4);
+        written_table(&stand);
     }
 }
 
@@ -1911,119 +1942,13 @@ void bench8_eva_bits_prepare(void);
 void bench8_eva_bits_prepare(void)
 {
     bench8_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < BENCH8_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     bench8_table stand = bench8_default;
     const bench8_status status = bench8_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&stand.mass, 1);
-        initialised(&stand.mass_inverse, 1);
-        initialised(&stand.first_moment[0], 3);
-        initialised(&stand.inertia[0], 6);
-        initialised(&stand.flywheel[0].mu_c[0], 3);
-        initialised(&stand.flywheel[0].mu_s[0], 3);
-        initialised(&stand.flywheel[0].J_c[0], 6);
-        initialised(&stand.flywheel[0].J_s[0], 6);
-        initialised(&stand.flywheel[0].J_2c[0], 6);
-        initialised(&stand.flywheel[0].J_2s[0], 6);
-        initialised(&stand.flywheel[0].t_0[0], 3);
-        initialised(&stand.flywheel[0].t_c[0], 3);
-        initialised(&stand.flywheel[0].t_s[0], 3);
-        initialised(&stand.flywheel[0].spin, 1);
-        initialised(&stand.flywheel[0].spin_inv, 1);
-        initialised(&stand.flywheel[1].mu_c[0], 3);
-        initialised(&stand.flywheel[1].mu_s[0], 3);
-        initialised(&stand.flywheel[1].J_c[0], 6);
-        initialised(&stand.flywheel[1].J_s[0], 6);
-        initialised(&stand.flywheel[1].J_2c[0], 6);
-        initialised(&stand.flywheel[1].J_2s[0], 6);
-        initialised(&stand.flywheel[1].t_0[0], 3);
-        initialised(&stand.flywheel[1].t_c[0], 3);
-        initialised(&stand.flywheel[1].t_s[0], 3);
-        initialised(&stand.flywheel[1].spin, 1);
-        initialised(&stand.flywheel[1].spin_inv, 1);
-        initialised(&stand.flywheel[2].mu_c[0], 3);
-        initialised(&stand.flywheel[2].mu_s[0], 3);
-        initialised(&stand.flywheel[2].J_c[0], 6);
-        initialised(&stand.flywheel[2].J_s[0], 6);
-        initialised(&stand.flywheel[2].J_2c[0], 6);
-        initialised(&stand.flywheel[2].J_2s[0], 6);
-        initialised(&stand.flywheel[2].t_0[0], 3);
-        initialised(&stand.flywheel[2].t_c[0], 3);
-        initialised(&stand.flywheel[2].t_s[0], 3);
-        initialised(&stand.flywheel[2].spin, 1);
-        initialised(&stand.flywheel[2].spin_inv, 1);
-        initialised(&stand.flywheel[3].mu_c[0], 3);
-        initialised(&stand.flywheel[3].mu_s[0], 3);
-        initialised(&stand.flywheel[3].J_c[0], 6);
-        initialised(&stand.flywheel[3].J_s[0], 6);
-        initialised(&stand.flywheel[3].J_2c[0], 6);
-        initialised(&stand.flywheel[3].J_2s[0], 6);
-        initialised(&stand.flywheel[3].t_0[0], 3);
-        initialised(&stand.flywheel[3].t_c[0], 3);
-        initialised(&stand.flywheel[3].t_s[0], 3);
-        initialised(&stand.flywheel[3].spin, 1);
-        initialised(&stand.flywheel[3].spin_inv, 1);
-        initialised(&stand.flywheel[4].mu_c[0], 3);
-        initialised(&stand.flywheel[4].mu_s[0], 3);
-        initialised(&stand.flywheel[4].J_c[0], 6);
-        initialised(&stand.flywheel[4].J_s[0], 6);
-        initialised(&stand.flywheel[4].J_2c[0], 6);
-        initialised(&stand.flywheel[4].J_2s[0], 6);
-        initialised(&stand.flywheel[4].t_0[0], 3);
-        initialised(&stand.flywheel[4].t_c[0], 3);
-        initialised(&stand.flywheel[4].t_s[0], 3);
-        initialised(&stand.flywheel[4].spin, 1);
-        initialised(&stand.flywheel[4].spin_inv, 1);
-        initialised(&stand.flywheel[5].mu_c[0], 3);
-        initialised(&stand.flywheel[5].mu_s[0], 3);
-        initialised(&stand.flywheel[5].J_c[0], 6);
-        initialised(&stand.flywheel[5].J_s[0], 6);
-        initialised(&stand.flywheel[5].J_2c[0], 6);
-        initialised(&stand.flywheel[5].J_2s[0], 6);
-        initialised(&stand.flywheel[5].t_0[0], 3);
-        initialised(&stand.flywheel[5].t_c[0], 3);
-        initialised(&stand.flywheel[5].t_s[0], 3);
-        initialised(&stand.flywheel[5].spin, 1);
-        initialised(&stand.flywheel[5].spin_inv, 1);
-        initialised(&stand.flywheel[6].mu_c[0], 3);
-        initialised(&stand.flywheel[6].mu_s[0], 3);
-        initialised(&stand.flywheel[6].J_c[0], 6);
-        initialised(&stand.flywheel[6].J_s[0], 6);
-        initialised(&stand.flywheel[6].J_2c[0], 6);
-        initialised(&stand.flywheel[6].J_2s[0], 6);
-        initialised(&stand.flywheel[6].t_0[0], 3);
-        initialised(&stand.flywheel[6].t_c[0], 3);
-        initialised(&stand.flywheel[6].t_s[0], 3);
-        initialised(&stand.flywheel[6].spin, 1);
-        initialised(&stand.flywheel[6].spin_inv, 1);
-        initialised(&stand.flywheel[7].mu_c[0], 3);
-        initialised(&stand.flywheel[7].mu_s[0], 3);
-        initialised(&stand.flywheel[7].J_c[0], 6);
-        initialised(&stand.flywheel[7].J_s[0], 6);
-        initialised(&stand.flywheel[7].J_2c[0], 6);
-        initialised(&stand.flywheel[7].J_2s[0], 6);
-        initialised(&stand.flywheel[7].t_0[0], 3);
-        initialised(&stand.flywheel[7].t_c[0], 3);
-        initialised(&stand.flywheel[7].t_s[0], 3);
-        initialised(&stand.flywheel[7].spin, 1);
-        initialised(&stand.flywheel[7].spin_inv, 1);
-        initialised(&stand.gravity[0], 3);
-        initialised(&stand.suspension.stiffness[0][0], 36);
-        initialised(&stand.suspension.damping[0][0], 36);
-        initialised(&stand.suspension.position[0], 3);
-        initialised(&stand.suspension.attitude[0], 4);
+        initialised_table(&stand);
     }
 }
 
@@ -2033,11 +1958,7 @@ void bench8_eva_normal_mounts(void)
     bench8_mount_table mounting;
     (void)bench8_prepare_mounts(&bench8_default_parameters, &mounting);
     bench8_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 8, 100.0);
-    reals(&x.phi_dot[0], 8, 1.0e3);
+    normal_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     bench8_real phi_ddot[BENCH8_N];
@@ -2058,11 +1979,7 @@ void bench8_eva_any_mounts(void)
     bench8_mount_table mounting;
     (void)bench8_prepare_mounts(&bench8_default_parameters, &mounting);
     bench8_state x;
-    reals(&x.position[0], 3, BENCH8_LARGEST);
-    quaternion(x.attitude, BENCH8_LARGEST);
-    reals(&x.V[0], 6, BENCH8_LARGEST);
-    reals(&x.phi[0], 8, BENCH8_LARGEST);
-    reals(&x.phi_dot[0], 8, BENCH8_LARGEST);
+    any_state(&x);
     bench8_real V_dot[6];
     reals(&V_dot[0], 6, BENCH8_LARGEST);
     bench8_real phi_ddot[BENCH8_N];
@@ -2083,11 +2000,7 @@ void bench8_eva_bits_mounts(void)
     bench8_mount_table mounting;
     (void)bench8_prepare_mounts(&bench8_default_parameters, &mounting);
     bench8_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 8);
-    all_bits(&x.phi_dot[0], 8);
+    bits_state(&x);
     bench8_real V_dot[6];
     all_bits(&V_dot[0], 6);
     bench8_real phi_ddot[BENCH8_N];
@@ -2106,102 +2019,14 @@ void bench8_eva_normal_prepare_mounts(void);
 void bench8_eva_normal_prepare_mounts(void)
 {
     bench8_parameters parameters;
-    about(&parameters.carrier.mass, &bench8_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &bench8_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &bench8_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < BENCH8_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &bench8_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &bench8_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &bench8_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &bench8_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &bench8_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &bench8_default_parameters.flywheel[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     bench8_mount_table mounting;
     const bench8_status status = bench8_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
-        untouched(&mounting.flywheel[4].mass, 1);
-        untouched(&mounting.flywheel[4].first_moment[0], 3);
-        untouched(&mounting.flywheel[4].inertia[0], 6);
-        untouched(&mounting.flywheel[4].origin[0], 3);
-        untouched(&mounting.flywheel[4].axes[0], 9);
-        untouched(&mounting.flywheel[5].mass, 1);
-        untouched(&mounting.flywheel[5].first_moment[0], 3);
-        untouched(&mounting.flywheel[5].inertia[0], 6);
-        untouched(&mounting.flywheel[5].origin[0], 3);
-        untouched(&mounting.flywheel[5].axes[0], 9);
-        untouched(&mounting.flywheel[6].mass, 1);
-        untouched(&mounting.flywheel[6].first_moment[0], 3);
-        untouched(&mounting.flywheel[6].inertia[0], 6);
-        untouched(&mounting.flywheel[6].origin[0], 3);
-        untouched(&mounting.flywheel[6].axes[0], 9);
-        untouched(&mounting.flywheel[7].mass, 1);
-        untouched(&mounting.flywheel[7].first_moment[0], 3);
-        untouched(&mounting.flywheel[7].inertia[0], 6);
-        untouched(&mounting.flywheel[7].origin[0], 3);
-        untouched(&mounting.flywheel[7].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
-        written(&mounting.flywheel[3].mass, 1);
-        written(&mounting.flywheel[3].first_moment[0], 3);
-        written(&mounting.flywheel[3].inertia[0], 6);
-        written(&mounting.flywheel[3].origin[0], 3);
-        written(&mounting.flywheel[3].axes[0], 9);
-        written(&mounting.flywheel[4].mass, 1);
-        written(&mounting.flywheel[4].first_moment[0], 3);
-        written(&mounting.flywheel[4].inertia[0], 6);
-        written(&mounting.flywheel[4].origin[0], 3);
-        written(&mounting.flywheel[4].axes[0], 9);
-        written(&mounting.flywheel[5].mass, 1);
-        written(&mounting.flywheel[5].first_moment[0], 3);
-        written(&mounting.flywheel[5].inertia[0], 6);
-        written(&mounting.flywheel[5].origin[0], 3);
-        written(&mounting.flywheel[5].axes[0], 9);
-        written(&mounting.flywheel[6].mass, 1);
-        written(&mounting.flywheel[6].first_moment[0], 3);
-        written(&mounting.flywheel[6].inertia[0], 6);
-        written(&mounting.flywheel[6].origin[0], 3);
-        written(&mounting.flywheel[6].axes[0], 9);
-        written(&mounting.flywheel[7].mass, 1);
-        written(&mounting.flywheel[7].first_moment[0], 3);
-        written(&mounting.flywheel[7].inertia[0], 6);
-        written(&mounting.flywheel[7].origin[0], 3);
-        written(&mounting.flywheel[7].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -2209,102 +2034,14 @@ void bench8_eva_any_prepare_mounts(void);
 void bench8_eva_any_prepare_mounts(void)
 {
     bench8_parameters parameters;
-    reals(&parameters.carrier.mass, 1, BENCH8_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, BENCH8_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, BENCH8_LARGEST);
-    for (int i = 0; i < BENCH8_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, BENCH8_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, BENCH8_LARGEST);
-    }
+    any_parameters(&parameters);
     bench8_mount_table mounting;
     const bench8_status status = bench8_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
-        untouched(&mounting.flywheel[4].mass, 1);
-        untouched(&mounting.flywheel[4].first_moment[0], 3);
-        untouched(&mounting.flywheel[4].inertia[0], 6);
-        untouched(&mounting.flywheel[4].origin[0], 3);
-        untouched(&mounting.flywheel[4].axes[0], 9);
-        untouched(&mounting.flywheel[5].mass, 1);
-        untouched(&mounting.flywheel[5].first_moment[0], 3);
-        untouched(&mounting.flywheel[5].inertia[0], 6);
-        untouched(&mounting.flywheel[5].origin[0], 3);
-        untouched(&mounting.flywheel[5].axes[0], 9);
-        untouched(&mounting.flywheel[6].mass, 1);
-        untouched(&mounting.flywheel[6].first_moment[0], 3);
-        untouched(&mounting.flywheel[6].inertia[0], 6);
-        untouched(&mounting.flywheel[6].origin[0], 3);
-        untouched(&mounting.flywheel[6].axes[0], 9);
-        untouched(&mounting.flywheel[7].mass, 1);
-        untouched(&mounting.flywheel[7].first_moment[0], 3);
-        untouched(&mounting.flywheel[7].inertia[0], 6);
-        untouched(&mounting.flywheel[7].origin[0], 3);
-        untouched(&mounting.flywheel[7].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
-        written(&mounting.flywheel[3].mass, 1);
-        written(&mounting.flywheel[3].first_moment[0], 3);
-        written(&mounting.flywheel[3].inertia[0], 6);
-        written(&mounting.flywheel[3].origin[0], 3);
-        written(&mounting.flywheel[3].axes[0], 9);
-        written(&mounting.flywheel[4].mass, 1);
-        written(&mounting.flywheel[4].first_moment[0], 3);
-        written(&mounting.flywheel[4].inertia[0], 6);
-        written(&mounting.flywheel[4].origin[0], 3);
-        written(&mounting.flywheel[4].axes[0], 9);
-        written(&mounting.flywheel[5].mass, 1);
-        written(&mounting.flywheel[5].first_moment[0], 3);
-        written(&mounting.flywheel[5].inertia[0], 6);
-        written(&mounting.flywheel[5].origin[0], 3);
-        written(&mounting.flywheel[5].axes[0], 9);
-        written(&mounting.flywheel[6].mass, 1);
-        written(&mounting.flywheel[6].first_moment[0], 3);
-        written(&mounting.flywheel[6].inertia[0], 6);
-        written(&mounting.flywheel[6].origin[0], 3);
-        written(&mounting.flywheel[6].axes[0], 9);
-        written(&mounting.flywheel[7].mass, 1);
-        written(&mounting.flywheel[7].first_moment[0], 3);
-        written(&mounting.flywheel[7].inertia[0], 6);
-        written(&mounting.flywheel[7].origin[0], 3);
-        written(&mounting.flywheel[7].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -2312,102 +2049,14 @@ void bench8_eva_bits_prepare_mounts(void);
 void bench8_eva_bits_prepare_mounts(void)
 {
     bench8_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < BENCH8_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     bench8_mount_table mounting;
     const bench8_status status = bench8_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
-        untouched(&mounting.flywheel[4].mass, 1);
-        untouched(&mounting.flywheel[4].first_moment[0], 3);
-        untouched(&mounting.flywheel[4].inertia[0], 6);
-        untouched(&mounting.flywheel[4].origin[0], 3);
-        untouched(&mounting.flywheel[4].axes[0], 9);
-        untouched(&mounting.flywheel[5].mass, 1);
-        untouched(&mounting.flywheel[5].first_moment[0], 3);
-        untouched(&mounting.flywheel[5].inertia[0], 6);
-        untouched(&mounting.flywheel[5].origin[0], 3);
-        untouched(&mounting.flywheel[5].axes[0], 9);
-        untouched(&mounting.flywheel[6].mass, 1);
-        untouched(&mounting.flywheel[6].first_moment[0], 3);
-        untouched(&mounting.flywheel[6].inertia[0], 6);
-        untouched(&mounting.flywheel[6].origin[0], 3);
-        untouched(&mounting.flywheel[6].axes[0], 9);
-        untouched(&mounting.flywheel[7].mass, 1);
-        untouched(&mounting.flywheel[7].first_moment[0], 3);
-        untouched(&mounting.flywheel[7].inertia[0], 6);
-        untouched(&mounting.flywheel[7].origin[0], 3);
-        untouched(&mounting.flywheel[7].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&mounting.flywheel[0].mass, 1);
-        initialised(&mounting.flywheel[0].first_moment[0], 3);
-        initialised(&mounting.flywheel[0].inertia[0], 6);
-        initialised(&mounting.flywheel[0].origin[0], 3);
-        initialised(&mounting.flywheel[0].axes[0], 9);
-        initialised(&mounting.flywheel[1].mass, 1);
-        initialised(&mounting.flywheel[1].first_moment[0], 3);
-        initialised(&mounting.flywheel[1].inertia[0], 6);
-        initialised(&mounting.flywheel[1].origin[0], 3);
-        initialised(&mounting.flywheel[1].axes[0], 9);
-        initialised(&mounting.flywheel[2].mass, 1);
-        initialised(&mounting.flywheel[2].first_moment[0], 3);
-        initialised(&mounting.flywheel[2].inertia[0], 6);
-        initialised(&mounting.flywheel[2].origin[0], 3);
-        initialised(&mounting.flywheel[2].axes[0], 9);
-        initialised(&mounting.flywheel[3].mass, 1);
-        initialised(&mounting.flywheel[3].first_moment[0], 3);
-        initialised(&mounting.flywheel[3].inertia[0], 6);
-        initialised(&mounting.flywheel[3].origin[0], 3);
-        initialised(&mounting.flywheel[3].axes[0], 9);
-        initialised(&mounting.flywheel[4].mass, 1);
-        initialised(&mounting.flywheel[4].first_moment[0], 3);
-        initialised(&mounting.flywheel[4].inertia[0], 6);
-        initialised(&mounting.flywheel[4].origin[0], 3);
-        initialised(&mounting.flywheel[4].axes[0], 9);
-        initialised(&mounting.flywheel[5].mass, 1);
-        initialised(&mounting.flywheel[5].first_moment[0], 3);
-        initialised(&mounting.flywheel[5].inertia[0], 6);
-        initialised(&mounting.flywheel[5].origin[0], 3);
-        initialised(&mounting.flywheel[5].axes[0], 9);
-        initialised(&mounting.flywheel[6].mass, 1);
-        initialised(&mounting.flywheel[6].first_moment[0], 3);
-        initialised(&mounting.flywheel[6].inertia[0], 6);
-        initialised(&mounting.flywheel[6].origin[0], 3);
-        initialised(&mounting.flywheel[6].axes[0], 9);
-        initialised(&mounting.flywheel[7].mass, 1);
-        initialised(&mounting.flywheel[7].first_moment[0], 3);
-        initialised(&mounting.flywheel[7].inertia[0], 6);
-        initialised(&mounting.flywheel[7].origin[0], 3);
-        initialised(&mounting.flywheel[7].axes[0], 9);
+        initialised_mount_table(&mounting);
     }
 }
 

@@ -156,17 +156,487 @@ static void untouched(const demo3_real *x, int count)
     }
 }
 
+/* ---- whole structs ---- */
+
+static void normal_state(demo3_state *x)
+{
+    reals(&x->position[0], 3, 100.0);
+    quaternion(x->attitude, 2.0);
+    reals(&x->V[0], 6, 20.0);
+    reals(&x->phi[0], 3, 100.0);
+    reals(&x->phi_dot[0], 3, 1.0e3);
+}
+
+static void any_state(demo3_state *x)
+{
+    reals(&x->position[0], 3, DEMO3_LARGEST);
+    quaternion(x->attitude, DEMO3_LARGEST);
+    reals(&x->V[0], 6, DEMO3_LARGEST);
+    reals(&x->phi[0], 3, DEMO3_LARGEST);
+    reals(&x->phi_dot[0], 3, DEMO3_LARGEST);
+}
+
+static void bits_state(demo3_state *x)
+{
+    all_bits(&x->position[0], 3);
+    all_bits(&x->attitude[0], 4);
+    all_bits(&x->V[0], 6);
+    all_bits(&x->phi[0], 3);
+    all_bits(&x->phi_dot[0], 3);
+}
+
+static void normal_encoder(demo3_encoder *x)
+{
+    integers(&x->counter, 1, -1048576, 1048576);
+    integers(&x->place, 1, -1048576, 1048576);
+    integers(&x->moved, 1, -1048576, 1048576);
+}
+
+static void any_encoder(demo3_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void bits_encoder(demo3_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void normal_inverse_options(demo3_inverse_options *x)
+{
+    about(&x->weight[0], &demo3_default_options.weight[0], 3);
+    about(&x->limit[0], &demo3_default_options.limit[0], 3);
+    about(&x->near, &demo3_default_options.near, 1);
+    about(&x->damping, &demo3_default_options.damping, 1);
+}
+
+static void any_inverse_options(demo3_inverse_options *x)
+{
+    reals(&x->weight[0], 3, DEMO3_LARGEST);
+    reals(&x->limit[0], 3, DEMO3_LARGEST);
+    reals(&x->near, 1, DEMO3_LARGEST);
+    reals(&x->damping, 1, DEMO3_LARGEST);
+}
+
+static void bits_inverse_options(demo3_inverse_options *x)
+{
+    all_bits(&x->weight[0], 3);
+    all_bits(&x->limit[0], 3);
+    one_of_all(&x->near);
+    one_of_all(&x->damping);
+}
+
+static void normal_parameters(demo3_parameters *x)
+{
+    about(&x->carrier.mass, &demo3_default_parameters.carrier.mass, 1);
+    about(&x->carrier.center_of_mass[0], &demo3_default_parameters.carrier.center_of_mass[0], 3);
+    about(&x->carrier.inertia[0], &demo3_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < DEMO3_N; ++i) {
+        about(&x->flywheel[i].body.mass, &demo3_default_parameters.flywheel[i].body.mass, 1);
+        about(&x->flywheel[i].body.center_of_mass[0], &demo3_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&x->flywheel[i].body.inertia[0], &demo3_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&x->flywheel[i].position[0], &demo3_default_parameters.flywheel[i].position[0], 3);
+        about(&x->flywheel[i].axis[0], &demo3_default_parameters.flywheel[i].axis[0], 3);
+        about(&x->flywheel[i].zero[0], &demo3_default_parameters.flywheel[i].zero[0], 3);
+    }
+}
+
+static void any_parameters(demo3_parameters *x)
+{
+    reals(&x->carrier.mass, 1, DEMO3_LARGEST);
+    reals(&x->carrier.center_of_mass[0], 3, DEMO3_LARGEST);
+    reals(&x->carrier.inertia[0], 6, DEMO3_LARGEST);
+    for (int i = 0; i < DEMO3_N; ++i) {
+        reals(&x->flywheel[i].body.mass, 1, DEMO3_LARGEST);
+        reals(&x->flywheel[i].body.center_of_mass[0], 3, DEMO3_LARGEST);
+        reals(&x->flywheel[i].body.inertia[0], 6, DEMO3_LARGEST);
+        reals(&x->flywheel[i].position[0], 3, DEMO3_LARGEST);
+        reals(&x->flywheel[i].axis[0], 3, DEMO3_LARGEST);
+        reals(&x->flywheel[i].zero[0], 3, DEMO3_LARGEST);
+    }
+}
+
+static void bits_parameters(demo3_parameters *x)
+{
+    one_of_all(&x->carrier.mass);
+    all_bits(&x->carrier.center_of_mass[0], 3);
+    all_bits(&x->carrier.inertia[0], 6);
+    for (int i = 0; i < DEMO3_N; ++i) {
+        one_of_all(&x->flywheel[i].body.mass);
+        all_bits(&x->flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&x->flywheel[i].body.inertia[0], 6);
+        all_bits(&x->flywheel[i].position[0], 3);
+        all_bits(&x->flywheel[i].axis[0], 3);
+        all_bits(&x->flywheel[i].zero[0], 3);
+    }
+}
+
+static void untouched_equations(const demo3_equations *x)
+{
+    untouched(&x->K[0][0], 36);
+    untouched(&x->K_dot[0][0], 36);
+    untouched(&x->M[0][0], 36);
+    untouched(&x->I[0][0], 18);
+    untouched(&x->J[0][0], 18);
+    untouched(&x->F[0], 6);
+}
+
+static void written_equations(const demo3_equations *x)
+{
+    written(&x->K[0][0], 36);
+    written(&x->K_dot[0][0], 36);
+    written(&x->M[0][0], 36);
+    written(&x->I[0][0], 18);
+    written(&x->J[0][0], 18);
+    written(&x->F[0], 6);
+}
+
+static void initialised_equations(const demo3_equations *x)
+{
+    initialised(&x->K[0][0], 36);
+    initialised(&x->K_dot[0][0], 36);
+    initialised(&x->M[0][0], 36);
+    initialised(&x->I[0][0], 18);
+    initialised(&x->J[0][0], 18);
+    initialised(&x->F[0], 6);
+}
+
+static void untouched_momenta(const demo3_momenta *x)
+{
+    untouched(&x->Z[0], 6);
+    untouched(&x->Z0[0], 6);
+    untouched(&x->energy, 1);
+    untouched(&x->center_of_mass[0], 3);
+}
+
+static void written_momenta(const demo3_momenta *x)
+{
+    written(&x->Z[0], 6);
+    written(&x->Z0[0], 6);
+    written(&x->energy, 1);
+    written(&x->center_of_mass[0], 3);
+}
+
+static void initialised_momenta(const demo3_momenta *x)
+{
+    initialised(&x->Z[0], 6);
+    initialised(&x->Z0[0], 6);
+    initialised(&x->energy, 1);
+    initialised(&x->center_of_mass[0], 3);
+}
+
+static void untouched_state(const demo3_state *x)
+{
+    untouched(&x->position[0], 3);
+    untouched(&x->attitude[0], 4);
+    untouched(&x->V[0], 6);
+    untouched(&x->phi[0], 3);
+    untouched(&x->phi_dot[0], 3);
+}
+
+static void written_state(const demo3_state *x)
+{
+    written(&x->position[0], 3);
+    written(&x->attitude[0], 4);
+    written(&x->V[0], 6);
+    written(&x->phi[0], 3);
+    written(&x->phi_dot[0], 3);
+}
+
+static void initialised_state(const demo3_state *x)
+{
+    initialised(&x->position[0], 3);
+    initialised(&x->attitude[0], 4);
+    initialised(&x->V[0], 6);
+    initialised(&x->phi[0], 3);
+    initialised(&x->phi_dot[0], 3);
+}
+
+static void written_encoder(const demo3_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void initialised_encoder(const demo3_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void untouched_forward_slopes(const demo3_forward_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 18);
+    untouched(&x->V_dot_phi_dot[0][0], 18);
+    untouched(&x->V_dot_phi_ddot[0][0], 18);
+}
+
+static void written_forward_slopes(const demo3_forward_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 18);
+    written(&x->V_dot_phi_dot[0][0], 18);
+    written(&x->V_dot_phi_ddot[0][0], 18);
+}
+
+static void initialised_forward_slopes(const demo3_forward_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 18);
+    initialised(&x->V_dot_phi_dot[0][0], 18);
+    initialised(&x->V_dot_phi_ddot[0][0], 18);
+}
+
+static void untouched_coupled_slopes(const demo3_coupled_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 18);
+    untouched(&x->V_dot_phi_dot[0][0], 18);
+    untouched(&x->V_dot_tau[0][0], 18);
+    untouched(&x->phi_ddot_V[0][0], 18);
+    untouched(&x->phi_ddot_phi[0][0], 9);
+    untouched(&x->phi_ddot_phi_dot[0][0], 9);
+    untouched(&x->phi_ddot_tau[0][0], 9);
+}
+
+static void written_coupled_slopes(const demo3_coupled_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 18);
+    written(&x->V_dot_phi_dot[0][0], 18);
+    written(&x->V_dot_tau[0][0], 18);
+    written(&x->phi_ddot_V[0][0], 18);
+    written(&x->phi_ddot_phi[0][0], 9);
+    written(&x->phi_ddot_phi_dot[0][0], 9);
+    written(&x->phi_ddot_tau[0][0], 9);
+}
+
+static void initialised_coupled_slopes(const demo3_coupled_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 18);
+    initialised(&x->V_dot_phi_dot[0][0], 18);
+    initialised(&x->V_dot_tau[0][0], 18);
+    initialised(&x->phi_ddot_V[0][0], 18);
+    initialised(&x->phi_ddot_phi[0][0], 9);
+    initialised(&x->phi_ddot_phi_dot[0][0], 9);
+    initialised(&x->phi_ddot_tau[0][0], 9);
+}
+
+static void untouched_inverse_result(const demo3_inverse_result *x)
+{
+    untouched(&x->phi_ddot[0], 3);
+    untouched(&x->residual[0], 6);
+    untouched(&x->sigma[0], 3);
+    untouched(&x->damped_by, 1);
+    untouched(&x->hardest[0], 6);
+}
+
+static void written_inverse_result(const demo3_inverse_result *x)
+{
+    written(&x->phi_ddot[0], 3);
+    written(&x->residual[0], 6);
+    written(&x->sigma[0], 3);
+    /*@ check \initialized(&x->rank); */
+    written(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    written(&x->hardest[0], 6);
+}
+
+static void initialised_inverse_result(const demo3_inverse_result *x)
+{
+    initialised(&x->phi_ddot[0], 3);
+    initialised(&x->residual[0], 6);
+    initialised(&x->sigma[0], 3);
+    /*@ check \initialized(&x->rank); */
+    initialised(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    initialised(&x->hardest[0], 6);
+}
+
+static void untouched_generalized(const demo3_generalized *x)
+{
+    untouched(&x->A[0][0], 36);
+    untouched(&x->D[0][0], 36);
+    untouched(&x->I0[0][0], 36);
+    untouched(&x->J0[0][0], 36);
+    untouched(&x->q_dot[0], 6);
+    untouched(&x->q_ddot[0], 6);
+}
+
+static void written_generalized(const demo3_generalized *x)
+{
+    written(&x->A[0][0], 36);
+    written(&x->D[0][0], 36);
+    written(&x->I0[0][0], 36);
+    written(&x->J0[0][0], 36);
+    written(&x->q_dot[0], 6);
+    written(&x->q_ddot[0], 6);
+}
+
+static void initialised_generalized(const demo3_generalized *x)
+{
+    initialised(&x->A[0][0], 36);
+    initialised(&x->D[0][0], 36);
+    initialised(&x->I0[0][0], 36);
+    initialised(&x->J0[0][0], 36);
+    initialised(&x->q_dot[0], 6);
+    initialised(&x->q_ddot[0], 6);
+}
+
+static void written_table(const demo3_table *x)
+{
+    written(&x->mass, 1);
+    written(&x->mass_inverse, 1);
+    written(&x->first_moment[0], 3);
+    written(&x->inertia[0], 6);
+    written(&x->flywheel[0].mu_c[0], 3);
+    written(&x->flywheel[0].mu_s[0], 3);
+    written(&x->flywheel[0].J_c[0], 6);
+    written(&x->flywheel[0].J_s[0], 6);
+    written(&x->flywheel[0].J_2c[0], 6);
+    written(&x->flywheel[0].J_2s[0], 6);
+    written(&x->flywheel[0].t_0[0], 3);
+    written(&x->flywheel[0].t_c[0], 3);
+    written(&x->flywheel[0].t_s[0], 3);
+    written(&x->flywheel[0].spin, 1);
+    written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[1].mu_c[0], 3);
+    written(&x->flywheel[1].mu_s[0], 3);
+    written(&x->flywheel[1].J_c[0], 6);
+    written(&x->flywheel[1].J_s[0], 6);
+    written(&x->flywheel[1].J_2c[0], 6);
+    written(&x->flywheel[1].J_2s[0], 6);
+    written(&x->flywheel[1].t_0[0], 3);
+    written(&x->flywheel[1].t_c[0], 3);
+    written(&x->flywheel[1].t_s[0], 3);
+    written(&x->flywheel[1].spin, 1);
+    written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[2].mu_c[0], 3);
+    written(&x->flywheel[2].mu_s[0], 3);
+    written(&x->flywheel[2].J_c[0], 6);
+    written(&x->flywheel[2].J_s[0], 6);
+    written(&x->flywheel[2].J_2c[0], 6);
+    written(&x->flywheel[2].J_2s[0], 6);
+    written(&x->flywheel[2].t_0[0], 3);
+    written(&x->flywheel[2].t_c[0], 3);
+    written(&x->flywheel[2].t_s[0], 3);
+    written(&x->flywheel[2].spin, 1);
+    written(&x->flywheel[2].spin_inv, 1);
+}
+
+static void initialised_table(const demo3_table *x)
+{
+    initialised(&x->mass, 1);
+    initialised(&x->mass_inverse, 1);
+    initialised(&x->first_moment[0], 3);
+    initialised(&x->inertia[0], 6);
+    initialised(&x->flywheel[0].mu_c[0], 3);
+    initialised(&x->flywheel[0].mu_s[0], 3);
+    initialised(&x->flywheel[0].J_c[0], 6);
+    initialised(&x->flywheel[0].J_s[0], 6);
+    initialised(&x->flywheel[0].J_2c[0], 6);
+    initialised(&x->flywheel[0].J_2s[0], 6);
+    initialised(&x->flywheel[0].t_0[0], 3);
+    initialised(&x->flywheel[0].t_c[0], 3);
+    initialised(&x->flywheel[0].t_s[0], 3);
+    initialised(&x->flywheel[0].spin, 1);
+    initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[1].mu_c[0], 3);
+    initialised(&x->flywheel[1].mu_s[0], 3);
+    initialised(&x->flywheel[1].J_c[0], 6);
+    initialised(&x->flywheel[1].J_s[0], 6);
+    initialised(&x->flywheel[1].J_2c[0], 6);
+    initialised(&x->flywheel[1].J_2s[0], 6);
+    initialised(&x->flywheel[1].t_0[0], 3);
+    initialised(&x->flywheel[1].t_c[0], 3);
+    initialised(&x->flywheel[1].t_s[0], 3);
+    initialised(&x->flywheel[1].spin, 1);
+    initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[2].mu_c[0], 3);
+    initialised(&x->flywheel[2].mu_s[0], 3);
+    initialised(&x->flywheel[2].J_c[0], 6);
+    initialised(&x->flywheel[2].J_s[0], 6);
+    initialised(&x->flywheel[2].J_2c[0], 6);
+    initialised(&x->flywheel[2].J_2s[0], 6);
+    initialised(&x->flywheel[2].t_0[0], 3);
+    initialised(&x->flywheel[2].t_c[0], 3);
+    initialised(&x->flywheel[2].t_s[0], 3);
+    initialised(&x->flywheel[2].spin, 1);
+    initialised(&x->flywheel[2].spin_inv, 1);
+}
+
+static void untouched_mount_table(const demo3_mount_table *x)
+{
+    untouched(&x->flywheel[0].mass, 1);
+    untouched(&x->flywheel[0].first_moment[0], 3);
+    untouched(&x->flywheel[0].inertia[0], 6);
+    untouched(&x->flywheel[0].origin[0], 3);
+    untouched(&x->flywheel[0].axes[0], 9);
+    untouched(&x->flywheel[1].mass, 1);
+    untouched(&x->flywheel[1].first_moment[0], 3);
+    untouched(&x->flywheel[1].inertia[0], 6);
+    untouched(&x->flywheel[1].origin[0], 3);
+    untouched(&x->flywheel[1].axes[0], 9);
+    untouched(&x->flywheel[2].mass, 1);
+    untouched(&x->flywheel[2].first_moment[0], 3);
+    untouched(&x->flywheel[2].inertia[0], 6);
+    untouched(&x->flywheel[2].origin[0], 3);
+    untouched(&x->flywheel[2].axes[0], 9);
+}
+
+static void written_mount_table(const demo3_mount_table *x)
+{
+    written(&x->flywheel[0].mass, 1);
+    written(&x->flywheel[0].first_moment[0], 3);
+    written(&x->flywheel[0].inertia[0], 6);
+    written(&x->flywheel[0].origin[0], 3);
+    written(&x->flywheel[0].axes[0], 9);
+    written(&x->flywheel[1].mass, 1);
+    written(&x->flywheel[1].first_moment[0], 3);
+    written(&x->flywheel[1].inertia[0], 6);
+    written(&x->flywheel[1].origin[0], 3);
+    written(&x->flywheel[1].axes[0], 9);
+    written(&x->flywheel[2].mass, 1);
+    written(&x->flywheel[2].first_moment[0], 3);
+    written(&x->flywheel[2].inertia[0], 6);
+    written(&x->flywheel[2].origin[0], 3);
+    written(&x->flywheel[2].axes[0], 9);
+}
+
+static void initialised_mount_table(const demo3_mount_table *x)
+{
+    initialised(&x->flywheel[0].mass, 1);
+    initialised(&x->flywheel[0].first_moment[0], 3);
+    initialised(&x->flywheel[0].inertia[0], 6);
+    initialised(&x->flywheel[0].origin[0], 3);
+    initialised(&x->flywheel[0].axes[0], 9);
+    initialised(&x->flywheel[1].mass, 1);
+    initialised(&x->flywheel[1].first_moment[0], 3);
+    initialised(&x->flywheel[1].inertia[0], 6);
+    initialised(&x->flywheel[1].origin[0], 3);
+    initialised(&x->flywheel[1].axes[0], 9);
+    initialised(&x->flywheel[2].mass, 1);
+    initialised(&x->flywheel[2].first_moment[0], 3);
+    initialised(&x->flywheel[2].inertia[0], 6);
+    initialised(&x->flywheel[2].origin[0], 3);
+    initialised(&x->flywheel[2].axes[0], 9);
+}
+
 /* ---- drivers: a function and a set each ---- */
 
 void demo3_eva_normal_forward(void);
 void demo3_eva_normal_forward(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, 1.0e4);
     demo3_real V_dot[6];
@@ -183,11 +653,7 @@ void demo3_eva_any_forward(void);
 void demo3_eva_any_forward(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, DEMO3_LARGEST);
     demo3_real V_dot[6];
@@ -204,11 +670,7 @@ void demo3_eva_bits_forward(void);
 void demo3_eva_bits_forward(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     all_bits(&phi_ddot[0], 3);
     demo3_real V_dot[6];
@@ -225,28 +687,14 @@ void demo3_eva_normal_matrices(void);
 void demo3_eva_normal_matrices(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_equations out;
     const demo3_status status = demo3_matrices(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 18);
-        untouched(&out.J[0][0], 18);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 18);
-        written(&out.J[0][0], 18);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -254,28 +702,14 @@ void demo3_eva_any_matrices(void);
 void demo3_eva_any_matrices(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_equations out;
     const demo3_status status = demo3_matrices(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 18);
-        untouched(&out.J[0][0], 18);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 18);
-        written(&out.J[0][0], 18);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -283,28 +717,14 @@ void demo3_eva_bits_matrices(void);
 void demo3_eva_bits_matrices(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_equations out;
     const demo3_status status = demo3_matrices(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 18);
-        untouched(&out.J[0][0], 18);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.K[0][0], 36);
-        initialised(&out.K_dot[0][0], 36);
-        initialised(&out.M[0][0], 36);
-        initialised(&out.I[0][0], 18);
-        initialised(&out.J[0][0], 18);
-        initialised(&out.F[0], 6);
+        initialised_equations(&out);
     }
 }
 
@@ -312,24 +732,14 @@ void demo3_eva_normal_momentum(void);
 void demo3_eva_normal_momentum(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_momenta out;
     const demo3_status status = demo3_momentum(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -337,24 +747,14 @@ void demo3_eva_any_momentum(void);
 void demo3_eva_any_momentum(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_momenta out;
     const demo3_status status = demo3_momentum(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -362,24 +762,14 @@ void demo3_eva_bits_momentum(void);
 void demo3_eva_bits_momentum(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_momenta out;
     const demo3_status status = demo3_momentum(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.Z[0], 6);
-        initialised(&out.Z0[0], 6);
-        initialised(&out.energy, 1);
-        initialised(&out.center_of_mass[0], 3);
+        initialised_momenta(&out);
     }
 }
 
@@ -387,11 +777,7 @@ void demo3_eva_normal_torque(void);
 void demo3_eva_normal_torque(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     demo3_real phi_ddot[DEMO3_N];
@@ -410,11 +796,7 @@ void demo3_eva_any_torque(void);
 void demo3_eva_any_torque(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, DEMO3_LARGEST);
     demo3_real phi_ddot[DEMO3_N];
@@ -433,11 +815,7 @@ void demo3_eva_bits_torque(void);
 void demo3_eva_bits_torque(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real V_dot[6];
     all_bits(&V_dot[0], 6);
     demo3_real phi_ddot[DEMO3_N];
@@ -456,11 +834,7 @@ void demo3_eva_normal_coupled(void);
 void demo3_eva_normal_coupled(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real tau[DEMO3_N];
     reals(&tau[0], 3, 100.0);
     int locked[DEMO3_N];
@@ -482,11 +856,7 @@ void demo3_eva_any_coupled(void);
 void demo3_eva_any_coupled(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real tau[DEMO3_N];
     reals(&tau[0], 3, DEMO3_LARGEST);
     int locked[DEMO3_N];
@@ -508,11 +878,7 @@ void demo3_eva_bits_coupled(void);
 void demo3_eva_bits_coupled(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real tau[DEMO3_N];
     all_bits(&tau[0], 3);
     int locked[DEMO3_N];
@@ -534,11 +900,7 @@ void demo3_eva_normal_step(void);
 void demo3_eva_normal_step(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real tau[DEMO3_N];
     reals(&tau[0], 3, 100.0);
     int locked[DEMO3_N];
@@ -550,18 +912,10 @@ void demo3_eva_normal_step(void)
     demo3_state next;
     const demo3_status status = demo3_step(&demo3_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 3);
-        untouched(&next.phi_dot[0], 3);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 3);
-        written(&next.phi_dot[0], 3);
+        written_state(&next);
     }
 }
 
@@ -569,11 +923,7 @@ void demo3_eva_any_step(void);
 void demo3_eva_any_step(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real tau[DEMO3_N];
     reals(&tau[0], 3, DEMO3_LARGEST);
     int locked[DEMO3_N];
@@ -585,18 +935,10 @@ void demo3_eva_any_step(void)
     demo3_state next;
     const demo3_status status = demo3_step(&demo3_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 3);
-        untouched(&next.phi_dot[0], 3);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 3);
-        written(&next.phi_dot[0], 3);
+        written_state(&next);
     }
 }
 
@@ -604,11 +946,7 @@ void demo3_eva_bits_step(void);
 void demo3_eva_bits_step(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real tau[DEMO3_N];
     all_bits(&tau[0], 3);
     int locked[DEMO3_N];
@@ -620,18 +958,10 @@ void demo3_eva_bits_step(void)
     demo3_state next;
     const demo3_status status = demo3_step(&demo3_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 3);
-        untouched(&next.phi_dot[0], 3);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 3);
-        initialised(&next.phi_dot[0], 3);
+        initialised_state(&next);
     }
 }
 
@@ -639,11 +969,7 @@ void demo3_eva_normal_step_driven(void);
 void demo3_eva_normal_step_driven(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, 1.0e4);
     demo3_real dt;
@@ -653,18 +979,10 @@ void demo3_eva_normal_step_driven(void)
     demo3_state next;
     const demo3_status status = demo3_step_driven(&demo3_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 3);
-        untouched(&next.phi_dot[0], 3);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 3);
-        written(&next.phi_dot[0], 3);
+        written_state(&next);
     }
 }
 
@@ -672,11 +990,7 @@ void demo3_eva_any_step_driven(void);
 void demo3_eva_any_step_driven(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, DEMO3_LARGEST);
     demo3_real dt;
@@ -686,18 +1000,10 @@ void demo3_eva_any_step_driven(void)
     demo3_state next;
     const demo3_status status = demo3_step_driven(&demo3_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 3);
-        untouched(&next.phi_dot[0], 3);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 3);
-        written(&next.phi_dot[0], 3);
+        written_state(&next);
     }
 }
 
@@ -705,11 +1011,7 @@ void demo3_eva_bits_step_driven(void);
 void demo3_eva_bits_step_driven(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     all_bits(&phi_ddot[0], 3);
     demo3_real dt;
@@ -719,18 +1021,10 @@ void demo3_eva_bits_step_driven(void)
     demo3_state next;
     const demo3_status status = demo3_step_driven(&demo3_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 3);
-        untouched(&next.phi_dot[0], 3);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 3);
-        initialised(&next.phi_dot[0], 3);
+        initialised_state(&next);
     }
 }
 
@@ -897,9 +1191,7 @@ void demo3_eva_normal_accumulate(void);
 void demo3_eva_normal_accumulate(void)
 {
     demo3_encoder encoder;
-    integers(&encoder.counter, 1, -1048576, 1048576);
-    integers(&encoder.place, 1, -1048576, 1048576);
-    integers(&encoder.moved, 1, -1048576, 1048576);
+    normal_encoder(&encoder);
     int counter;
     integers(&counter, 1, -1048576, 1048576);
     int bits;
@@ -910,9 +1202,7 @@ void demo3_eva_normal_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -920,9 +1210,7 @@ void demo3_eva_any_accumulate(void);
 void demo3_eva_any_accumulate(void)
 {
     demo3_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    any_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -933,9 +1221,7 @@ void demo3_eva_any_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -943,9 +1229,7 @@ void demo3_eva_bits_accumulate(void);
 void demo3_eva_bits_accumulate(void)
 {
     demo3_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    bits_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -956,9 +1240,7 @@ void demo3_eva_bits_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        initialised_encoder(&encoder);
     }
 }
 
@@ -966,26 +1248,16 @@ void demo3_eva_normal_forward_jacobian(void);
 void demo3_eva_normal_forward_jacobian(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, 1.0e4);
     demo3_forward_slopes out;
     const demo3_status status = demo3_forward_jacobian(&demo3_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 18);
-        untouched(&out.V_dot_phi_dot[0][0], 18);
-        untouched(&out.V_dot_phi_ddot[0][0], 18);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 18);
-        written(&out.V_dot_phi_dot[0][0], 18);
-        written(&out.V_dot_phi_ddot[0][0], 18);
+        written_forward_slopes(&out);
     }
 }
 
@@ -993,26 +1265,16 @@ void demo3_eva_any_forward_jacobian(void);
 void demo3_eva_any_forward_jacobian(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, DEMO3_LARGEST);
     demo3_forward_slopes out;
     const demo3_status status = demo3_forward_jacobian(&demo3_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 18);
-        untouched(&out.V_dot_phi_dot[0][0], 18);
-        untouched(&out.V_dot_phi_ddot[0][0], 18);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 18);
-        written(&out.V_dot_phi_dot[0][0], 18);
-        written(&out.V_dot_phi_ddot[0][0], 18);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1020,26 +1282,16 @@ void demo3_eva_bits_forward_jacobian(void);
 void demo3_eva_bits_forward_jacobian(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     all_bits(&phi_ddot[0], 3);
     demo3_forward_slopes out;
     const demo3_status status = demo3_forward_jacobian(&demo3_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 18);
-        untouched(&out.V_dot_phi_dot[0][0], 18);
-        untouched(&out.V_dot_phi_ddot[0][0], 18);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 18);
-        initialised(&out.V_dot_phi_dot[0][0], 18);
-        initialised(&out.V_dot_phi_ddot[0][0], 18);
+        initialised_forward_slopes(&out);
     }
 }
 
@@ -1047,11 +1299,7 @@ void demo3_eva_normal_coupled_jacobian(void);
 void demo3_eva_normal_coupled_jacobian(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real tau[DEMO3_N];
     reals(&tau[0], 3, 100.0);
     int locked[DEMO3_N];
@@ -1059,24 +1307,10 @@ void demo3_eva_normal_coupled_jacobian(void)
     demo3_coupled_slopes out;
     const demo3_status status = demo3_coupled_jacobian(&demo3_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 18);
-        untouched(&out.V_dot_phi_dot[0][0], 18);
-        untouched(&out.V_dot_tau[0][0], 18);
-        untouched(&out.phi_ddot_V[0][0], 18);
-        untouched(&out.phi_ddot_phi[0][0], 9);
-        untouched(&out.phi_ddot_phi_dot[0][0], 9);
-        untouched(&out.phi_ddot_tau[0][0], 9);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 18);
-        written(&out.V_dot_phi_dot[0][0], 18);
-        written(&out.V_dot_tau[0][0], 18);
-        written(&out.phi_ddot_V[0][0], 18);
-        written(&out.phi_ddot_phi[0][0], 9);
-        written(&out.phi_ddot_phi_dot[0][0], 9);
-        written(&out.phi_ddot_tau[0][0], 9);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1084,11 +1318,7 @@ void demo3_eva_any_coupled_jacobian(void);
 void demo3_eva_any_coupled_jacobian(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real tau[DEMO3_N];
     reals(&tau[0], 3, DEMO3_LARGEST);
     int locked[DEMO3_N];
@@ -1096,24 +1326,10 @@ void demo3_eva_any_coupled_jacobian(void)
     demo3_coupled_slopes out;
     const demo3_status status = demo3_coupled_jacobian(&demo3_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 18);
-        untouched(&out.V_dot_phi_dot[0][0], 18);
-        untouched(&out.V_dot_tau[0][0], 18);
-        untouched(&out.phi_ddot_V[0][0], 18);
-        untouched(&out.phi_ddot_phi[0][0], 9);
-        untouched(&out.phi_ddot_phi_dot[0][0], 9);
-        untouched(&out.phi_ddot_tau[0][0], 9);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 18);
-        written(&out.V_dot_phi_dot[0][0], 18);
-        written(&out.V_dot_tau[0][0], 18);
-        written(&out.phi_ddot_V[0][0], 18);
-        written(&out.phi_ddot_phi[0][0], 9);
-        written(&out.phi_ddot_phi_dot[0][0], 9);
-        written(&out.phi_ddot_tau[0][0], 9);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1121,11 +1337,7 @@ void demo3_eva_bits_coupled_jacobian(void);
 void demo3_eva_bits_coupled_jacobian(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real tau[DEMO3_N];
     all_bits(&tau[0], 3);
     int locked[DEMO3_N];
@@ -1133,24 +1345,10 @@ void demo3_eva_bits_coupled_jacobian(void)
     demo3_coupled_slopes out;
     const demo3_status status = demo3_coupled_jacobian(&demo3_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 18);
-        untouched(&out.V_dot_phi_dot[0][0], 18);
-        untouched(&out.V_dot_tau[0][0], 18);
-        untouched(&out.phi_ddot_V[0][0], 18);
-        untouched(&out.phi_ddot_phi[0][0], 9);
-        untouched(&out.phi_ddot_phi_dot[0][0], 9);
-        untouched(&out.phi_ddot_tau[0][0], 9);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 18);
-        initialised(&out.V_dot_phi_dot[0][0], 18);
-        initialised(&out.V_dot_tau[0][0], 18);
-        initialised(&out.phi_ddot_V[0][0], 18);
-        initialised(&out.phi_ddot_phi[0][0], 9);
-        initialised(&out.phi_ddot_phi_dot[0][0], 9);
-        initialised(&out.phi_ddot_tau[0][0], 9);
+        initialised_coupled_slopes(&out);
     }
 }
 
@@ -1158,35 +1356,18 @@ void demo3_eva_normal_inverse(void);
 void demo3_eva_normal_inverse(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     demo3_inverse_options options;
-    about(&options.weight[0], &demo3_default_options.weight[0], 3);
-    about(&options.limit[0], &demo3_default_options.limit[0], 3);
-    about(&options.near, &demo3_default_options.near, 1);
-    about(&options.damping, &demo3_default_options.damping, 1);
+    normal_inverse_options(&options);
     demo3_inverse_result out;
     const demo3_status status = demo3_inverse(&demo3_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 3);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 3);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 3);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 3);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1194,35 +1375,18 @@ void demo3_eva_any_inverse(void);
 void demo3_eva_any_inverse(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, DEMO3_LARGEST);
     demo3_inverse_options options;
-    reals(&options.weight[0], 3, DEMO3_LARGEST);
-    reals(&options.limit[0], 3, DEMO3_LARGEST);
-    reals(&options.near, 1, DEMO3_LARGEST);
-    reals(&options.damping, 1, DEMO3_LARGEST);
+    any_inverse_options(&options);
     demo3_inverse_result out;
     const demo3_status status = demo3_inverse(&demo3_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 3);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 3);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 3);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 3);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1230,35 +1394,18 @@ void demo3_eva_bits_inverse(void);
 void demo3_eva_bits_inverse(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real V_dot[6];
     all_bits(&V_dot[0], 6);
     demo3_inverse_options options;
-    all_bits(&options.weight[0], 3);
-    all_bits(&options.limit[0], 3);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     demo3_inverse_result out;
     const demo3_status status = demo3_inverse(&demo3_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 3);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 3);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.phi_ddot[0], 3);
-        initialised(&out.residual[0], 6);
-        initialised(&out.sigma[0], 3);
-        /*@ check \initialized(&out.rank); */
-        initialised(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        initialised(&out.hardest[0], 6);
+        initialised_inverse_result(&out);
     }
 }
 
@@ -1266,18 +1413,11 @@ void demo3_eva_normal_inverse_fast(void);
 void demo3_eva_normal_inverse_fast(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     demo3_inverse_options options;
-    about(&options.weight[0], &demo3_default_options.weight[0], 3);
-    about(&options.limit[0], &demo3_default_options.limit[0], 3);
-    about(&options.near, &demo3_default_options.near, 1);
-    about(&options.damping, &demo3_default_options.damping, 1);
+    normal_inverse_options(&options);
     demo3_real phi_ddot[DEMO3_N];
     const demo3_status status = demo3_inverse_fast(&demo3_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1292,18 +1432,11 @@ void demo3_eva_any_inverse_fast(void);
 void demo3_eva_any_inverse_fast(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, DEMO3_LARGEST);
     demo3_inverse_options options;
-    reals(&options.weight[0], 3, DEMO3_LARGEST);
-    reals(&options.limit[0], 3, DEMO3_LARGEST);
-    reals(&options.near, 1, DEMO3_LARGEST);
-    reals(&options.damping, 1, DEMO3_LARGEST);
+    any_inverse_options(&options);
     demo3_real phi_ddot[DEMO3_N];
     const demo3_status status = demo3_inverse_fast(&demo3_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1318,18 +1451,11 @@ void demo3_eva_bits_inverse_fast(void);
 void demo3_eva_bits_inverse_fast(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real V_dot[6];
     all_bits(&V_dot[0], 6);
     demo3_inverse_options options;
-    all_bits(&options.weight[0], 3);
-    all_bits(&options.limit[0], 3);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     demo3_real phi_ddot[DEMO3_N];
     const demo3_status status = demo3_inverse_fast(&demo3_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1397,22 +1523,14 @@ void demo3_eva_normal_target(void)
     demo3_real q_ddot[6];
     reals(&q_ddot[0], 6, 1.0e3);
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real V_dot[6];
     const demo3_status status = demo3_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 3);
-        written(&x.phi_dot[0], 3);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1429,22 +1547,14 @@ void demo3_eva_any_target(void)
     demo3_real q_ddot[6];
     reals(&q_ddot[0], 6, DEMO3_LARGEST);
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real V_dot[6];
     const demo3_status status = demo3_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 3);
-        written(&x.phi_dot[0], 3);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1461,22 +1571,14 @@ void demo3_eva_bits_target(void)
     demo3_real q_ddot[6];
     all_bits(&q_ddot[0], 6);
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real V_dot[6];
     const demo3_status status = demo3_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&x.position[0], 3);
-        initialised(&x.attitude[0], 4);
-        initialised(&x.V[0], 6);
-        initialised(&x.phi[0], 3);
-        initialised(&x.phi_dot[0], 3);
+        initialised_state(&x);
         initialised(&V_dot[0], 6);
     }
 }
@@ -1485,11 +1587,7 @@ void demo3_eva_normal_attitude(void);
 void demo3_eva_normal_attitude(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real angles[3];
     reals(&angles[0], 3, 7.0);
     demo3_real phi_ddot[DEMO3_N];
@@ -1497,20 +1595,10 @@ void demo3_eva_normal_attitude(void)
     demo3_generalized out;
     const demo3_status status = demo3_attitude(&demo3_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1518,11 +1606,7 @@ void demo3_eva_any_attitude(void);
 void demo3_eva_any_attitude(void)
 {
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real angles[3];
     reals(&angles[0], 3, DEMO3_LARGEST);
     demo3_real phi_ddot[DEMO3_N];
@@ -1530,20 +1614,10 @@ void demo3_eva_any_attitude(void)
     demo3_generalized out;
     const demo3_status status = demo3_attitude(&demo3_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1551,11 +1625,7 @@ void demo3_eva_bits_attitude(void);
 void demo3_eva_bits_attitude(void)
 {
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real angles[3];
     all_bits(&angles[0], 3);
     demo3_real phi_ddot[DEMO3_N];
@@ -1563,20 +1633,10 @@ void demo3_eva_bits_attitude(void)
     demo3_generalized out;
     const demo3_status status = demo3_attitude(&demo3_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.A[0][0], 36);
-        initialised(&out.D[0][0], 36);
-        initialised(&out.I0[0][0], 36);
-        initialised(&out.J0[0][0], 36);
-        initialised(&out.q_dot[0], 6);
-        initialised(&out.q_ddot[0], 6);
+        initialised_generalized(&out);
     }
 }
 
@@ -1584,59 +1644,13 @@ void demo3_eva_normal_prepare(void);
 void demo3_eva_normal_prepare(void)
 {
     demo3_parameters parameters;
-    about(&parameters.carrier.mass, &demo3_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &demo3_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &demo3_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < DEMO3_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &demo3_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &demo3_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &demo3_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &demo3_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &demo3_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &demo3_default_parameters.flywheel[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     demo3_table stand = demo3_default;
     const demo3_status status = demo3_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
+        written_table(&stand);
     }
 }
 
@@ -1644,59 +1658,13 @@ void demo3_eva_any_prepare(void);
 void demo3_eva_any_prepare(void)
 {
     demo3_parameters parameters;
-    reals(&parameters.carrier.mass, 1, DEMO3_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, DEMO3_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, DEMO3_LARGEST);
-    for (int i = 0; i < DEMO3_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, DEMO3_LARGEST);
-    }
+    any_parameters(&parameters);
     demo3_table stand = demo3_default;
     const demo3_status status = demo3_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
+        written_table(&stand);
     }
 }
 
@@ -1704,59 +1672,13 @@ void demo3_eva_bits_prepare(void);
 void demo3_eva_bits_prepare(void)
 {
     demo3_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < DEMO3_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     demo3_table stand = demo3_default;
     const demo3_status status = demo3_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&stand.mass, 1);
-        initialised(&stand.mass_inverse, 1);
-        initialised(&stand.first_moment[0], 3);
-        initialised(&stand.inertia[0], 6);
-        initialised(&stand.flywheel[0].mu_c[0], 3);
-        initialised(&stand.flywheel[0].mu_s[0], 3);
-        initialised(&stand.flywheel[0].J_c[0], 6);
-        initialised(&stand.flywheel[0].J_s[0], 6);
-        initialised(&stand.flywheel[0].J_2c[0], 6);
-        initialised(&stand.flywheel[0].J_2s[0], 6);
-        initialised(&stand.flywheel[0].t_0[0], 3);
-        initialised(&stand.flywheel[0].t_c[0], 3);
-        initialised(&stand.flywheel[0].t_s[0], 3);
-        initialised(&stand.flywheel[0].spin, 1);
-        initialised(&stand.flywheel[0].spin_inv, 1);
-        initialised(&stand.flywheel[1].mu_c[0], 3);
-        initialised(&stand.flywheel[1].mu_s[0], 3);
-        initialised(&stand.flywheel[1].J_c[0], 6);
-        initialised(&stand.flywheel[1].J_s[0], 6);
-        initialised(&stand.flywheel[1].J_2c[0], 6);
-        initialised(&stand.flywheel[1].J_2s[0], 6);
-        initialised(&stand.flywheel[1].t_0[0], 3);
-        initialised(&stand.flywheel[1].t_c[0], 3);
-        initialised(&stand.flywheel[1].t_s[0], 3);
-        initialised(&stand.flywheel[1].spin, 1);
-        initialised(&stand.flywheel[1].spin_inv, 1);
-        initialised(&stand.flywheel[2].mu_c[0], 3);
-        initialised(&stand.flywheel[2].mu_s[0], 3);
-        initialised(&stand.flywheel[2].J_c[0], 6);
-        initialised(&stand.flywheel[2].J_s[0], 6);
-        initialised(&stand.flywheel[2].J_2c[0], 6);
-        initialised(&stand.flywheel[2].J_2s[0], 6);
-        initialised(&stand.flywheel[2].t_0[0], 3);
-        initialised(&stand.flywheel[2].t_c[0], 3);
-        initialised(&stand.flywheel[2].t_s[0], 3);
-        initialised(&stand.flywheel[2].spin, 1);
-        initialised(&stand.flywheel[2].spin_inv, 1);
+        initialised_table(&stand);
     }
 }
 
@@ -1766,11 +1688,7 @@ void demo3_eva_normal_mounts(void)
     demo3_mount_table mounting;
     (void)demo3_prepare_mounts(&demo3_default_parameters, &mounting);
     demo3_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 3, 100.0);
-    reals(&x.phi_dot[0], 3, 1.0e3);
+    normal_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     demo3_real phi_ddot[DEMO3_N];
@@ -1791,11 +1709,7 @@ void demo3_eva_any_mounts(void)
     demo3_mount_table mounting;
     (void)demo3_prepare_mounts(&demo3_default_parameters, &mounting);
     demo3_state x;
-    reals(&x.position[0], 3, DEMO3_LARGEST);
-    quaternion(x.attitude, DEMO3_LARGEST);
-    reals(&x.V[0], 6, DEMO3_LARGEST);
-    reals(&x.phi[0], 3, DEMO3_LARGEST);
-    reals(&x.phi_dot[0], 3, DEMO3_LARGEST);
+    any_state(&x);
     demo3_real V_dot[6];
     reals(&V_dot[0], 6, DEMO3_LARGEST);
     demo3_real phi_ddot[DEMO3_N];
@@ -1816,11 +1730,7 @@ void demo3_eva_bits_mounts(void)
     demo3_mount_table mounting;
     (void)demo3_prepare_mounts(&demo3_default_parameters, &mounting);
     demo3_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 3);
-    all_bits(&x.phi_dot[0], 3);
+    bits_state(&x);
     demo3_real V_dot[6];
     all_bits(&V_dot[0], 6);
     demo3_real phi_ddot[DEMO3_N];
@@ -1839,52 +1749,14 @@ void demo3_eva_normal_prepare_mounts(void);
 void demo3_eva_normal_prepare_mounts(void)
 {
     demo3_parameters parameters;
-    about(&parameters.carrier.mass, &demo3_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &demo3_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &demo3_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < DEMO3_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &demo3_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &demo3_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &demo3_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &demo3_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &demo3_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &demo3_default_parameters.flywheel[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     demo3_mount_table mounting;
     const demo3_status status = demo3_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -1892,52 +1764,14 @@ void demo3_eva_any_prepare_mounts(void);
 void demo3_eva_any_prepare_mounts(void)
 {
     demo3_parameters parameters;
-    reals(&parameters.carrier.mass, 1, DEMO3_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, DEMO3_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, DEMO3_LARGEST);
-    for (int i = 0; i < DEMO3_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, DEMO3_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, DEMO3_LARGEST);
-    }
+    any_parameters(&parameters);
     demo3_mount_table mounting;
     const demo3_status status = demo3_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -1945,52 +1779,14 @@ void demo3_eva_bits_prepare_mounts(void);
 void demo3_eva_bits_prepare_mounts(void)
 {
     demo3_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < DEMO3_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     demo3_mount_table mounting;
     const demo3_status status = demo3_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&mounting.flywheel[0].mass, 1);
-        initialised(&mounting.flywheel[0].first_moment[0], 3);
-        initialised(&mounting.flywheel[0].inertia[0], 6);
-        initialised(&mounting.flywheel[0].origin[0], 3);
-        initialised(&mounting.flywheel[0].axes[0], 9);
-        initialised(&mounting.flywheel[1].mass, 1);
-        initialised(&mounting.flywheel[1].first_moment[0], 3);
-        initialised(&mounting.flywheel[1].inertia[0], 6);
-        initialised(&mounting.flywheel[1].origin[0], 3);
-        initialised(&mounting.flywheel[1].axes[0], 9);
-        initialised(&mounting.flywheel[2].mass, 1);
-        initialised(&mounting.flywheel[2].first_moment[0], 3);
-        initialised(&mounting.flywheel[2].inertia[0], 6);
-        initialised(&mounting.flywheel[2].origin[0], 3);
-        initialised(&mounting.flywheel[2].axes[0], 9);
+        initialised_mount_table(&mounting);
     }
 }
 

@@ -161,17 +161,543 @@ static void untouched(const sat4_real *x, int count)
     }
 }
 
+/* ---- whole structs ---- */
+
+static void normal_state(sat4_state *x)
+{
+    reals(&x->position[0], 3, 100.0);
+    quaternion(x->attitude, 2.0);
+    reals(&x->V[0], 6, 20.0);
+    reals(&x->phi[0], 4, 100.0);
+    reals(&x->phi_dot[0], 4, 1.0e3);
+}
+
+static void any_state(sat4_state *x)
+{
+    reals(&x->position[0], 3, SAT4_LARGEST);
+    quaternion(x->attitude, SAT4_LARGEST);
+    reals(&x->V[0], 6, SAT4_LARGEST);
+    reals(&x->phi[0], 4, SAT4_LARGEST);
+    reals(&x->phi_dot[0], 4, SAT4_LARGEST);
+}
+
+static void bits_state(sat4_state *x)
+{
+    all_bits(&x->position[0], 3);
+    all_bits(&x->attitude[0], 4);
+    all_bits(&x->V[0], 6);
+    all_bits(&x->phi[0], 4);
+    all_bits(&x->phi_dot[0], 4);
+}
+
+static void normal_encoder(sat4_encoder *x)
+{
+    integers(&x->counter, 1, -1048576, 1048576);
+    integers(&x->place, 1, -1048576, 1048576);
+    integers(&x->moved, 1, -1048576, 1048576);
+}
+
+static void any_encoder(sat4_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void bits_encoder(sat4_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void normal_inverse_options(sat4_inverse_options *x)
+{
+    about(&x->weight[0], &sat4_default_options.weight[0], 4);
+    about(&x->limit[0], &sat4_default_options.limit[0], 4);
+    about(&x->near, &sat4_default_options.near, 1);
+    about(&x->damping, &sat4_default_options.damping, 1);
+}
+
+static void any_inverse_options(sat4_inverse_options *x)
+{
+    reals(&x->weight[0], 4, SAT4_LARGEST);
+    reals(&x->limit[0], 4, SAT4_LARGEST);
+    reals(&x->near, 1, SAT4_LARGEST);
+    reals(&x->damping, 1, SAT4_LARGEST);
+}
+
+static void bits_inverse_options(sat4_inverse_options *x)
+{
+    all_bits(&x->weight[0], 4);
+    all_bits(&x->limit[0], 4);
+    one_of_all(&x->near);
+    one_of_all(&x->damping);
+}
+
+static void normal_parameters(sat4_parameters *x)
+{
+    about(&x->carrier.mass, &sat4_default_parameters.carrier.mass, 1);
+    about(&x->carrier.center_of_mass[0], &sat4_default_parameters.carrier.center_of_mass[0], 3);
+    about(&x->carrier.inertia[0], &sat4_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SAT4_N; ++i) {
+        about(&x->flywheel[i].body.mass, &sat4_default_parameters.flywheel[i].body.mass, 1);
+        about(&x->flywheel[i].body.center_of_mass[0], &sat4_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&x->flywheel[i].body.inertia[0], &sat4_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&x->flywheel[i].position[0], &sat4_default_parameters.flywheel[i].position[0], 3);
+        about(&x->flywheel[i].axis[0], &sat4_default_parameters.flywheel[i].axis[0], 3);
+        about(&x->flywheel[i].zero[0], &sat4_default_parameters.flywheel[i].zero[0], 3);
+    }
+    for (int i = 0; i < 1; ++i) {
+        about(&x->point[i].position[0], &sat4_default_parameters.point[i].position[0], 3);
+        about(&x->point[i].axis[0], &sat4_default_parameters.point[i].axis[0], 3);
+        about(&x->point[i].zero[0], &sat4_default_parameters.point[i].zero[0], 3);
+    }
+}
+
+static void any_parameters(sat4_parameters *x)
+{
+    reals(&x->carrier.mass, 1, SAT4_LARGEST);
+    reals(&x->carrier.center_of_mass[0], 3, SAT4_LARGEST);
+    reals(&x->carrier.inertia[0], 6, SAT4_LARGEST);
+    for (int i = 0; i < SAT4_N; ++i) {
+        reals(&x->flywheel[i].body.mass, 1, SAT4_LARGEST);
+        reals(&x->flywheel[i].body.center_of_mass[0], 3, SAT4_LARGEST);
+        reals(&x->flywheel[i].body.inertia[0], 6, SAT4_LARGEST);
+        reals(&x->flywheel[i].position[0], 3, SAT4_LARGEST);
+        reals(&x->flywheel[i].axis[0], 3, SAT4_LARGEST);
+        reals(&x->flywheel[i].zero[0], 3, SAT4_LARGEST);
+    }
+    for (int i = 0; i < 1; ++i) {
+        reals(&x->point[i].position[0], 3, SAT4_LARGEST);
+        reals(&x->point[i].axis[0], 3, SAT4_LARGEST);
+        reals(&x->point[i].zero[0], 3, SAT4_LARGEST);
+    }
+}
+
+static void bits_parameters(sat4_parameters *x)
+{
+    one_of_all(&x->carrier.mass);
+    all_bits(&x->carrier.center_of_mass[0], 3);
+    all_bits(&x->carrier.inertia[0], 6);
+    for (int i = 0; i < SAT4_N; ++i) {
+        one_of_all(&x->flywheel[i].body.mass);
+        all_bits(&x->flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&x->flywheel[i].body.inertia[0], 6);
+        all_bits(&x->flywheel[i].position[0], 3);
+        all_bits(&x->flywheel[i].axis[0], 3);
+        all_bits(&x->flywheel[i].zero[0], 3);
+    }
+    for (int i = 0; i < 1; ++i) {
+        all_bits(&x->point[i].position[0], 3);
+        all_bits(&x->point[i].axis[0], 3);
+        all_bits(&x->point[i].zero[0], 3);
+    }
+}
+
+static void untouched_equations(const sat4_equations *x)
+{
+    untouched(&x->K[0][0], 36);
+    untouched(&x->K_dot[0][0], 36);
+    untouched(&x->M[0][0], 36);
+    untouched(&x->I[0][0], 24);
+    untouched(&x->J[0][0], 24);
+    untouched(&x->F[0], 6);
+}
+
+static void written_equations(const sat4_equations *x)
+{
+    written(&x->K[0][0], 36);
+    written(&x->K_dot[0][0], 36);
+    written(&x->M[0][0], 36);
+    written(&x->I[0][0], 24);
+    written(&x->J[0][0], 24);
+    written(&x->F[0], 6);
+}
+
+static void initialised_equations(const sat4_equations *x)
+{
+    initialised(&x->K[0][0], 36);
+    initialised(&x->K_dot[0][0], 36);
+    initialised(&x->M[0][0], 36);
+    initialised(&x->I[0][0], 24);
+    initialised(&x->J[0][0], 24);
+    initialised(&x->F[0], 6);
+}
+
+static void untouched_momenta(const sat4_momenta *x)
+{
+    untouched(&x->Z[0], 6);
+    untouched(&x->Z0[0], 6);
+    untouched(&x->energy, 1);
+    untouched(&x->center_of_mass[0], 3);
+}
+
+static void written_momenta(const sat4_momenta *x)
+{
+    written(&x->Z[0], 6);
+    written(&x->Z0[0], 6);
+    written(&x->energy, 1);
+    written(&x->center_of_mass[0], 3);
+}
+
+static void initialised_momenta(const sat4_momenta *x)
+{
+    initialised(&x->Z[0], 6);
+    initialised(&x->Z0[0], 6);
+    initialised(&x->energy, 1);
+    initialised(&x->center_of_mass[0], 3);
+}
+
+static void untouched_state(const sat4_state *x)
+{
+    untouched(&x->position[0], 3);
+    untouched(&x->attitude[0], 4);
+    untouched(&x->V[0], 6);
+    untouched(&x->phi[0], 4);
+    untouched(&x->phi_dot[0], 4);
+}
+
+static void written_state(const sat4_state *x)
+{
+    written(&x->position[0], 3);
+    written(&x->attitude[0], 4);
+    written(&x->V[0], 6);
+    written(&x->phi[0], 4);
+    written(&x->phi_dot[0], 4);
+}
+
+static void initialised_state(const sat4_state *x)
+{
+    initialised(&x->position[0], 3);
+    initialised(&x->attitude[0], 4);
+    initialised(&x->V[0], 6);
+    initialised(&x->phi[0], 4);
+    initialised(&x->phi_dot[0], 4);
+}
+
+static void written_encoder(const sat4_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void initialised_encoder(const sat4_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void untouched_forward_slopes(const sat4_forward_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 24);
+    untouched(&x->V_dot_phi_dot[0][0], 24);
+    untouched(&x->V_dot_phi_ddot[0][0], 24);
+}
+
+static void written_forward_slopes(const sat4_forward_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 24);
+    written(&x->V_dot_phi_dot[0][0], 24);
+    written(&x->V_dot_phi_ddot[0][0], 24);
+}
+
+static void initialised_forward_slopes(const sat4_forward_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 24);
+    initialised(&x->V_dot_phi_dot[0][0], 24);
+    initialised(&x->V_dot_phi_ddot[0][0], 24);
+}
+
+static void untouched_coupled_slopes(const sat4_coupled_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 24);
+    untouched(&x->V_dot_phi_dot[0][0], 24);
+    untouched(&x->V_dot_tau[0][0], 24);
+    untouched(&x->phi_ddot_V[0][0], 24);
+    untouched(&x->phi_ddot_phi[0][0], 16);
+    untouched(&x->phi_ddot_phi_dot[0][0], 16);
+    untouched(&x->phi_ddot_tau[0][0], 16);
+}
+
+static void written_coupled_slopes(const sat4_coupled_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 24);
+    written(&x->V_dot_phi_dot[0][0], 24);
+    written(&x->V_dot_tau[0][0], 24);
+    written(&x->phi_ddot_V[0][0], 24);
+    written(&x->phi_ddot_phi[0][0], 16);
+    written(&x->phi_ddot_phi_dot[0][0], 16);
+    written(&x->phi_ddot_tau[0][0], 16);
+}
+
+static void initialised_coupled_slopes(const sat4_coupled_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 24);
+    initialised(&x->V_dot_phi_dot[0][0], 24);
+    initialised(&x->V_dot_tau[0][0], 24);
+    initialised(&x->phi_ddot_V[0][0], 24);
+    initialised(&x->phi_ddot_phi[0][0], 16);
+    initialised(&x->phi_ddot_phi_dot[0][0], 16);
+    initialised(&x->phi_ddot_tau[0][0], 16);
+}
+
+static void untouched_inverse_result(const sat4_inverse_result *x)
+{
+    untouched(&x->phi_ddot[0], 4);
+    untouched(&x->residual[0], 6);
+    untouched(&x->sigma[0], 4);
+    untouched(&x->damped_by, 1);
+    untouched(&x->hardest[0], 6);
+}
+
+static void written_inverse_result(const sat4_inverse_result *x)
+{
+    written(&x->phi_ddot[0], 4);
+    written(&x->residual[0], 6);
+    written(&x->sigma[0], 4);
+    /*@ check \initialized(&x->rank); */
+    written(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    written(&x->hardest[0], 6);
+}
+
+static void initialised_inverse_result(const sat4_inverse_result *x)
+{
+    initialised(&x->phi_ddot[0], 4);
+    initialised(&x->residual[0], 6);
+    initialised(&x->sigma[0], 4);
+    /*@ check \initialized(&x->rank); */
+    initialised(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    initialised(&x->hardest[0], 6);
+}
+
+static void untouched_generalized(const sat4_generalized *x)
+{
+    untouched(&x->A[0][0], 36);
+    untouched(&x->D[0][0], 36);
+    untouched(&x->I0[0][0], 36);
+    untouched(&x->J0[0][0], 36);
+    untouched(&x->q_dot[0], 6);
+    untouched(&x->q_ddot[0], 6);
+}
+
+static void written_generalized(const sat4_generalized *x)
+{
+    written(&x->A[0][0], 36);
+    written(&x->D[0][0], 36);
+    written(&x->I0[0][0], 36);
+    written(&x->J0[0][0], 36);
+    written(&x->q_dot[0], 6);
+    written(&x->q_ddot[0], 6);
+}
+
+static void initialised_generalized(const sat4_generalized *x)
+{
+    initialised(&x->A[0][0], 36);
+    initialised(&x->D[0][0], 36);
+    initialised(&x->I0[0][0], 36);
+    initialised(&x->J0[0][0], 36);
+    initialised(&x->q_dot[0], 6);
+    initialised(&x->q_ddot[0], 6);
+}
+
+static void written_table(const sat4_table *x)
+{
+    written(&x->mass, 1);
+    written(&x->mass_inverse, 1);
+    written(&x->first_moment[0], 3);
+    written(&x->inertia[0], 6);
+    written(&x->flywheel[0].mu_c[0], 3);
+    written(&x->flywheel[0].mu_s[0], 3);
+    written(&x->flywheel[0].J_c[0], 6);
+    written(&x->flywheel[0].J_s[0], 6);
+    written(&x->flywheel[0].J_2c[0], 6);
+    written(&x->flywheel[0].J_2s[0], 6);
+    written(&x->flywheel[0].t_0[0], 3);
+    written(&x->flywheel[0].t_c[0], 3);
+    written(&x->flywheel[0].t_s[0], 3);
+    written(&x->flywheel[0].spin, 1);
+    written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[1].mu_c[0], 3);
+    written(&x->flywheel[1].mu_s[0], 3);
+    written(&x->flywheel[1].J_c[0], 6);
+    written(&x->flywheel[1].J_s[0], 6);
+    written(&x->flywheel[1].J_2c[0], 6);
+    written(&x->flywheel[1].J_2s[0], 6);
+    written(&x->flywheel[1].t_0[0], 3);
+    written(&x->flywheel[1].t_c[0], 3);
+    written(&x->flywheel[1].t_s[0], 3);
+    written(&x->flywheel[1].spin, 1);
+    written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[2].mu_c[0], 3);
+    written(&x->flywheel[2].mu_s[0], 3);
+    written(&x->flywheel[2].J_c[0], 6);
+    written(&x->flywheel[2].J_s[0], 6);
+    written(&x->flywheel[2].J_2c[0], 6);
+    written(&x->flywheel[2].J_2s[0], 6);
+    written(&x->flywheel[2].t_0[0], 3);
+    written(&x->flywheel[2].t_c[0], 3);
+    written(&x->flywheel[2].t_s[0], 3);
+    written(&x->flywheel[2].spin, 1);
+    written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[3].mu_c[0], 3);
+    written(&x->flywheel[3].mu_s[0], 3);
+    written(&x->flywheel[3].J_c[0], 6);
+    written(&x->flywheel[3].J_s[0], 6);
+    written(&x->flywheel[3].J_2c[0], 6);
+    written(&x->flywheel[3].J_2s[0], 6);
+    written(&x->flywheel[3].t_0[0], 3);
+    written(&x->flywheel[3].t_c[0], 3);
+    written(&x->flywheel[3].t_s[0], 3);
+    written(&x->flywheel[3].spin, 1);
+    written(&x->flywheel[3].spin_inv, 1);
+    written(&x->sensor[0].origin[0], 3);
+    written(&x->sensor[0].axes[0], 9);
+}
+
+static void initialised_table(const sat4_table *x)
+{
+    initialised(&x->mass, 1);
+    initialised(&x->mass_inverse, 1);
+    initialised(&x->first_moment[0], 3);
+    initialised(&x->inertia[0], 6);
+    initialised(&x->flywheel[0].mu_c[0], 3);
+    initialised(&x->flywheel[0].mu_s[0], 3);
+    initialised(&x->flywheel[0].J_c[0], 6);
+    initialised(&x->flywheel[0].J_s[0], 6);
+    initialised(&x->flywheel[0].J_2c[0], 6);
+    initialised(&x->flywheel[0].J_2s[0], 6);
+    initialised(&x->flywheel[0].t_0[0], 3);
+    initialised(&x->flywheel[0].t_c[0], 3);
+    initialised(&x->flywheel[0].t_s[0], 3);
+    initialised(&x->flywheel[0].spin, 1);
+    initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[1].mu_c[0], 3);
+    initialised(&x->flywheel[1].mu_s[0], 3);
+    initialised(&x->flywheel[1].J_c[0], 6);
+    initialised(&x->flywheel[1].J_s[0], 6);
+    initialised(&x->flywheel[1].J_2c[0], 6);
+    initialised(&x->flywheel[1].J_2s[0], 6);
+    initialised(&x->flywheel[1].t_0[0], 3);
+    initialised(&x->flywheel[1].t_c[0], 3);
+    initialised(&x->flywheel[1].t_s[0], 3);
+    initialised(&x->flywheel[1].spin, 1);
+    initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[2].mu_c[0], 3);
+    initialised(&x->flywheel[2].mu_s[0], 3);
+    initialised(&x->flywheel[2].J_c[0], 6);
+    initialised(&x->flywheel[2].J_s[0], 6);
+    initialised(&x->flywheel[2].J_2c[0], 6);
+    initialised(&x->flywheel[2].J_2s[0], 6);
+    initialised(&x->flywheel[2].t_0[0], 3);
+    initialised(&x->flywheel[2].t_c[0], 3);
+    initialised(&x->flywheel[2].t_s[0], 3);
+    initialised(&x->flywheel[2].spin, 1);
+    initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[3].mu_c[0], 3);
+    initialised(&x->flywheel[3].mu_s[0], 3);
+    initialised(&x->flywheel[3].J_c[0], 6);
+    initialised(&x->flywheel[3].J_s[0], 6);
+    initialised(&x->flywheel[3].J_2c[0], 6);
+    initialised(&x->flywheel[3].J_2s[0], 6);
+    initialised(&x->flywheel[3].t_0[0], 3);
+    initialised(&x->flywheel[3].t_c[0], 3);
+    initialised(&x->flywheel[3].t_s[0], 3);
+    initialised(&x->flywheel[3].spin, 1);
+    initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->sensor[0].origin[0], 3);
+    initialised(&x->sensor[0].axes[0], 9);
+}
+
+static void untouched_mount_table(const sat4_mount_table *x)
+{
+    untouched(&x->flywheel[0].mass, 1);
+    untouched(&x->flywheel[0].first_moment[0], 3);
+    untouched(&x->flywheel[0].inertia[0], 6);
+    untouched(&x->flywheel[0].origin[0], 3);
+    untouched(&x->flywheel[0].axes[0], 9);
+    untouched(&x->flywheel[1].mass, 1);
+    untouched(&x->flywheel[1].first_moment[0], 3);
+    untouched(&x->flywheel[1].inertia[0], 6);
+    untouched(&x->flywheel[1].origin[0], 3);
+    untouched(&x->flywheel[1].axes[0], 9);
+    untouched(&x->flywheel[2].mass, 1);
+    untouched(&x->flywheel[2].first_moment[0], 3);
+    untouched(&x->flywheel[2].inertia[0], 6);
+    untouched(&x->flywheel[2].origin[0], 3);
+    untouched(&x->flywheel[2].axes[0], 9);
+    untouched(&x->flywheel[3].mass, 1);
+    untouched(&x->flywheel[3].first_moment[0], 3);
+    untouched(&x->flywheel[3].inertia[0], 6);
+    untouched(&x->flywheel[3].origin[0], 3);
+    untouched(&x->flywheel[3].axes[0], 9);
+}
+
+static void written_mount_table(const sat4_mount_table *x)
+{
+    written(&x->flywheel[0].mass, 1);
+    written(&x->flywheel[0].first_moment[0], 3);
+    written(&x->flywheel[0].inertia[0], 6);
+    written(&x->flywheel[0].origin[0], 3);
+    written(&x->flywheel[0].axes[0], 9);
+    written(&x->flywheel[1].mass, 1);
+    written(&x->flywheel[1].first_moment[0], 3);
+    written(&x->flywheel[1].inertia[0], 6);
+    written(&x->flywheel[1].origin[0], 3);
+    written(&x->flywheel[1].axes[0], 9);
+    written(&x->flywheel[2].mass, 1);
+    written(&x->flywheel[2].first_moment[0], 3);
+    written(&x->flywheel[2].inertia[0], 6);
+    written(&x->flywheel[2].origin[0], 3);
+    written(&x->flywheel[2].axes[0], 9);
+    written(&x->flywheel[3].mass, 1);
+    written(&x->flywheel[3].first_moment[0], 3);
+    written(&x->flywheel[3].inertia[0], 6);
+    written(&x->flywheel[3].origin[0], 3);
+    written(&x->flywheel[3].axes[0], 9);
+}
+
+static void initialised_mount_table(const sat4_mount_table *x)
+{
+    initialised(&x->flywheel[0].mass, 1);
+    initialised(&x->flywheel[0].first_moment[0], 3);
+    initialised(&x->flywheel[0].inertia[0], 6);
+    initialised(&x->flywheel[0].origin[0], 3);
+    initialised(&x->flywheel[0].axes[0], 9);
+    initialised(&x->flywheel[1].mass, 1);
+    initialised(&x->flywheel[1].first_moment[0], 3);
+    initialised(&x->flywheel[1].inertia[0], 6);
+    initialised(&x->flywheel[1].origin[0], 3);
+    initialised(&x->flywheel[1].axes[0], 9);
+    initialised(&x->flywheel[2].mass, 1);
+    initialised(&x->flywheel[2].first_moment[0], 3);
+    initialised(&x->flywheel[2].inertia[0], 6);
+    initialised(&x->flywheel[2].origin[0], 3);
+    initialised(&x->flywheel[2].axes[0], 9);
+    initialised(&x->flywheel[3].mass, 1);
+    initialised(&x->flywheel[3].first_moment[0], 3);
+    initialised(&x->flywheel[3].inertia[0], 6);
+    initialised(&x->flywheel[3].origin[0], 3);
+    initialised(&x->flywheel[3].axes[0], 9);
+}
+
 /* ---- drivers: a function and a set each ---- */
 
 void sat4_eva_normal_forward(void);
 void sat4_eva_normal_forward(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
     sat4_real V_dot[6];
@@ -188,11 +714,7 @@ void sat4_eva_any_forward(void);
 void sat4_eva_any_forward(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, SAT4_LARGEST);
     sat4_real V_dot[6];
@@ -209,11 +731,7 @@ void sat4_eva_bits_forward(void);
 void sat4_eva_bits_forward(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real phi_ddot[SAT4_N];
     all_bits(&phi_ddot[0], 4);
     sat4_real V_dot[6];
@@ -230,28 +748,14 @@ void sat4_eva_normal_matrices(void);
 void sat4_eva_normal_matrices(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_equations out;
     const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 24);
-        untouched(&out.J[0][0], 24);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 24);
-        written(&out.J[0][0], 24);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -259,28 +763,14 @@ void sat4_eva_any_matrices(void);
 void sat4_eva_any_matrices(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_equations out;
     const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 24);
-        untouched(&out.J[0][0], 24);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 24);
-        written(&out.J[0][0], 24);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -288,28 +778,14 @@ void sat4_eva_bits_matrices(void);
 void sat4_eva_bits_matrices(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_equations out;
     const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 24);
-        untouched(&out.J[0][0], 24);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.K[0][0], 36);
-        initialised(&out.K_dot[0][0], 36);
-        initialised(&out.M[0][0], 36);
-        initialised(&out.I[0][0], 24);
-        initialised(&out.J[0][0], 24);
-        initialised(&out.F[0], 6);
+        initialised_equations(&out);
     }
 }
 
@@ -317,24 +793,14 @@ void sat4_eva_normal_momentum(void);
 void sat4_eva_normal_momentum(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_momenta out;
     const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -342,24 +808,14 @@ void sat4_eva_any_momentum(void);
 void sat4_eva_any_momentum(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_momenta out;
     const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -367,24 +823,14 @@ void sat4_eva_bits_momentum(void);
 void sat4_eva_bits_momentum(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_momenta out;
     const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.Z[0], 6);
-        initialised(&out.Z0[0], 6);
-        initialised(&out.energy, 1);
-        initialised(&out.center_of_mass[0], 3);
+        initialised_momenta(&out);
     }
 }
 
@@ -392,11 +838,7 @@ void sat4_eva_normal_torque(void);
 void sat4_eva_normal_torque(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     sat4_real phi_ddot[SAT4_N];
@@ -415,11 +857,7 @@ void sat4_eva_any_torque(void);
 void sat4_eva_any_torque(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, SAT4_LARGEST);
     sat4_real phi_ddot[SAT4_N];
@@ -438,11 +876,7 @@ void sat4_eva_bits_torque(void);
 void sat4_eva_bits_torque(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real V_dot[6];
     all_bits(&V_dot[0], 6);
     sat4_real phi_ddot[SAT4_N];
@@ -461,11 +895,7 @@ void sat4_eva_normal_coupled(void);
 void sat4_eva_normal_coupled(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real tau[SAT4_N];
     reals(&tau[0], 4, 100.0);
     int locked[SAT4_N];
@@ -487,11 +917,7 @@ void sat4_eva_any_coupled(void);
 void sat4_eva_any_coupled(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real tau[SAT4_N];
     reals(&tau[0], 4, SAT4_LARGEST);
     int locked[SAT4_N];
@@ -513,11 +939,7 @@ void sat4_eva_bits_coupled(void);
 void sat4_eva_bits_coupled(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real tau[SAT4_N];
     all_bits(&tau[0], 4);
     int locked[SAT4_N];
@@ -539,11 +961,7 @@ void sat4_eva_normal_step(void);
 void sat4_eva_normal_step(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real tau[SAT4_N];
     reals(&tau[0], 4, 100.0);
     int locked[SAT4_N];
@@ -555,18 +973,10 @@ void sat4_eva_normal_step(void)
     sat4_state next;
     const sat4_status status = sat4_step(&sat4_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 4);
-        untouched(&next.phi_dot[0], 4);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 4);
-        written(&next.phi_dot[0], 4);
+        written_state(&next);
     }
 }
 
@@ -574,11 +984,7 @@ void sat4_eva_any_step(void);
 void sat4_eva_any_step(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real tau[SAT4_N];
     reals(&tau[0], 4, SAT4_LARGEST);
     int locked[SAT4_N];
@@ -590,18 +996,10 @@ void sat4_eva_any_step(void)
     sat4_state next;
     const sat4_status status = sat4_step(&sat4_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 4);
-        untouched(&next.phi_dot[0], 4);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 4);
-        written(&next.phi_dot[0], 4);
+        written_state(&next);
     }
 }
 
@@ -609,11 +1007,7 @@ void sat4_eva_bits_step(void);
 void sat4_eva_bits_step(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real tau[SAT4_N];
     all_bits(&tau[0], 4);
     int locked[SAT4_N];
@@ -625,18 +1019,10 @@ void sat4_eva_bits_step(void)
     sat4_state next;
     const sat4_status status = sat4_step(&sat4_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 4);
-        untouched(&next.phi_dot[0], 4);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 4);
-        initialised(&next.phi_dot[0], 4);
+        initialised_state(&next);
     }
 }
 
@@ -644,11 +1030,7 @@ void sat4_eva_normal_step_driven(void);
 void sat4_eva_normal_step_driven(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
     sat4_real dt;
@@ -658,18 +1040,10 @@ void sat4_eva_normal_step_driven(void)
     sat4_state next;
     const sat4_status status = sat4_step_driven(&sat4_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 4);
-        untouched(&next.phi_dot[0], 4);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 4);
-        written(&next.phi_dot[0], 4);
+        written_state(&next);
     }
 }
 
@@ -677,11 +1051,7 @@ void sat4_eva_any_step_driven(void);
 void sat4_eva_any_step_driven(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, SAT4_LARGEST);
     sat4_real dt;
@@ -691,18 +1061,10 @@ void sat4_eva_any_step_driven(void)
     sat4_state next;
     const sat4_status status = sat4_step_driven(&sat4_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 4);
-        untouched(&next.phi_dot[0], 4);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 4);
-        written(&next.phi_dot[0], 4);
+        written_state(&next);
     }
 }
 
@@ -710,11 +1072,7 @@ void sat4_eva_bits_step_driven(void);
 void sat4_eva_bits_step_driven(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real phi_ddot[SAT4_N];
     all_bits(&phi_ddot[0], 4);
     sat4_real dt;
@@ -724,18 +1082,10 @@ void sat4_eva_bits_step_driven(void)
     sat4_state next;
     const sat4_status status = sat4_step_driven(&sat4_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 4);
-        untouched(&next.phi_dot[0], 4);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 4);
-        initialised(&next.phi_dot[0], 4);
+        initialised_state(&next);
     }
 }
 
@@ -902,9 +1252,7 @@ void sat4_eva_normal_accumulate(void);
 void sat4_eva_normal_accumulate(void)
 {
     sat4_encoder encoder;
-    integers(&encoder.counter, 1, -1048576, 1048576);
-    integers(&encoder.place, 1, -1048576, 1048576);
-    integers(&encoder.moved, 1, -1048576, 1048576);
+    normal_encoder(&encoder);
     int counter;
     integers(&counter, 1, -1048576, 1048576);
     int bits;
@@ -915,9 +1263,7 @@ void sat4_eva_normal_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -925,9 +1271,7 @@ void sat4_eva_any_accumulate(void);
 void sat4_eva_any_accumulate(void)
 {
     sat4_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    any_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -938,9 +1282,7 @@ void sat4_eva_any_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -948,9 +1290,7 @@ void sat4_eva_bits_accumulate(void);
 void sat4_eva_bits_accumulate(void)
 {
     sat4_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    bits_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -961,9 +1301,7 @@ void sat4_eva_bits_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        initialised_encoder(&encoder);
     }
 }
 
@@ -971,26 +1309,16 @@ void sat4_eva_normal_forward_jacobian(void);
 void sat4_eva_normal_forward_jacobian(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
     sat4_forward_slopes out;
     const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 24);
-        untouched(&out.V_dot_phi_dot[0][0], 24);
-        untouched(&out.V_dot_phi_ddot[0][0], 24);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 24);
-        written(&out.V_dot_phi_dot[0][0], 24);
-        written(&out.V_dot_phi_ddot[0][0], 24);
+        written_forward_slopes(&out);
     }
 }
 
@@ -998,26 +1326,16 @@ void sat4_eva_any_forward_jacobian(void);
 void sat4_eva_any_forward_jacobian(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, SAT4_LARGEST);
     sat4_forward_slopes out;
     const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 24);
-        untouched(&out.V_dot_phi_dot[0][0], 24);
-        untouched(&out.V_dot_phi_ddot[0][0], 24);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 24);
-        written(&out.V_dot_phi_dot[0][0], 24);
-        written(&out.V_dot_phi_ddot[0][0], 24);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1025,26 +1343,16 @@ void sat4_eva_bits_forward_jacobian(void);
 void sat4_eva_bits_forward_jacobian(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real phi_ddot[SAT4_N];
     all_bits(&phi_ddot[0], 4);
     sat4_forward_slopes out;
     const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 24);
-        untouched(&out.V_dot_phi_dot[0][0], 24);
-        untouched(&out.V_dot_phi_ddot[0][0], 24);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 24);
-        initialised(&out.V_dot_phi_dot[0][0], 24);
-        initialised(&out.V_dot_phi_ddot[0][0], 24);
+        initialised_forward_slopes(&out);
     }
 }
 
@@ -1052,11 +1360,7 @@ void sat4_eva_normal_coupled_jacobian(void);
 void sat4_eva_normal_coupled_jacobian(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real tau[SAT4_N];
     reals(&tau[0], 4, 100.0);
     int locked[SAT4_N];
@@ -1064,24 +1368,10 @@ void sat4_eva_normal_coupled_jacobian(void)
     sat4_coupled_slopes out;
     const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 24);
-        untouched(&out.V_dot_phi_dot[0][0], 24);
-        untouched(&out.V_dot_tau[0][0], 24);
-        untouched(&out.phi_ddot_V[0][0], 24);
-        untouched(&out.phi_ddot_phi[0][0], 16);
-        untouched(&out.phi_ddot_phi_dot[0][0], 16);
-        untouched(&out.phi_ddot_tau[0][0], 16);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 24);
-        written(&out.V_dot_phi_dot[0][0], 24);
-        written(&out.V_dot_tau[0][0], 24);
-        written(&out.phi_ddot_V[0][0], 24);
-        written(&out.phi_ddot_phi[0][0], 16);
-        written(&out.phi_ddot_phi_dot[0][0], 16);
-        written(&out.phi_ddot_tau[0][0], 16);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1089,11 +1379,7 @@ void sat4_eva_any_coupled_jacobian(void);
 void sat4_eva_any_coupled_jacobian(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real tau[SAT4_N];
     reals(&tau[0], 4, SAT4_LARGEST);
     int locked[SAT4_N];
@@ -1101,24 +1387,10 @@ void sat4_eva_any_coupled_jacobian(void)
     sat4_coupled_slopes out;
     const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 24);
-        untouched(&out.V_dot_phi_dot[0][0], 24);
-        untouched(&out.V_dot_tau[0][0], 24);
-        untouched(&out.phi_ddot_V[0][0], 24);
-        untouched(&out.phi_ddot_phi[0][0], 16);
-        untouched(&out.phi_ddot_phi_dot[0][0], 16);
-        untouched(&out.phi_ddot_tau[0][0], 16);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 24);
-        written(&out.V_dot_phi_dot[0][0], 24);
-        written(&out.V_dot_tau[0][0], 24);
-        written(&out.phi_ddot_V[0][0], 24);
-        written(&out.phi_ddot_phi[0][0], 16);
-        written(&out.phi_ddot_phi_dot[0][0], 16);
-        written(&out.phi_ddot_tau[0][0], 16);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1126,11 +1398,7 @@ void sat4_eva_bits_coupled_jacobian(void);
 void sat4_eva_bits_coupled_jacobian(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real tau[SAT4_N];
     all_bits(&tau[0], 4);
     int locked[SAT4_N];
@@ -1138,24 +1406,10 @@ void sat4_eva_bits_coupled_jacobian(void)
     sat4_coupled_slopes out;
     const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 24);
-        untouched(&out.V_dot_phi_dot[0][0], 24);
-        untouched(&out.V_dot_tau[0][0], 24);
-        untouched(&out.phi_ddot_V[0][0], 24);
-        untouched(&out.phi_ddot_phi[0][0], 16);
-        untouched(&out.phi_ddot_phi_dot[0][0], 16);
-        untouched(&out.phi_ddot_tau[0][0], 16);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 24);
-        initialised(&out.V_dot_phi_dot[0][0], 24);
-        initialised(&out.V_dot_tau[0][0], 24);
-        initialised(&out.phi_ddot_V[0][0], 24);
-        initialised(&out.phi_ddot_phi[0][0], 16);
-        initialised(&out.phi_ddot_phi_dot[0][0], 16);
-        initialised(&out.phi_ddot_tau[0][0], 16);
+        initialised_coupled_slopes(&out);
     }
 }
 
@@ -1163,35 +1417,18 @@ void sat4_eva_normal_inverse(void);
 void sat4_eva_normal_inverse(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     sat4_inverse_options options;
-    about(&options.weight[0], &sat4_default_options.weight[0], 4);
-    about(&options.limit[0], &sat4_default_options.limit[0], 4);
-    about(&options.near, &sat4_default_options.near, 1);
-    about(&options.damping, &sat4_default_options.damping, 1);
+    normal_inverse_options(&options);
     sat4_inverse_result out;
     const sat4_status status = sat4_inverse(&sat4_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 4);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 4);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 4);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 4);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1199,35 +1436,18 @@ void sat4_eva_any_inverse(void);
 void sat4_eva_any_inverse(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, SAT4_LARGEST);
     sat4_inverse_options options;
-    reals(&options.weight[0], 4, SAT4_LARGEST);
-    reals(&options.limit[0], 4, SAT4_LARGEST);
-    reals(&options.near, 1, SAT4_LARGEST);
-    reals(&options.damping, 1, SAT4_LARGEST);
+    any_inverse_options(&options);
     sat4_inverse_result out;
     const sat4_status status = sat4_inverse(&sat4_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 4);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 4);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 4);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 4);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1235,35 +1455,18 @@ void sat4_eva_bits_inverse(void);
 void sat4_eva_bits_inverse(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real V_dot[6];
     all_bits(&V_dot[0], 6);
     sat4_inverse_options options;
-    all_bits(&options.weight[0], 4);
-    all_bits(&options.limit[0], 4);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     sat4_inverse_result out;
     const sat4_status status = sat4_inverse(&sat4_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 4);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 4);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.phi_ddot[0], 4);
-        initialised(&out.residual[0], 6);
-        initialised(&out.sigma[0], 4);
-        /*@ check \initialized(&out.rank); */
-        initialised(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        initialised(&out.hardest[0], 6);
+        initialised_inverse_result(&out);
     }
 }
 
@@ -1271,18 +1474,11 @@ void sat4_eva_normal_inverse_fast(void);
 void sat4_eva_normal_inverse_fast(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     sat4_inverse_options options;
-    about(&options.weight[0], &sat4_default_options.weight[0], 4);
-    about(&options.limit[0], &sat4_default_options.limit[0], 4);
-    about(&options.near, &sat4_default_options.near, 1);
-    about(&options.damping, &sat4_default_options.damping, 1);
+    normal_inverse_options(&options);
     sat4_real phi_ddot[SAT4_N];
     const sat4_status status = sat4_inverse_fast(&sat4_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1297,18 +1493,11 @@ void sat4_eva_any_inverse_fast(void);
 void sat4_eva_any_inverse_fast(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, SAT4_LARGEST);
     sat4_inverse_options options;
-    reals(&options.weight[0], 4, SAT4_LARGEST);
-    reals(&options.limit[0], 4, SAT4_LARGEST);
-    reals(&options.near, 1, SAT4_LARGEST);
-    reals(&options.damping, 1, SAT4_LARGEST);
+    any_inverse_options(&options);
     sat4_real phi_ddot[SAT4_N];
     const sat4_status status = sat4_inverse_fast(&sat4_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1323,18 +1512,11 @@ void sat4_eva_bits_inverse_fast(void);
 void sat4_eva_bits_inverse_fast(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real V_dot[6];
     all_bits(&V_dot[0], 6);
     sat4_inverse_options options;
-    all_bits(&options.weight[0], 4);
-    all_bits(&options.limit[0], 4);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     sat4_real phi_ddot[SAT4_N];
     const sat4_status status = sat4_inverse_fast(&sat4_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1349,11 +1531,7 @@ void sat4_eva_normal_measure(void);
 void sat4_eva_normal_measure(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     sat4_reading out[SAT4_SENSORS];
@@ -1378,11 +1556,7 @@ void sat4_eva_any_measure(void);
 void sat4_eva_any_measure(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, SAT4_LARGEST);
     sat4_reading out[SAT4_SENSORS];
@@ -1407,11 +1581,7 @@ void sat4_eva_bits_measure(void);
 void sat4_eva_bits_measure(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real V_dot[6];
     all_bits(&V_dot[0], 6);
     sat4_reading out[SAT4_SENSORS];
@@ -1489,22 +1659,14 @@ void sat4_eva_normal_target(void)
     sat4_real q_ddot[6];
     reals(&q_ddot[0], 6, 1.0e3);
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real V_dot[6];
     const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 4);
-        written(&x.phi_dot[0], 4);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1521,22 +1683,14 @@ void sat4_eva_any_target(void)
     sat4_real q_ddot[6];
     reals(&q_ddot[0], 6, SAT4_LARGEST);
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real V_dot[6];
     const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 4);
-        written(&x.phi_dot[0], 4);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1553,22 +1707,14 @@ void sat4_eva_bits_target(void)
     sat4_real q_ddot[6];
     all_bits(&q_ddot[0], 6);
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real V_dot[6];
     const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&x.position[0], 3);
-        initialised(&x.attitude[0], 4);
-        initialised(&x.V[0], 6);
-        initialised(&x.phi[0], 4);
-        initialised(&x.phi_dot[0], 4);
+        initialised_state(&x);
         initialised(&V_dot[0], 6);
     }
 }
@@ -1577,11 +1723,7 @@ void sat4_eva_normal_attitude(void);
 void sat4_eva_normal_attitude(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real angles[3];
     reals(&angles[0], 3, 7.0);
     sat4_real phi_ddot[SAT4_N];
@@ -1589,20 +1731,10 @@ void sat4_eva_normal_attitude(void)
     sat4_generalized out;
     const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1610,11 +1742,7 @@ void sat4_eva_any_attitude(void);
 void sat4_eva_any_attitude(void)
 {
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real angles[3];
     reals(&angles[0], 3, SAT4_LARGEST);
     sat4_real phi_ddot[SAT4_N];
@@ -1622,20 +1750,10 @@ void sat4_eva_any_attitude(void)
     sat4_generalized out;
     const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1643,11 +1761,7 @@ void sat4_eva_bits_attitude(void);
 void sat4_eva_bits_attitude(void)
 {
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real angles[3];
     all_bits(&angles[0], 3);
     sat4_real phi_ddot[SAT4_N];
@@ -1655,20 +1769,10 @@ void sat4_eva_bits_attitude(void)
     sat4_generalized out;
     const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.A[0][0], 36);
-        initialised(&out.D[0][0], 36);
-        initialised(&out.I0[0][0], 36);
-        initialised(&out.J0[0][0], 36);
-        initialised(&out.q_dot[0], 6);
-        initialised(&out.q_ddot[0], 6);
+        initialised_generalized(&out);
     }
 }
 
@@ -1676,77 +1780,13 @@ void sat4_eva_normal_prepare(void);
 void sat4_eva_normal_prepare(void)
 {
     sat4_parameters parameters;
-    about(&parameters.carrier.mass, &sat4_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &sat4_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &sat4_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SAT4_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &sat4_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &sat4_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &sat4_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &sat4_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &sat4_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &sat4_default_parameters.flywheel[i].zero[0], 3);
-    }
-    for (int i = 0; i < 1; ++i) {
-        about(&parameters.point[i].position[0], &sat4_default_parameters.point[i].position[0], 3);
-        about(&parameters.point[i].axis[0], &sat4_default_parameters.point[i].axis[0], 3);
-        about(&parameters.point[i].zero[0], &sat4_default_parameters.point[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     sat4_table stand = sat4_default;
     const sat4_status status = sat4_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
-        written(&stand.flywheel[3].mu_c[0], 3);
-        written(&stand.flywheel[3].mu_s[0], 3);
-        written(&stand.flywheel[3].J_c[0], 6);
-        written(&stand.flywheel[3].J_s[0], 6);
-        written(&stand.flywheel[3].J_2c[0], 6);
-        written(&stand.flywheel[3].J_2s[0], 6);
-        written(&stand.flywheel[3].t_0[0], 3);
-        written(&stand.flywheel[3].t_c[0], 3);
-        written(&stand.flywheel[3].t_s[0], 3);
-        written(&stand.flywheel[3].spin, 1);
-        written(&stand.flywheel[3].spin_inv, 1);
-        written(&stand.sensor[0].origin[0], 3);
-        written(&stand.sensor[0].axes[0], 9);
+        written_table(&stand);
     }
 }
 
@@ -1754,77 +1794,13 @@ void sat4_eva_any_prepare(void);
 void sat4_eva_any_prepare(void)
 {
     sat4_parameters parameters;
-    reals(&parameters.carrier.mass, 1, SAT4_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, SAT4_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, SAT4_LARGEST);
-    for (int i = 0; i < SAT4_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, SAT4_LARGEST);
-    }
-    for (int i = 0; i < 1; ++i) {
-        reals(&parameters.point[i].position[0], 3, SAT4_LARGEST);
-        reals(&parameters.point[i].axis[0], 3, SAT4_LARGEST);
-        reals(&parameters.point[i].zero[0], 3, SAT4_LARGEST);
-    }
+    any_parameters(&parameters);
     sat4_table stand = sat4_default;
     const sat4_status status = sat4_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.flywheel[2].mu_c[0], 3);
-        written(&stand.flywheel[2].mu_s[0], 3);
-        written(&stand.flywheel[2].J_c[0], 6);
-        written(&stand.flywheel[2].J_s[0], 6);
-        written(&stand.flywheel[2].J_2c[0], 6);
-        written(&stand.flywheel[2].J_2s[0], 6);
-        written(&stand.flywheel[2].t_0[0], 3);
-        written(&stand.flywheel[2].t_c[0], 3);
-        written(&stand.flywheel[2].t_s[0], 3);
-        written(&stand.flywheel[2].spin, 1);
-        written(&stand.flywheel[2].spin_inv, 1);
-        written(&stand.flywheel[3].mu_c[0], 3);
-        written(&stand.flywheel[3].mu_s[0], 3);
-        written(&stand.flywheel[3].J_c[0], 6);
-        written(&stand.flywheel[3].J_s[0], 6);
-        written(&stand.flywheel[3].J_2c[0], 6);
-        written(&stand.flywheel[3].J_2s[0], 6);
-        written(&stand.flywheel[3].t_0[0], 3);
-        written(&stand.flywheel[3].t_c[0], 3);
-        written(&stand.flywheel[3].t_s[0], 3);
-        written(&stand.flywheel[3].spin, 1);
-        written(&stand.flywheel[3].spin_inv, 1);
-        written(&stand.sensor[0].origin[0], 3);
-        written(&stand.sensor[0].axes[0], 9);
+        written_table(&stand);
     }
 }
 
@@ -1832,77 +1808,13 @@ void sat4_eva_bits_prepare(void);
 void sat4_eva_bits_prepare(void)
 {
     sat4_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SAT4_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
-    for (int i = 0; i < 1; ++i) {
-        all_bits(&parameters.point[i].position[0], 3);
-        all_bits(&parameters.point[i].axis[0], 3);
-        all_bits(&parameters.point[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     sat4_table stand = sat4_default;
     const sat4_status status = sat4_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&stand.mass, 1);
-        initialised(&stand.mass_inverse, 1);
-        initialised(&stand.first_moment[0], 3);
-        initialised(&stand.inertia[0], 6);
-        initialised(&stand.flywheel[0].mu_c[0], 3);
-        initialised(&stand.flywheel[0].mu_s[0], 3);
-        initialised(&stand.flywheel[0].J_c[0], 6);
-        initialised(&stand.flywheel[0].J_s[0], 6);
-        initialised(&stand.flywheel[0].J_2c[0], 6);
-        initialised(&stand.flywheel[0].J_2s[0], 6);
-        initialised(&stand.flywheel[0].t_0[0], 3);
-        initialised(&stand.flywheel[0].t_c[0], 3);
-        initialised(&stand.flywheel[0].t_s[0], 3);
-        initialised(&stand.flywheel[0].spin, 1);
-        initialised(&stand.flywheel[0].spin_inv, 1);
-        initialised(&stand.flywheel[1].mu_c[0], 3);
-        initialised(&stand.flywheel[1].mu_s[0], 3);
-        initialised(&stand.flywheel[1].J_c[0], 6);
-        initialised(&stand.flywheel[1].J_s[0], 6);
-        initialised(&stand.flywheel[1].J_2c[0], 6);
-        initialised(&stand.flywheel[1].J_2s[0], 6);
-        initialised(&stand.flywheel[1].t_0[0], 3);
-        initialised(&stand.flywheel[1].t_c[0], 3);
-        initialised(&stand.flywheel[1].t_s[0], 3);
-        initialised(&stand.flywheel[1].spin, 1);
-        initialised(&stand.flywheel[1].spin_inv, 1);
-        initialised(&stand.flywheel[2].mu_c[0], 3);
-        initialised(&stand.flywheel[2].mu_s[0], 3);
-        initialised(&stand.flywheel[2].J_c[0], 6);
-        initialised(&stand.flywheel[2].J_s[0], 6);
-        initialised(&stand.flywheel[2].J_2c[0], 6);
-        initialised(&stand.flywheel[2].J_2s[0], 6);
-        initialised(&stand.flywheel[2].t_0[0], 3);
-        initialised(&stand.flywheel[2].t_c[0], 3);
-        initialised(&stand.flywheel[2].t_s[0], 3);
-        initialised(&stand.flywheel[2].spin, 1);
-        initialised(&stand.flywheel[2].spin_inv, 1);
-        initialised(&stand.flywheel[3].mu_c[0], 3);
-        initialised(&stand.flywheel[3].mu_s[0], 3);
-        initialised(&stand.flywheel[3].J_c[0], 6);
-        initialised(&stand.flywheel[3].J_s[0], 6);
-        initialised(&stand.flywheel[3].J_2c[0], 6);
-        initialised(&stand.flywheel[3].J_2s[0], 6);
-        initialised(&stand.flywheel[3].t_0[0], 3);
-        initialised(&stand.flywheel[3].t_c[0], 3);
-        initialised(&stand.flywheel[3].t_s[0], 3);
-        initialised(&stand.flywheel[3].spin, 1);
-        initialised(&stand.flywheel[3].spin_inv, 1);
-        initialised(&stand.sensor[0].origin[0], 3);
-        initialised(&stand.sensor[0].axes[0], 9);
+        initialised_table(&stand);
     }
 }
 
@@ -1912,11 +1824,7 @@ void sat4_eva_normal_mounts(void)
     sat4_mount_table mounting;
     (void)sat4_prepare_mounts(&sat4_default_parameters, &mounting);
     sat4_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 4, 100.0);
-    reals(&x.phi_dot[0], 4, 1.0e3);
+    normal_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     sat4_real phi_ddot[SAT4_N];
@@ -1937,11 +1845,7 @@ void sat4_eva_any_mounts(void)
     sat4_mount_table mounting;
     (void)sat4_prepare_mounts(&sat4_default_parameters, &mounting);
     sat4_state x;
-    reals(&x.position[0], 3, SAT4_LARGEST);
-    quaternion(x.attitude, SAT4_LARGEST);
-    reals(&x.V[0], 6, SAT4_LARGEST);
-    reals(&x.phi[0], 4, SAT4_LARGEST);
-    reals(&x.phi_dot[0], 4, SAT4_LARGEST);
+    any_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, SAT4_LARGEST);
     sat4_real phi_ddot[SAT4_N];
@@ -1962,11 +1866,7 @@ void sat4_eva_bits_mounts(void)
     sat4_mount_table mounting;
     (void)sat4_prepare_mounts(&sat4_default_parameters, &mounting);
     sat4_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 4);
-    all_bits(&x.phi_dot[0], 4);
+    bits_state(&x);
     sat4_real V_dot[6];
     all_bits(&V_dot[0], 6);
     sat4_real phi_ddot[SAT4_N];
@@ -1985,67 +1885,14 @@ void sat4_eva_normal_prepare_mounts(void);
 void sat4_eva_normal_prepare_mounts(void)
 {
     sat4_parameters parameters;
-    about(&parameters.carrier.mass, &sat4_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &sat4_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &sat4_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SAT4_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &sat4_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &sat4_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &sat4_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &sat4_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &sat4_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &sat4_default_parameters.flywheel[i].zero[0], 3);
-    }
-    for (int i = 0; i < 1; ++i) {
-        about(&parameters.point[i].position[0], &sat4_default_parameters.point[i].position[0], 3);
-        about(&parameters.point[i].axis[0], &sat4_default_parameters.point[i].axis[0], 3);
-        about(&parameters.point[i].zero[0], &sat4_default_parameters.point[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     sat4_mount_table mounting;
     const sat4_status status = sat4_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
-        written(&mounting.flywheel[3].mass, 1);
-        written(&mounting.flywheel[3].first_moment[0], 3);
-        written(&mounting.flywheel[3].inertia[0], 6);
-        written(&mounting.flywheel[3].origin[0], 3);
-        written(&mounting.flywheel[3].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -2053,67 +1900,14 @@ void sat4_eva_any_prepare_mounts(void);
 void sat4_eva_any_prepare_mounts(void)
 {
     sat4_parameters parameters;
-    reals(&parameters.carrier.mass, 1, SAT4_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, SAT4_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, SAT4_LARGEST);
-    for (int i = 0; i < SAT4_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, SAT4_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, SAT4_LARGEST);
-    }
-    for (int i = 0; i < 1; ++i) {
-        reals(&parameters.point[i].position[0], 3, SAT4_LARGEST);
-        reals(&parameters.point[i].axis[0], 3, SAT4_LARGEST);
-        reals(&parameters.point[i].zero[0], 3, SAT4_LARGEST);
-    }
+    any_parameters(&parameters);
     sat4_mount_table mounting;
     const sat4_status status = sat4_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
-        written(&mounting.flywheel[2].mass, 1);
-        written(&mounting.flywheel[2].first_moment[0], 3);
-        written(&mounting.flywheel[2].inertia[0], 6);
-        written(&mounting.flywheel[2].origin[0], 3);
-        written(&mounting.flywheel[2].axes[0], 9);
-        written(&mounting.flywheel[3].mass, 1);
-        written(&mounting.flywheel[3].first_moment[0], 3);
-        written(&mounting.flywheel[3].inertia[0], 6);
-        written(&mounting.flywheel[3].origin[0], 3);
-        written(&mounting.flywheel[3].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -2121,67 +1915,14 @@ void sat4_eva_bits_prepare_mounts(void);
 void sat4_eva_bits_prepare_mounts(void)
 {
     sat4_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SAT4_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
-    for (int i = 0; i < 1; ++i) {
-        all_bits(&parameters.point[i].position[0], 3);
-        all_bits(&parameters.point[i].axis[0], 3);
-        all_bits(&parameters.point[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     sat4_mount_table mounting;
     const sat4_status status = sat4_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
-        untouched(&mounting.flywheel[2].mass, 1);
-        untouched(&mounting.flywheel[2].first_moment[0], 3);
-        untouched(&mounting.flywheel[2].inertia[0], 6);
-        untouched(&mounting.flywheel[2].origin[0], 3);
-        untouched(&mounting.flywheel[2].axes[0], 9);
-        untouched(&mounting.flywheel[3].mass, 1);
-        untouched(&mounting.flywheel[3].first_moment[0], 3);
-        untouched(&mounting.flywheel[3].inertia[0], 6);
-        untouched(&mounting.flywheel[3].origin[0], 3);
-        untouched(&mounting.flywheel[3].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&mounting.flywheel[0].mass, 1);
-        initialised(&mounting.flywheel[0].first_moment[0], 3);
-        initialised(&mounting.flywheel[0].inertia[0], 6);
-        initialised(&mounting.flywheel[0].origin[0], 3);
-        initialised(&mounting.flywheel[0].axes[0], 9);
-        initialised(&mounting.flywheel[1].mass, 1);
-        initialised(&mounting.flywheel[1].first_moment[0], 3);
-        initialised(&mounting.flywheel[1].inertia[0], 6);
-        initialised(&mounting.flywheel[1].origin[0], 3);
-        initialised(&mounting.flywheel[1].axes[0], 9);
-        initialised(&mounting.flywheel[2].mass, 1);
-        initialised(&mounting.flywheel[2].first_moment[0], 3);
-        initialised(&mounting.flywheel[2].inertia[0], 6);
-        initialised(&mounting.flywheel[2].origin[0], 3);
-        initialised(&mounting.flywheel[2].axes[0], 9);
-        initialised(&mounting.flywheel[3].mass, 1);
-        initialised(&mounting.flywheel[3].first_moment[0], 3);
-        initialised(&mounting.flywheel[3].inertia[0], 6);
-        initialised(&mounting.flywheel[3].origin[0], 3);
-        initialised(&mounting.flywheel[3].axes[0], 9);
+        initialised_mount_table(&mounting);
     }
 }
 

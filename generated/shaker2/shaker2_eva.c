@@ -156,17 +156,460 @@ static void untouched(const shaker2_real *x, int count)
     }
 }
 
+/* ---- whole structs ---- */
+
+static void normal_state(shaker2_state *x)
+{
+    reals(&x->position[0], 3, 100.0);
+    quaternion(x->attitude, 2.0);
+    reals(&x->V[0], 6, 20.0);
+    reals(&x->phi[0], 2, 100.0);
+    reals(&x->phi_dot[0], 2, 1.0e3);
+}
+
+static void any_state(shaker2_state *x)
+{
+    reals(&x->position[0], 3, SHAKER2_LARGEST);
+    quaternion(x->attitude, SHAKER2_LARGEST);
+    reals(&x->V[0], 6, SHAKER2_LARGEST);
+    reals(&x->phi[0], 2, SHAKER2_LARGEST);
+    reals(&x->phi_dot[0], 2, SHAKER2_LARGEST);
+}
+
+static void bits_state(shaker2_state *x)
+{
+    all_bits(&x->position[0], 3);
+    all_bits(&x->attitude[0], 4);
+    all_bits(&x->V[0], 6);
+    all_bits(&x->phi[0], 2);
+    all_bits(&x->phi_dot[0], 2);
+}
+
+static void normal_encoder(shaker2_encoder *x)
+{
+    integers(&x->counter, 1, -1048576, 1048576);
+    integers(&x->place, 1, -1048576, 1048576);
+    integers(&x->moved, 1, -1048576, 1048576);
+}
+
+static void any_encoder(shaker2_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void bits_encoder(shaker2_encoder *x)
+{
+    integers(&x->counter, 1, INT_MIN, INT_MAX);
+    integers(&x->place, 1, INT_MIN, INT_MAX);
+    integers(&x->moved, 1, INT_MIN, INT_MAX);
+}
+
+static void normal_inverse_options(shaker2_inverse_options *x)
+{
+    about(&x->weight[0], &shaker2_default_options.weight[0], 2);
+    about(&x->limit[0], &shaker2_default_options.limit[0], 2);
+    about(&x->near, &shaker2_default_options.near, 1);
+    about(&x->damping, &shaker2_default_options.damping, 1);
+}
+
+static void any_inverse_options(shaker2_inverse_options *x)
+{
+    reals(&x->weight[0], 2, SHAKER2_LARGEST);
+    reals(&x->limit[0], 2, SHAKER2_LARGEST);
+    reals(&x->near, 1, SHAKER2_LARGEST);
+    reals(&x->damping, 1, SHAKER2_LARGEST);
+}
+
+static void bits_inverse_options(shaker2_inverse_options *x)
+{
+    all_bits(&x->weight[0], 2);
+    all_bits(&x->limit[0], 2);
+    one_of_all(&x->near);
+    one_of_all(&x->damping);
+}
+
+static void normal_parameters(shaker2_parameters *x)
+{
+    about(&x->carrier.mass, &shaker2_default_parameters.carrier.mass, 1);
+    about(&x->carrier.center_of_mass[0], &shaker2_default_parameters.carrier.center_of_mass[0], 3);
+    about(&x->carrier.inertia[0], &shaker2_default_parameters.carrier.inertia[0], 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        about(&x->flywheel[i].body.mass, &shaker2_default_parameters.flywheel[i].body.mass, 1);
+        about(&x->flywheel[i].body.center_of_mass[0], &shaker2_default_parameters.flywheel[i].body.center_of_mass[0], 3);
+        about(&x->flywheel[i].body.inertia[0], &shaker2_default_parameters.flywheel[i].body.inertia[0], 6);
+        about(&x->flywheel[i].position[0], &shaker2_default_parameters.flywheel[i].position[0], 3);
+        about(&x->flywheel[i].axis[0], &shaker2_default_parameters.flywheel[i].axis[0], 3);
+        about(&x->flywheel[i].zero[0], &shaker2_default_parameters.flywheel[i].zero[0], 3);
+    }
+}
+
+static void any_parameters(shaker2_parameters *x)
+{
+    reals(&x->carrier.mass, 1, SHAKER2_LARGEST);
+    reals(&x->carrier.center_of_mass[0], 3, SHAKER2_LARGEST);
+    reals(&x->carrier.inertia[0], 6, SHAKER2_LARGEST);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        reals(&x->flywheel[i].body.mass, 1, SHAKER2_LARGEST);
+        reals(&x->flywheel[i].body.center_of_mass[0], 3, SHAKER2_LARGEST);
+        reals(&x->flywheel[i].body.inertia[0], 6, SHAKER2_LARGEST);
+        reals(&x->flywheel[i].position[0], 3, SHAKER2_LARGEST);
+        reals(&x->flywheel[i].axis[0], 3, SHAKER2_LARGEST);
+        reals(&x->flywheel[i].zero[0], 3, SHAKER2_LARGEST);
+    }
+}
+
+static void bits_parameters(shaker2_parameters *x)
+{
+    one_of_all(&x->carrier.mass);
+    all_bits(&x->carrier.center_of_mass[0], 3);
+    all_bits(&x->carrier.inertia[0], 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        one_of_all(&x->flywheel[i].body.mass);
+        all_bits(&x->flywheel[i].body.center_of_mass[0], 3);
+        all_bits(&x->flywheel[i].body.inertia[0], 6);
+        all_bits(&x->flywheel[i].position[0], 3);
+        all_bits(&x->flywheel[i].axis[0], 3);
+        all_bits(&x->flywheel[i].zero[0], 3);
+    }
+}
+
+static void untouched_equations(const shaker2_equations *x)
+{
+    untouched(&x->K[0][0], 36);
+    untouched(&x->K_dot[0][0], 36);
+    untouched(&x->M[0][0], 36);
+    untouched(&x->I[0][0], 12);
+    untouched(&x->J[0][0], 12);
+    untouched(&x->F[0], 6);
+}
+
+static void written_equations(const shaker2_equations *x)
+{
+    written(&x->K[0][0], 36);
+    written(&x->K_dot[0][0], 36);
+    written(&x->M[0][0], 36);
+    written(&x->I[0][0], 12);
+    written(&x->J[0][0], 12);
+    written(&x->F[0], 6);
+}
+
+static void initialised_equations(const shaker2_equations *x)
+{
+    initialised(&x->K[0][0], 36);
+    initialised(&x->K_dot[0][0], 36);
+    initialised(&x->M[0][0], 36);
+    initialised(&x->I[0][0], 12);
+    initialised(&x->J[0][0], 12);
+    initialised(&x->F[0], 6);
+}
+
+static void untouched_momenta(const shaker2_momenta *x)
+{
+    untouched(&x->Z[0], 6);
+    untouched(&x->Z0[0], 6);
+    untouched(&x->energy, 1);
+    untouched(&x->center_of_mass[0], 3);
+}
+
+static void written_momenta(const shaker2_momenta *x)
+{
+    written(&x->Z[0], 6);
+    written(&x->Z0[0], 6);
+    written(&x->energy, 1);
+    written(&x->center_of_mass[0], 3);
+}
+
+static void initialised_momenta(const shaker2_momenta *x)
+{
+    initialised(&x->Z[0], 6);
+    initialised(&x->Z0[0], 6);
+    initialised(&x->energy, 1);
+    initialised(&x->center_of_mass[0], 3);
+}
+
+static void untouched_state(const shaker2_state *x)
+{
+    untouched(&x->position[0], 3);
+    untouched(&x->attitude[0], 4);
+    untouched(&x->V[0], 6);
+    untouched(&x->phi[0], 2);
+    untouched(&x->phi_dot[0], 2);
+}
+
+static void written_state(const shaker2_state *x)
+{
+    written(&x->position[0], 3);
+    written(&x->attitude[0], 4);
+    written(&x->V[0], 6);
+    written(&x->phi[0], 2);
+    written(&x->phi_dot[0], 2);
+}
+
+static void initialised_state(const shaker2_state *x)
+{
+    initialised(&x->position[0], 3);
+    initialised(&x->attitude[0], 4);
+    initialised(&x->V[0], 6);
+    initialised(&x->phi[0], 2);
+    initialised(&x->phi_dot[0], 2);
+}
+
+static void written_encoder(const shaker2_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void initialised_encoder(const shaker2_encoder *x)
+{
+    /*@ check \initialized(&x->counter); */
+    /*@ check \initialized(&x->place); */
+    /*@ check \initialized(&x->moved); */
+}
+
+static void untouched_forward_slopes(const shaker2_forward_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 12);
+    untouched(&x->V_dot_phi_dot[0][0], 12);
+    untouched(&x->V_dot_phi_ddot[0][0], 12);
+}
+
+static void written_forward_slopes(const shaker2_forward_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 12);
+    written(&x->V_dot_phi_dot[0][0], 12);
+    written(&x->V_dot_phi_ddot[0][0], 12);
+}
+
+static void initialised_forward_slopes(const shaker2_forward_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 12);
+    initialised(&x->V_dot_phi_dot[0][0], 12);
+    initialised(&x->V_dot_phi_ddot[0][0], 12);
+}
+
+static void untouched_coupled_slopes(const shaker2_coupled_slopes *x)
+{
+    untouched(&x->V_dot_V[0][0], 36);
+    untouched(&x->V_dot_phi[0][0], 12);
+    untouched(&x->V_dot_phi_dot[0][0], 12);
+    untouched(&x->V_dot_tau[0][0], 12);
+    untouched(&x->phi_ddot_V[0][0], 12);
+    untouched(&x->phi_ddot_phi[0][0], 4);
+    untouched(&x->phi_ddot_phi_dot[0][0], 4);
+    untouched(&x->phi_ddot_tau[0][0], 4);
+}
+
+static void written_coupled_slopes(const shaker2_coupled_slopes *x)
+{
+    written(&x->V_dot_V[0][0], 36);
+    written(&x->V_dot_phi[0][0], 12);
+    written(&x->V_dot_phi_dot[0][0], 12);
+    written(&x->V_dot_tau[0][0], 12);
+    written(&x->phi_ddot_V[0][0], 12);
+    written(&x->phi_ddot_phi[0][0], 4);
+    written(&x->phi_ddot_phi_dot[0][0], 4);
+    written(&x->phi_ddot_tau[0][0], 4);
+}
+
+static void initialised_coupled_slopes(const shaker2_coupled_slopes *x)
+{
+    initialised(&x->V_dot_V[0][0], 36);
+    initialised(&x->V_dot_phi[0][0], 12);
+    initialised(&x->V_dot_phi_dot[0][0], 12);
+    initialised(&x->V_dot_tau[0][0], 12);
+    initialised(&x->phi_ddot_V[0][0], 12);
+    initialised(&x->phi_ddot_phi[0][0], 4);
+    initialised(&x->phi_ddot_phi_dot[0][0], 4);
+    initialised(&x->phi_ddot_tau[0][0], 4);
+}
+
+static void untouched_inverse_result(const shaker2_inverse_result *x)
+{
+    untouched(&x->phi_ddot[0], 2);
+    untouched(&x->residual[0], 6);
+    untouched(&x->sigma[0], 2);
+    untouched(&x->damped_by, 1);
+    untouched(&x->hardest[0], 6);
+}
+
+static void written_inverse_result(const shaker2_inverse_result *x)
+{
+    written(&x->phi_ddot[0], 2);
+    written(&x->residual[0], 6);
+    written(&x->sigma[0], 2);
+    /*@ check \initialized(&x->rank); */
+    written(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    written(&x->hardest[0], 6);
+}
+
+static void initialised_inverse_result(const shaker2_inverse_result *x)
+{
+    initialised(&x->phi_ddot[0], 2);
+    initialised(&x->residual[0], 6);
+    initialised(&x->sigma[0], 2);
+    /*@ check \initialized(&x->rank); */
+    initialised(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    initialised(&x->hardest[0], 6);
+}
+
+static void untouched_generalized(const shaker2_generalized *x)
+{
+    untouched(&x->A[0][0], 36);
+    untouched(&x->D[0][0], 36);
+    untouched(&x->I0[0][0], 36);
+    untouched(&x->J0[0][0], 36);
+    untouched(&x->q_dot[0], 6);
+    untouched(&x->q_ddot[0], 6);
+}
+
+static void written_generalized(const shaker2_generalized *x)
+{
+    written(&x->A[0][0], 36);
+    written(&x->D[0][0], 36);
+    written(&x->I0[0][0], 36);
+    written(&x->J0[0][0], 36);
+    written(&x->q_dot[0], 6);
+    written(&x->q_ddot[0], 6);
+}
+
+static void initialised_generalized(const shaker2_generalized *x)
+{
+    initialised(&x->A[0][0], 36);
+    initialised(&x->D[0][0], 36);
+    initialised(&x->I0[0][0], 36);
+    initialised(&x->J0[0][0], 36);
+    initialised(&x->q_dot[0], 6);
+    initialised(&x->q_ddot[0], 6);
+}
+
+static void written_table(const shaker2_table *x)
+{
+    written(&x->mass, 1);
+    written(&x->mass_inverse, 1);
+    written(&x->first_moment[0], 3);
+    written(&x->inertia[0], 6);
+    written(&x->flywheel[0].mu_c[0], 3);
+    written(&x->flywheel[0].mu_s[0], 3);
+    written(&x->flywheel[0].J_c[0], 6);
+    written(&x->flywheel[0].J_s[0], 6);
+    written(&x->flywheel[0].J_2c[0], 6);
+    written(&x->flywheel[0].J_2s[0], 6);
+    written(&x->flywheel[0].t_0[0], 3);
+    written(&x->flywheel[0].t_c[0], 3);
+    written(&x->flywheel[0].t_s[0], 3);
+    written(&x->flywheel[0].spin, 1);
+    written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[1].mu_c[0], 3);
+    written(&x->flywheel[1].mu_s[0], 3);
+    written(&x->flywheel[1].J_c[0], 6);
+    written(&x->flywheel[1].J_s[0], 6);
+    written(&x->flywheel[1].J_2c[0], 6);
+    written(&x->flywheel[1].J_2s[0], 6);
+    written(&x->flywheel[1].t_0[0], 3);
+    written(&x->flywheel[1].t_c[0], 3);
+    written(&x->flywheel[1].t_s[0], 3);
+    written(&x->flywheel[1].spin, 1);
+    written(&x->flywheel[1].spin_inv, 1);
+    written(&x->gravity[0], 3);
+    written(&x->suspension.stiffness[0][0], 36);
+    written(&x->suspension.damping[0][0], 36);
+    written(&x->suspension.position[0], 3);
+    written(&x->suspension.attitude[0], 4);
+}
+
+static void initialised_table(const shaker2_table *x)
+{
+    initialised(&x->mass, 1);
+    initialised(&x->mass_inverse, 1);
+    initialised(&x->first_moment[0], 3);
+    initialised(&x->inertia[0], 6);
+    initialised(&x->flywheel[0].mu_c[0], 3);
+    initialised(&x->flywheel[0].mu_s[0], 3);
+    initialised(&x->flywheel[0].J_c[0], 6);
+    initialised(&x->flywheel[0].J_s[0], 6);
+    initialised(&x->flywheel[0].J_2c[0], 6);
+    initialised(&x->flywheel[0].J_2s[0], 6);
+    initialised(&x->flywheel[0].t_0[0], 3);
+    initialised(&x->flywheel[0].t_c[0], 3);
+    initialised(&x->flywheel[0].t_s[0], 3);
+    initialised(&x->flywheel[0].spin, 1);
+    initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[1].mu_c[0], 3);
+    initialised(&x->flywheel[1].mu_s[0], 3);
+    initialised(&x->flywheel[1].J_c[0], 6);
+    initialised(&x->flywheel[1].J_s[0], 6);
+    initialised(&x->flywheel[1].J_2c[0], 6);
+    initialised(&x->flywheel[1].J_2s[0], 6);
+    initialised(&x->flywheel[1].t_0[0], 3);
+    initialised(&x->flywheel[1].t_c[0], 3);
+    initialised(&x->flywheel[1].t_s[0], 3);
+    initialised(&x->flywheel[1].spin, 1);
+    initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->gravity[0], 3);
+    initialised(&x->suspension.stiffness[0][0], 36);
+    initialised(&x->suspension.damping[0][0], 36);
+    initialised(&x->suspension.position[0], 3);
+    initialised(&x->suspension.attitude[0], 4);
+}
+
+static void untouched_mount_table(const shaker2_mount_table *x)
+{
+    untouched(&x->flywheel[0].mass, 1);
+    untouched(&x->flywheel[0].first_moment[0], 3);
+    untouched(&x->flywheel[0].inertia[0], 6);
+    untouched(&x->flywheel[0].origin[0], 3);
+    untouched(&x->flywheel[0].axes[0], 9);
+    untouched(&x->flywheel[1].mass, 1);
+    untouched(&x->flywheel[1].first_moment[0], 3);
+    untouched(&x->flywheel[1].inertia[0], 6);
+    untouched(&x->flywheel[1].origin[0], 3);
+    untouched(&x->flywheel[1].axes[0], 9);
+}
+
+static void written_mount_table(const shaker2_mount_table *x)
+{
+    written(&x->flywheel[0].mass, 1);
+    written(&x->flywheel[0].first_moment[0], 3);
+    written(&x->flywheel[0].inertia[0], 6);
+    written(&x->flywheel[0].origin[0], 3);
+    written(&x->flywheel[0].axes[0], 9);
+    written(&x->flywheel[1].mass, 1);
+    written(&x->flywheel[1].first_moment[0], 3);
+    written(&x->flywheel[1].inertia[0], 6);
+    written(&x->flywheel[1].origin[0], 3);
+    written(&x->flywheel[1].axes[0], 9);
+}
+
+static void initialised_mount_table(const shaker2_mount_table *x)
+{
+    initialised(&x->flywheel[0].mass, 1);
+    initialised(&x->flywheel[0].first_moment[0], 3);
+    initialised(&x->flywheel[0].inertia[0], 6);
+    initialised(&x->flywheel[0].origin[0], 3);
+    initialised(&x->flywheel[0].axes[0], 9);
+    initialised(&x->flywheel[1].mass, 1);
+    initialised(&x->flywheel[1].first_moment[0], 3);
+    initialised(&x->flywheel[1].inertia[0], 6);
+    initialised(&x->flywheel[1].origin[0], 3);
+    initialised(&x->flywheel[1].axes[0], 9);
+}
+
 /* ---- drivers: a function and a set each ---- */
 
 void shaker2_eva_normal_forward(void);
 void shaker2_eva_normal_forward(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, 1.0e4);
     shaker2_real V_dot[6];
@@ -183,11 +626,7 @@ void shaker2_eva_any_forward(void);
 void shaker2_eva_any_forward(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
     shaker2_real V_dot[6];
@@ -204,11 +643,7 @@ void shaker2_eva_bits_forward(void);
 void shaker2_eva_bits_forward(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     all_bits(&phi_ddot[0], 2);
     shaker2_real V_dot[6];
@@ -225,11 +660,7 @@ void shaker2_eva_normal_wrench(void);
 void shaker2_eva_normal_wrench(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real F[6];
     const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
     if (status < 0) {
@@ -244,11 +675,7 @@ void shaker2_eva_any_wrench(void);
 void shaker2_eva_any_wrench(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real F[6];
     const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
     if (status < 0) {
@@ -263,11 +690,7 @@ void shaker2_eva_bits_wrench(void);
 void shaker2_eva_bits_wrench(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real F[6];
     const shaker2_status status = shaker2_wrench(&shaker2_default, &x, F);
     if (status < 0) {
@@ -282,28 +705,14 @@ void shaker2_eva_normal_matrices(void);
 void shaker2_eva_normal_matrices(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_equations out;
     const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 12);
-        untouched(&out.J[0][0], 12);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 12);
-        written(&out.J[0][0], 12);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -311,28 +720,14 @@ void shaker2_eva_any_matrices(void);
 void shaker2_eva_any_matrices(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_equations out;
     const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 12);
-        untouched(&out.J[0][0], 12);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.K[0][0], 36);
-        written(&out.K_dot[0][0], 36);
-        written(&out.M[0][0], 36);
-        written(&out.I[0][0], 12);
-        written(&out.J[0][0], 12);
-        written(&out.F[0], 6);
+        written_equations(&out);
     }
 }
 
@@ -340,28 +735,14 @@ void shaker2_eva_bits_matrices(void);
 void shaker2_eva_bits_matrices(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_equations out;
     const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched(&out.K[0][0], 36);
-        untouched(&out.K_dot[0][0], 36);
-        untouched(&out.M[0][0], 36);
-        untouched(&out.I[0][0], 12);
-        untouched(&out.J[0][0], 12);
-        untouched(&out.F[0], 6);
+        untouched_equations(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.K[0][0], 36);
-        initialised(&out.K_dot[0][0], 36);
-        initialised(&out.M[0][0], 36);
-        initialised(&out.I[0][0], 12);
-        initialised(&out.J[0][0], 12);
-        initialised(&out.F[0], 6);
+        initialised_equations(&out);
     }
 }
 
@@ -369,24 +750,14 @@ void shaker2_eva_normal_momentum(void);
 void shaker2_eva_normal_momentum(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_momenta out;
     const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -394,24 +765,14 @@ void shaker2_eva_any_momentum(void);
 void shaker2_eva_any_momentum(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_momenta out;
     const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.Z[0], 6);
-        written(&out.Z0[0], 6);
-        written(&out.energy, 1);
-        written(&out.center_of_mass[0], 3);
+        written_momenta(&out);
     }
 }
 
@@ -419,24 +780,14 @@ void shaker2_eva_bits_momentum(void);
 void shaker2_eva_bits_momentum(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_momenta out;
     const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched(&out.Z[0], 6);
-        untouched(&out.Z0[0], 6);
-        untouched(&out.energy, 1);
-        untouched(&out.center_of_mass[0], 3);
+        untouched_momenta(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.Z[0], 6);
-        initialised(&out.Z0[0], 6);
-        initialised(&out.energy, 1);
-        initialised(&out.center_of_mass[0], 3);
+        initialised_momenta(&out);
     }
 }
 
@@ -444,11 +795,7 @@ void shaker2_eva_normal_torque(void);
 void shaker2_eva_normal_torque(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -467,11 +814,7 @@ void shaker2_eva_any_torque(void);
 void shaker2_eva_any_torque(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, SHAKER2_LARGEST);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -490,11 +833,7 @@ void shaker2_eva_bits_torque(void);
 void shaker2_eva_bits_torque(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real V_dot[6];
     all_bits(&V_dot[0], 6);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -513,11 +852,7 @@ void shaker2_eva_normal_coupled(void);
 void shaker2_eva_normal_coupled(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real tau[SHAKER2_N];
     reals(&tau[0], 2, 100.0);
     int locked[SHAKER2_N];
@@ -539,11 +874,7 @@ void shaker2_eva_any_coupled(void);
 void shaker2_eva_any_coupled(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real tau[SHAKER2_N];
     reals(&tau[0], 2, SHAKER2_LARGEST);
     int locked[SHAKER2_N];
@@ -565,11 +896,7 @@ void shaker2_eva_bits_coupled(void);
 void shaker2_eva_bits_coupled(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real tau[SHAKER2_N];
     all_bits(&tau[0], 2);
     int locked[SHAKER2_N];
@@ -591,11 +918,7 @@ void shaker2_eva_normal_step(void);
 void shaker2_eva_normal_step(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real tau[SHAKER2_N];
     reals(&tau[0], 2, 100.0);
     int locked[SHAKER2_N];
@@ -607,18 +930,10 @@ void shaker2_eva_normal_step(void)
     shaker2_state next;
     const shaker2_status status = shaker2_step(&shaker2_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 2);
-        untouched(&next.phi_dot[0], 2);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 2);
-        written(&next.phi_dot[0], 2);
+        written_state(&next);
     }
 }
 
@@ -626,11 +941,7 @@ void shaker2_eva_any_step(void);
 void shaker2_eva_any_step(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real tau[SHAKER2_N];
     reals(&tau[0], 2, SHAKER2_LARGEST);
     int locked[SHAKER2_N];
@@ -642,18 +953,10 @@ void shaker2_eva_any_step(void)
     shaker2_state next;
     const shaker2_status status = shaker2_step(&shaker2_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 2);
-        untouched(&next.phi_dot[0], 2);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 2);
-        written(&next.phi_dot[0], 2);
+        written_state(&next);
     }
 }
 
@@ -661,11 +964,7 @@ void shaker2_eva_bits_step(void);
 void shaker2_eva_bits_step(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real tau[SHAKER2_N];
     all_bits(&tau[0], 2);
     int locked[SHAKER2_N];
@@ -677,18 +976,10 @@ void shaker2_eva_bits_step(void)
     shaker2_state next;
     const shaker2_status status = shaker2_step(&shaker2_default, &x, tau, locked, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 2);
-        untouched(&next.phi_dot[0], 2);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 2);
-        initialised(&next.phi_dot[0], 2);
+        initialised_state(&next);
     }
 }
 
@@ -696,11 +987,7 @@ void shaker2_eva_normal_step_driven(void);
 void shaker2_eva_normal_step_driven(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, 1.0e4);
     shaker2_real dt;
@@ -710,18 +997,10 @@ void shaker2_eva_normal_step_driven(void)
     shaker2_state next;
     const shaker2_status status = shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 2);
-        untouched(&next.phi_dot[0], 2);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 2);
-        written(&next.phi_dot[0], 2);
+        written_state(&next);
     }
 }
 
@@ -729,11 +1008,7 @@ void shaker2_eva_any_step_driven(void);
 void shaker2_eva_any_step_driven(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
     shaker2_real dt;
@@ -743,18 +1018,10 @@ void shaker2_eva_any_step_driven(void)
     shaker2_state next;
     const shaker2_status status = shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 2);
-        untouched(&next.phi_dot[0], 2);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        written(&next.position[0], 3);
-        written(&next.attitude[0], 4);
-        written(&next.V[0], 6);
-        written(&next.phi[0], 2);
-        written(&next.phi_dot[0], 2);
+        written_state(&next);
     }
 }
 
@@ -762,11 +1029,7 @@ void shaker2_eva_bits_step_driven(void);
 void shaker2_eva_bits_step_driven(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     all_bits(&phi_ddot[0], 2);
     shaker2_real dt;
@@ -776,18 +1039,10 @@ void shaker2_eva_bits_step_driven(void)
     shaker2_state next;
     const shaker2_status status = shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
-        untouched(&next.position[0], 3);
-        untouched(&next.attitude[0], 4);
-        untouched(&next.V[0], 6);
-        untouched(&next.phi[0], 2);
-        untouched(&next.phi_dot[0], 2);
+        untouched_state(&next);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&next.position[0], 3);
-        initialised(&next.attitude[0], 4);
-        initialised(&next.V[0], 6);
-        initialised(&next.phi[0], 2);
-        initialised(&next.phi_dot[0], 2);
+        initialised_state(&next);
     }
 }
 
@@ -954,9 +1209,7 @@ void shaker2_eva_normal_accumulate(void);
 void shaker2_eva_normal_accumulate(void)
 {
     shaker2_encoder encoder;
-    integers(&encoder.counter, 1, -1048576, 1048576);
-    integers(&encoder.place, 1, -1048576, 1048576);
-    integers(&encoder.moved, 1, -1048576, 1048576);
+    normal_encoder(&encoder);
     int counter;
     integers(&counter, 1, -1048576, 1048576);
     int bits;
@@ -967,9 +1220,7 @@ void shaker2_eva_normal_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -977,9 +1228,7 @@ void shaker2_eva_any_accumulate(void);
 void shaker2_eva_any_accumulate(void)
 {
     shaker2_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    any_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -990,9 +1239,7 @@ void shaker2_eva_any_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        written_encoder(&encoder);
     }
 }
 
@@ -1000,9 +1247,7 @@ void shaker2_eva_bits_accumulate(void);
 void shaker2_eva_bits_accumulate(void)
 {
     shaker2_encoder encoder;
-    integers(&encoder.counter, 1, INT_MIN, INT_MAX);
-    integers(&encoder.place, 1, INT_MIN, INT_MAX);
-    integers(&encoder.moved, 1, INT_MIN, INT_MAX);
+    bits_encoder(&encoder);
     int counter;
     integers(&counter, 1, INT_MIN, INT_MAX);
     int bits;
@@ -1013,9 +1258,7 @@ void shaker2_eva_bits_accumulate(void)
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        /*@ check \initialized(&encoder.counter); */
-        /*@ check \initialized(&encoder.place); */
-        /*@ check \initialized(&encoder.moved); */
+        initialised_encoder(&encoder);
     }
 }
 
@@ -1023,26 +1266,16 @@ void shaker2_eva_normal_forward_jacobian(void);
 void shaker2_eva_normal_forward_jacobian(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, 1.0e4);
     shaker2_forward_slopes out;
     const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 12);
-        untouched(&out.V_dot_phi_dot[0][0], 12);
-        untouched(&out.V_dot_phi_ddot[0][0], 12);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 12);
-        written(&out.V_dot_phi_dot[0][0], 12);
-        written(&out.V_dot_phi_ddot[0][0], 12);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1050,26 +1283,16 @@ void shaker2_eva_any_forward_jacobian(void);
 void shaker2_eva_any_forward_jacobian(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
     shaker2_forward_slopes out;
     const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 12);
-        untouched(&out.V_dot_phi_dot[0][0], 12);
-        untouched(&out.V_dot_phi_ddot[0][0], 12);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 12);
-        written(&out.V_dot_phi_dot[0][0], 12);
-        written(&out.V_dot_phi_ddot[0][0], 12);
+        written_forward_slopes(&out);
     }
 }
 
@@ -1077,26 +1300,16 @@ void shaker2_eva_bits_forward_jacobian(void);
 void shaker2_eva_bits_forward_jacobian(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     all_bits(&phi_ddot[0], 2);
     shaker2_forward_slopes out;
     const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 12);
-        untouched(&out.V_dot_phi_dot[0][0], 12);
-        untouched(&out.V_dot_phi_ddot[0][0], 12);
+        untouched_forward_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 12);
-        initialised(&out.V_dot_phi_dot[0][0], 12);
-        initialised(&out.V_dot_phi_ddot[0][0], 12);
+        initialised_forward_slopes(&out);
     }
 }
 
@@ -1104,11 +1317,7 @@ void shaker2_eva_normal_coupled_jacobian(void);
 void shaker2_eva_normal_coupled_jacobian(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real tau[SHAKER2_N];
     reals(&tau[0], 2, 100.0);
     int locked[SHAKER2_N];
@@ -1116,24 +1325,10 @@ void shaker2_eva_normal_coupled_jacobian(void)
     shaker2_coupled_slopes out;
     const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 12);
-        untouched(&out.V_dot_phi_dot[0][0], 12);
-        untouched(&out.V_dot_tau[0][0], 12);
-        untouched(&out.phi_ddot_V[0][0], 12);
-        untouched(&out.phi_ddot_phi[0][0], 4);
-        untouched(&out.phi_ddot_phi_dot[0][0], 4);
-        untouched(&out.phi_ddot_tau[0][0], 4);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 12);
-        written(&out.V_dot_phi_dot[0][0], 12);
-        written(&out.V_dot_tau[0][0], 12);
-        written(&out.phi_ddot_V[0][0], 12);
-        written(&out.phi_ddot_phi[0][0], 4);
-        written(&out.phi_ddot_phi_dot[0][0], 4);
-        written(&out.phi_ddot_tau[0][0], 4);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1141,11 +1336,7 @@ void shaker2_eva_any_coupled_jacobian(void);
 void shaker2_eva_any_coupled_jacobian(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real tau[SHAKER2_N];
     reals(&tau[0], 2, SHAKER2_LARGEST);
     int locked[SHAKER2_N];
@@ -1153,24 +1344,10 @@ void shaker2_eva_any_coupled_jacobian(void)
     shaker2_coupled_slopes out;
     const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 12);
-        untouched(&out.V_dot_phi_dot[0][0], 12);
-        untouched(&out.V_dot_tau[0][0], 12);
-        untouched(&out.phi_ddot_V[0][0], 12);
-        untouched(&out.phi_ddot_phi[0][0], 4);
-        untouched(&out.phi_ddot_phi_dot[0][0], 4);
-        untouched(&out.phi_ddot_tau[0][0], 4);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.V_dot_V[0][0], 36);
-        written(&out.V_dot_phi[0][0], 12);
-        written(&out.V_dot_phi_dot[0][0], 12);
-        written(&out.V_dot_tau[0][0], 12);
-        written(&out.phi_ddot_V[0][0], 12);
-        written(&out.phi_ddot_phi[0][0], 4);
-        written(&out.phi_ddot_phi_dot[0][0], 4);
-        written(&out.phi_ddot_tau[0][0], 4);
+        written_coupled_slopes(&out);
     }
 }
 
@@ -1178,11 +1355,7 @@ void shaker2_eva_bits_coupled_jacobian(void);
 void shaker2_eva_bits_coupled_jacobian(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real tau[SHAKER2_N];
     all_bits(&tau[0], 2);
     int locked[SHAKER2_N];
@@ -1190,24 +1363,10 @@ void shaker2_eva_bits_coupled_jacobian(void)
     shaker2_coupled_slopes out;
     const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched(&out.V_dot_V[0][0], 36);
-        untouched(&out.V_dot_phi[0][0], 12);
-        untouched(&out.V_dot_phi_dot[0][0], 12);
-        untouched(&out.V_dot_tau[0][0], 12);
-        untouched(&out.phi_ddot_V[0][0], 12);
-        untouched(&out.phi_ddot_phi[0][0], 4);
-        untouched(&out.phi_ddot_phi_dot[0][0], 4);
-        untouched(&out.phi_ddot_tau[0][0], 4);
+        untouched_coupled_slopes(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.V_dot_V[0][0], 36);
-        initialised(&out.V_dot_phi[0][0], 12);
-        initialised(&out.V_dot_phi_dot[0][0], 12);
-        initialised(&out.V_dot_tau[0][0], 12);
-        initialised(&out.phi_ddot_V[0][0], 12);
-        initialised(&out.phi_ddot_phi[0][0], 4);
-        initialised(&out.phi_ddot_phi_dot[0][0], 4);
-        initialised(&out.phi_ddot_tau[0][0], 4);
+        initialised_coupled_slopes(&out);
     }
 }
 
@@ -1215,35 +1374,18 @@ void shaker2_eva_normal_inverse(void);
 void shaker2_eva_normal_inverse(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     shaker2_inverse_options options;
-    about(&options.weight[0], &shaker2_default_options.weight[0], 2);
-    about(&options.limit[0], &shaker2_default_options.limit[0], 2);
-    about(&options.near, &shaker2_default_options.near, 1);
-    about(&options.damping, &shaker2_default_options.damping, 1);
+    normal_inverse_options(&options);
     shaker2_inverse_result out;
     const shaker2_status status = shaker2_inverse(&shaker2_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 2);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 2);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 2);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 2);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1251,35 +1393,18 @@ void shaker2_eva_any_inverse(void);
 void shaker2_eva_any_inverse(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, SHAKER2_LARGEST);
     shaker2_inverse_options options;
-    reals(&options.weight[0], 2, SHAKER2_LARGEST);
-    reals(&options.limit[0], 2, SHAKER2_LARGEST);
-    reals(&options.near, 1, SHAKER2_LARGEST);
-    reals(&options.damping, 1, SHAKER2_LARGEST);
+    any_inverse_options(&options);
     shaker2_inverse_result out;
     const shaker2_status status = shaker2_inverse(&shaker2_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 2);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 2);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.phi_ddot[0], 2);
-        written(&out.residual[0], 6);
-        written(&out.sigma[0], 2);
-        /*@ check \initialized(&out.rank); */
-        written(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        written(&out.hardest[0], 6);
+        written_inverse_result(&out);
     }
 }
 
@@ -1287,35 +1412,18 @@ void shaker2_eva_bits_inverse(void);
 void shaker2_eva_bits_inverse(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real V_dot[6];
     all_bits(&V_dot[0], 6);
     shaker2_inverse_options options;
-    all_bits(&options.weight[0], 2);
-    all_bits(&options.limit[0], 2);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     shaker2_inverse_result out;
     const shaker2_status status = shaker2_inverse(&shaker2_default, &x, V_dot, &options, &out);
     if (status < 0) {
-        untouched(&out.phi_ddot[0], 2);
-        untouched(&out.residual[0], 6);
-        untouched(&out.sigma[0], 2);
-        untouched(&out.damped_by, 1);
-        untouched(&out.hardest[0], 6);
+        untouched_inverse_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.phi_ddot[0], 2);
-        initialised(&out.residual[0], 6);
-        initialised(&out.sigma[0], 2);
-        /*@ check \initialized(&out.rank); */
-        initialised(&out.damped_by, 1);
-        /*@ check \initialized(&out.limited[0]); */
-        initialised(&out.hardest[0], 6);
+        initialised_inverse_result(&out);
     }
 }
 
@@ -1323,18 +1431,11 @@ void shaker2_eva_normal_inverse_fast(void);
 void shaker2_eva_normal_inverse_fast(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     shaker2_inverse_options options;
-    about(&options.weight[0], &shaker2_default_options.weight[0], 2);
-    about(&options.limit[0], &shaker2_default_options.limit[0], 2);
-    about(&options.near, &shaker2_default_options.near, 1);
-    about(&options.damping, &shaker2_default_options.damping, 1);
+    normal_inverse_options(&options);
     shaker2_real phi_ddot[SHAKER2_N];
     const shaker2_status status = shaker2_inverse_fast(&shaker2_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1349,18 +1450,11 @@ void shaker2_eva_any_inverse_fast(void);
 void shaker2_eva_any_inverse_fast(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, SHAKER2_LARGEST);
     shaker2_inverse_options options;
-    reals(&options.weight[0], 2, SHAKER2_LARGEST);
-    reals(&options.limit[0], 2, SHAKER2_LARGEST);
-    reals(&options.near, 1, SHAKER2_LARGEST);
-    reals(&options.damping, 1, SHAKER2_LARGEST);
+    any_inverse_options(&options);
     shaker2_real phi_ddot[SHAKER2_N];
     const shaker2_status status = shaker2_inverse_fast(&shaker2_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1375,18 +1469,11 @@ void shaker2_eva_bits_inverse_fast(void);
 void shaker2_eva_bits_inverse_fast(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real V_dot[6];
     all_bits(&V_dot[0], 6);
     shaker2_inverse_options options;
-    all_bits(&options.weight[0], 2);
-    all_bits(&options.limit[0], 2);
-    one_of_all(&options.near);
-    one_of_all(&options.damping);
+    bits_inverse_options(&options);
     shaker2_real phi_ddot[SHAKER2_N];
     const shaker2_status status = shaker2_inverse_fast(&shaker2_default, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
@@ -1454,22 +1541,14 @@ void shaker2_eva_normal_target(void)
     shaker2_real q_ddot[6];
     reals(&q_ddot[0], 6, 1.0e3);
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real V_dot[6];
     const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 2);
-        written(&x.phi_dot[0], 2);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1486,22 +1565,14 @@ void shaker2_eva_any_target(void)
     shaker2_real q_ddot[6];
     reals(&q_ddot[0], 6, SHAKER2_LARGEST);
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real V_dot[6];
     const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        written(&x.position[0], 3);
-        written(&x.attitude[0], 4);
-        written(&x.V[0], 6);
-        written(&x.phi[0], 2);
-        written(&x.phi_dot[0], 2);
+        written_state(&x);
         written(&V_dot[0], 6);
     }
 }
@@ -1518,22 +1589,14 @@ void shaker2_eva_bits_target(void)
     shaker2_real q_ddot[6];
     all_bits(&q_ddot[0], 6);
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real V_dot[6];
     const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&x.position[0], 3);
-        initialised(&x.attitude[0], 4);
-        initialised(&x.V[0], 6);
-        initialised(&x.phi[0], 2);
-        initialised(&x.phi_dot[0], 2);
+        initialised_state(&x);
         initialised(&V_dot[0], 6);
     }
 }
@@ -1542,11 +1605,7 @@ void shaker2_eva_normal_attitude(void);
 void shaker2_eva_normal_attitude(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real angles[3];
     reals(&angles[0], 3, 7.0);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -1554,20 +1613,10 @@ void shaker2_eva_normal_attitude(void)
     shaker2_generalized out;
     const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1575,11 +1624,7 @@ void shaker2_eva_any_attitude(void);
 void shaker2_eva_any_attitude(void)
 {
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real angles[3];
     reals(&angles[0], 3, SHAKER2_LARGEST);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -1587,20 +1632,10 @@ void shaker2_eva_any_attitude(void)
     shaker2_generalized out;
     const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written(&out.A[0][0], 36);
-        written(&out.D[0][0], 36);
-        written(&out.I0[0][0], 36);
-        written(&out.J0[0][0], 36);
-        written(&out.q_dot[0], 6);
-        written(&out.q_ddot[0], 6);
+        written_generalized(&out);
     }
 }
 
@@ -1608,11 +1643,7 @@ void shaker2_eva_bits_attitude(void);
 void shaker2_eva_bits_attitude(void)
 {
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real angles[3];
     all_bits(&angles[0], 3);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -1620,20 +1651,10 @@ void shaker2_eva_bits_attitude(void)
     shaker2_generalized out;
     const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched(&out.A[0][0], 36);
-        untouched(&out.D[0][0], 36);
-        untouched(&out.I0[0][0], 36);
-        untouched(&out.J0[0][0], 36);
-        untouched(&out.q_dot[0], 6);
-        untouched(&out.q_ddot[0], 6);
+        untouched_generalized(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&out.A[0][0], 36);
-        initialised(&out.D[0][0], 36);
-        initialised(&out.I0[0][0], 36);
-        initialised(&out.J0[0][0], 36);
-        initialised(&out.q_dot[0], 6);
-        initialised(&out.q_ddot[0], 6);
+        initialised_generalized(&out);
     }
 }
 
@@ -1641,53 +1662,13 @@ void shaker2_eva_normal_prepare(void);
 void shaker2_eva_normal_prepare(void)
 {
     shaker2_parameters parameters;
-    about(&parameters.carrier.mass, &shaker2_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &shaker2_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &shaker2_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &shaker2_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &shaker2_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &shaker2_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &shaker2_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &shaker2_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &shaker2_default_parameters.flywheel[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     shaker2_table stand = shaker2_default;
     const shaker2_status status = shaker2_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.gravity[0], 3);
-        written(&stand.suspension.stiffness[0][0], 36);
-        written(&stand.suspension.damping[0][0], 36);
-        written(&stand.suspension.position[0], 3);
-        written(&stand.suspension.attitude[0], 4);
+        written_table(&stand);
     }
 }
 
@@ -1695,53 +1676,13 @@ void shaker2_eva_any_prepare(void);
 void shaker2_eva_any_prepare(void)
 {
     shaker2_parameters parameters;
-    reals(&parameters.carrier.mass, 1, SHAKER2_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, SHAKER2_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, SHAKER2_LARGEST);
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, SHAKER2_LARGEST);
-    }
+    any_parameters(&parameters);
     shaker2_table stand = shaker2_default;
     const shaker2_status status = shaker2_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written(&stand.mass, 1);
-        written(&stand.mass_inverse, 1);
-        written(&stand.first_moment[0], 3);
-        written(&stand.inertia[0], 6);
-        written(&stand.flywheel[0].mu_c[0], 3);
-        written(&stand.flywheel[0].mu_s[0], 3);
-        written(&stand.flywheel[0].J_c[0], 6);
-        written(&stand.flywheel[0].J_s[0], 6);
-        written(&stand.flywheel[0].J_2c[0], 6);
-        written(&stand.flywheel[0].J_2s[0], 6);
-        written(&stand.flywheel[0].t_0[0], 3);
-        written(&stand.flywheel[0].t_c[0], 3);
-        written(&stand.flywheel[0].t_s[0], 3);
-        written(&stand.flywheel[0].spin, 1);
-        written(&stand.flywheel[0].spin_inv, 1);
-        written(&stand.flywheel[1].mu_c[0], 3);
-        written(&stand.flywheel[1].mu_s[0], 3);
-        written(&stand.flywheel[1].J_c[0], 6);
-        written(&stand.flywheel[1].J_s[0], 6);
-        written(&stand.flywheel[1].J_2c[0], 6);
-        written(&stand.flywheel[1].J_2s[0], 6);
-        written(&stand.flywheel[1].t_0[0], 3);
-        written(&stand.flywheel[1].t_c[0], 3);
-        written(&stand.flywheel[1].t_s[0], 3);
-        written(&stand.flywheel[1].spin, 1);
-        written(&stand.flywheel[1].spin_inv, 1);
-        written(&stand.gravity[0], 3);
-        written(&stand.suspension.stiffness[0][0], 36);
-        written(&stand.suspension.damping[0][0], 36);
-        written(&stand.suspension.position[0], 3);
-        written(&stand.suspension.attitude[0], 4);
+        written_table(&stand);
     }
 }
 
@@ -1749,53 +1690,13 @@ void shaker2_eva_bits_prepare(void);
 void shaker2_eva_bits_prepare(void)
 {
     shaker2_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     shaker2_table stand = shaker2_default;
     const shaker2_status status = shaker2_prepare(&parameters, &stand);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&stand.mass, 1);
-        initialised(&stand.mass_inverse, 1);
-        initialised(&stand.first_moment[0], 3);
-        initialised(&stand.inertia[0], 6);
-        initialised(&stand.flywheel[0].mu_c[0], 3);
-        initialised(&stand.flywheel[0].mu_s[0], 3);
-        initialised(&stand.flywheel[0].J_c[0], 6);
-        initialised(&stand.flywheel[0].J_s[0], 6);
-        initialised(&stand.flywheel[0].J_2c[0], 6);
-        initialised(&stand.flywheel[0].J_2s[0], 6);
-        initialised(&stand.flywheel[0].t_0[0], 3);
-        initialised(&stand.flywheel[0].t_c[0], 3);
-        initialised(&stand.flywheel[0].t_s[0], 3);
-        initialised(&stand.flywheel[0].spin, 1);
-        initialised(&stand.flywheel[0].spin_inv, 1);
-        initialised(&stand.flywheel[1].mu_c[0], 3);
-        initialised(&stand.flywheel[1].mu_s[0], 3);
-        initialised(&stand.flywheel[1].J_c[0], 6);
-        initialised(&stand.flywheel[1].J_s[0], 6);
-        initialised(&stand.flywheel[1].J_2c[0], 6);
-        initialised(&stand.flywheel[1].J_2s[0], 6);
-        initialised(&stand.flywheel[1].t_0[0], 3);
-        initialised(&stand.flywheel[1].t_c[0], 3);
-        initialised(&stand.flywheel[1].t_s[0], 3);
-        initialised(&stand.flywheel[1].spin, 1);
-        initialised(&stand.flywheel[1].spin_inv, 1);
-        initialised(&stand.gravity[0], 3);
-        initialised(&stand.suspension.stiffness[0][0], 36);
-        initialised(&stand.suspension.damping[0][0], 36);
-        initialised(&stand.suspension.position[0], 3);
-        initialised(&stand.suspension.attitude[0], 4);
+        initialised_table(&stand);
     }
 }
 
@@ -1805,11 +1706,7 @@ void shaker2_eva_normal_mounts(void)
     shaker2_mount_table mounting;
     (void)shaker2_prepare_mounts(&shaker2_default_parameters, &mounting);
     shaker2_state x;
-    reals(&x.position[0], 3, 100.0);
-    quaternion(x.attitude, 2.0);
-    reals(&x.V[0], 6, 20.0);
-    reals(&x.phi[0], 2, 100.0);
-    reals(&x.phi_dot[0], 2, 1.0e3);
+    normal_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -1830,11 +1727,7 @@ void shaker2_eva_any_mounts(void)
     shaker2_mount_table mounting;
     (void)shaker2_prepare_mounts(&shaker2_default_parameters, &mounting);
     shaker2_state x;
-    reals(&x.position[0], 3, SHAKER2_LARGEST);
-    quaternion(x.attitude, SHAKER2_LARGEST);
-    reals(&x.V[0], 6, SHAKER2_LARGEST);
-    reals(&x.phi[0], 2, SHAKER2_LARGEST);
-    reals(&x.phi_dot[0], 2, SHAKER2_LARGEST);
+    any_state(&x);
     shaker2_real V_dot[6];
     reals(&V_dot[0], 6, SHAKER2_LARGEST);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -1855,11 +1748,7 @@ void shaker2_eva_bits_mounts(void)
     shaker2_mount_table mounting;
     (void)shaker2_prepare_mounts(&shaker2_default_parameters, &mounting);
     shaker2_state x;
-    all_bits(&x.position[0], 3);
-    all_bits(&x.attitude[0], 4);
-    all_bits(&x.V[0], 6);
-    all_bits(&x.phi[0], 2);
-    all_bits(&x.phi_dot[0], 2);
+    bits_state(&x);
     shaker2_real V_dot[6];
     all_bits(&V_dot[0], 6);
     shaker2_real phi_ddot[SHAKER2_N];
@@ -1878,42 +1767,14 @@ void shaker2_eva_normal_prepare_mounts(void);
 void shaker2_eva_normal_prepare_mounts(void)
 {
     shaker2_parameters parameters;
-    about(&parameters.carrier.mass, &shaker2_default_parameters.carrier.mass, 1);
-    about(&parameters.carrier.center_of_mass[0], &shaker2_default_parameters.carrier.center_of_mass[0], 3);
-    about(&parameters.carrier.inertia[0], &shaker2_default_parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        about(&parameters.flywheel[i].body.mass, &shaker2_default_parameters.flywheel[i].body.mass, 1);
-        about(&parameters.flywheel[i].body.center_of_mass[0], &shaker2_default_parameters.flywheel[i].body.center_of_mass[0], 3);
-        about(&parameters.flywheel[i].body.inertia[0], &shaker2_default_parameters.flywheel[i].body.inertia[0], 6);
-        about(&parameters.flywheel[i].position[0], &shaker2_default_parameters.flywheel[i].position[0], 3);
-        about(&parameters.flywheel[i].axis[0], &shaker2_default_parameters.flywheel[i].axis[0], 3);
-        about(&parameters.flywheel[i].zero[0], &shaker2_default_parameters.flywheel[i].zero[0], 3);
-    }
+    normal_parameters(&parameters);
     shaker2_mount_table mounting;
     const shaker2_status status = shaker2_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -1921,42 +1782,14 @@ void shaker2_eva_any_prepare_mounts(void);
 void shaker2_eva_any_prepare_mounts(void)
 {
     shaker2_parameters parameters;
-    reals(&parameters.carrier.mass, 1, SHAKER2_LARGEST);
-    reals(&parameters.carrier.center_of_mass[0], 3, SHAKER2_LARGEST);
-    reals(&parameters.carrier.inertia[0], 6, SHAKER2_LARGEST);
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        reals(&parameters.flywheel[i].body.mass, 1, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].body.center_of_mass[0], 3, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].body.inertia[0], 6, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].position[0], 3, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].axis[0], 3, SHAKER2_LARGEST);
-        reals(&parameters.flywheel[i].zero[0], 3, SHAKER2_LARGEST);
-    }
+    any_parameters(&parameters);
     shaker2_mount_table mounting;
     const shaker2_status status = shaker2_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        written(&mounting.flywheel[0].mass, 1);
-        written(&mounting.flywheel[0].first_moment[0], 3);
-        written(&mounting.flywheel[0].inertia[0], 6);
-        written(&mounting.flywheel[0].origin[0], 3);
-        written(&mounting.flywheel[0].axes[0], 9);
-        written(&mounting.flywheel[1].mass, 1);
-        written(&mounting.flywheel[1].first_moment[0], 3);
-        written(&mounting.flywheel[1].inertia[0], 6);
-        written(&mounting.flywheel[1].origin[0], 3);
-        written(&mounting.flywheel[1].axes[0], 9);
+        written_mount_table(&mounting);
     }
 }
 
@@ -1964,42 +1797,14 @@ void shaker2_eva_bits_prepare_mounts(void);
 void shaker2_eva_bits_prepare_mounts(void)
 {
     shaker2_parameters parameters;
-    one_of_all(&parameters.carrier.mass);
-    all_bits(&parameters.carrier.center_of_mass[0], 3);
-    all_bits(&parameters.carrier.inertia[0], 6);
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        one_of_all(&parameters.flywheel[i].body.mass);
-        all_bits(&parameters.flywheel[i].body.center_of_mass[0], 3);
-        all_bits(&parameters.flywheel[i].body.inertia[0], 6);
-        all_bits(&parameters.flywheel[i].position[0], 3);
-        all_bits(&parameters.flywheel[i].axis[0], 3);
-        all_bits(&parameters.flywheel[i].zero[0], 3);
-    }
+    bits_parameters(&parameters);
     shaker2_mount_table mounting;
     const shaker2_status status = shaker2_prepare_mounts(&parameters, &mounting);
     if (status < 0) {
-        untouched(&mounting.flywheel[0].mass, 1);
-        untouched(&mounting.flywheel[0].first_moment[0], 3);
-        untouched(&mounting.flywheel[0].inertia[0], 6);
-        untouched(&mounting.flywheel[0].origin[0], 3);
-        untouched(&mounting.flywheel[0].axes[0], 9);
-        untouched(&mounting.flywheel[1].mass, 1);
-        untouched(&mounting.flywheel[1].first_moment[0], 3);
-        untouched(&mounting.flywheel[1].inertia[0], 6);
-        untouched(&mounting.flywheel[1].origin[0], 3);
-        untouched(&mounting.flywheel[1].axes[0], 9);
+        untouched_mount_table(&mounting);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&mounting.flywheel[0].mass, 1);
-        initialised(&mounting.flywheel[0].first_moment[0], 3);
-        initialised(&mounting.flywheel[0].inertia[0], 6);
-        initialised(&mounting.flywheel[0].origin[0], 3);
-        initialised(&mounting.flywheel[0].axes[0], 9);
-        initialised(&mounting.flywheel[1].mass, 1);
-        initialised(&mounting.flywheel[1].first_moment[0], 3);
-        initialised(&mounting.flywheel[1].inertia[0], 6);
-        initialised(&mounting.flywheel[1].origin[0], 3);
-        initialised(&mounting.flywheel[1].axes[0], 9);
+        initialised_mount_table(&mounting);
     }
 }
 

@@ -8,7 +8,7 @@ import pytest
 
 from faults.catalogue import FAULTS
 from faults.checks import CHECKS, outcome
-from faults.emitted import Emitted
+from faults.emitted import Emitted, Host
 from faults.fault import Fault, planted
 
 QUICK = (
@@ -55,5 +55,5 @@ def test_every_fault_is_caught(fault: Fault, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("host", "name"), USED, ids=str)
-def test_checks_pass_without_a_fault(host: object, name: str, tmp_path: Path) -> None:
-    assert outcome(name, Emitted(host, tmp_path)) == ""  # type: ignore[arg-type]
+def test_checks_pass_without_a_fault(host: Host, name: str, tmp_path: Path) -> None:
+    assert outcome(name, Emitted(host, tmp_path)) == ""

@@ -20,7 +20,7 @@ from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.report.evidence.collect import chosen, failures
 from mahovik.report.evidence.folder import check
 from mahovik.report.evidence.page import GENERAL, conclusion
-from mahovik.report.evidence.piece import Outcome, Verdict
+from mahovik.report.evidence.piece import Outcome, Subject, Tell, Verdict
 from mahovik.report.evidence.pieces import equations
 from mahovik.stand import load
 from mahovik.stand.identity import identities
@@ -141,8 +141,8 @@ def test_places_where_it_was_made_are_not_told(tmp_path: Path) -> None:
     """The folder's own name is taken out of what tools have said."""
     where: list[str] = []
 
-    def run(subject: object, tell: object) -> Outcome:
-        where.append(str(subject.folder))  # type: ignore[attr-defined]
+    def run(subject: Subject, tell: Tell) -> Outcome:
+        where.append(str(subject.folder))
         return passed(files={"output.txt": f"in {where[0]}/c/demo3.c\n"})
 
     collected(tmp_path / "out", [replace(GOOD, run=run)])

@@ -1,5 +1,9 @@
 """Frama-C Eva: its script's lines are read, its drivers cover every public function, and it sees planted faults."""
 
+from __future__ import annotations
+
+from pathlib import Path
+
 import pytest
 
 from emit.stands import stand, write
@@ -24,7 +28,7 @@ FAULTS = {
 """Driver that must see it, what is replaced, by what."""
 
 
-def test_a_line_of_the_script_is_read():
+def test_a_line_of_the_script_is_read() -> None:
     assert parsed("any_forward alarms 0 unproved 2 seconds 7\n") == Proof("forward", "any", 0, 2, 7)
     assert parsed("bits_step_driven alarms failed unproved 0 seconds 1") == Proof("step_driven", "bits", None, 0, 1)
     assert not parsed("any_forward alarms 0 unproved 2 seconds 7").holds
@@ -33,7 +37,7 @@ def test_a_line_of_the_script_is_read():
 
 
 @pytest.mark.parametrize("name", ["demo3", "everything6", "bare0"])
-def test_every_public_function_has_drivers(name):
+def test_every_public_function_has_drivers(name: str) -> None:
     program = generate_all(stand(name), "double").program
     found = drivers(program)
     public = {f.name for f in program.functions if f.public}
@@ -46,7 +50,7 @@ def test_every_public_function_has_drivers(name):
 
 
 @pytest.mark.slow
-def test_the_c_of_demo3_holds(tmp_path):
+def test_the_c_of_demo3_holds(tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
     write(delivery(stand("demo3")), tmp_path)
     found = prove(tmp_path / "demo3_eva.sh", ["any_forward", "any_torque"])
@@ -55,7 +59,7 @@ def test_the_c_of_demo3_holds(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("fault", FAULTS)
-def test_a_planted_fault_is_seen(fault, tmp_path):
+def test_a_planted_fault_is_seen(fault: str, tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
     driver, right, wrong = FAULTS[fault]
     files = delivery(stand("demo3"))

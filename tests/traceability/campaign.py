@@ -225,9 +225,10 @@ def in_a_fork(work: Callable[[], Any], seconds: int, late: Any) -> Any:
 
         process = multiprocessing.get_context("fork").Process(target=child)
         process.start()
+        assert process.pid is not None
         process.join(seconds)
         if process.is_alive():
-            os.killpg(process.pid, signal.SIGKILL)  # type: ignore[arg-type]
+            os.killpg(process.pid, signal.SIGKILL)
             process.join()
         return json.loads(answer.read_text()) if answer.exists() else late
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 from pathlib import Path
 
 from emit.stands import generated
 from mahovik import stands
+from mahovik.emit.spans import spans as emitted
 from mahovik.program.function import Function
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
@@ -36,9 +36,6 @@ def spans() -> dict[str, tuple[str, int, int]]:
     found: dict[str, tuple[str, int, int]] = {}
     for name in names():
         text = (GENERATED / name / f"{name}.c").read_text(encoding="ascii")
-        for match in re.finditer(
-            rf"^(?:static )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", text, re.DOTALL | re.MULTILINE
-        ):
-            first = text.count("\n", 0, match.start()) + 1
-            found.setdefault(match[1], (name, first, first + match[0].count("\n") - 1))
+        for function, (first, last) in emitted(text, name).items():
+            found.setdefault(function, (name, first, last))
     return found

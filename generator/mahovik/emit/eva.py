@@ -112,6 +112,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
     """`<stand>_eva.c` and `<stand>_eva.sh`."""
     writer = _Writer(program)
     every = drivers(program)
+    printed = ["\n".join(writer.driver(each)) for each in every]
     words: dict[str, Any] = {
         "name": program.name,
         "NAME": program.name.upper(),
@@ -125,11 +126,13 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
         "public": [f.name for f in program.functions if f.public],
         "checks": [f.name for f in program.functions if f.returns is Kind.STATUS and not f.public],
+        "fills": list(writer.fills),
         "merged": [f.name for f in program.functions if f.returns is not Kind.STATUS or f.name in _MERGED],
     }
     source = template("eva.c.j2").render(
         **words,
-        drivers=["\n".join(writer.driver(each)) for each in every],
+        drivers=printed,
+        shared=[*writer.fills.values(), *writer.asserts.values()],
         square_min=writer.real(UNIT_SQUARE_MIN),
         least=writer.real(round(sqrt(UNIT_SQUARE_MIN) / 2 - 5e-4, 3)),
         octants=[(i, 2 * i, 2 * i + 1) for i in range(4)],
@@ -144,11 +147,13 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
 
 
 class _Writer:
-    """Prints drivers."""
+    """Prints drivers, and keeps the functions they share: `fills` fill a struct with a set, `asserts` look at one."""
 
     def __init__(self, program: Program) -> None:
         self._program = program
         self._names = Names(program.name)
+        self.fills: dict[str, str] = {}
+        self.asserts: dict[str, str] = {}
 
     def real(self, value: float) -> str:
         return real_literal(value, self._program.precision)
@@ -201,6 +206,8 @@ class _Writer:
         if isinstance(a.type, Struct) and a.type.name == "mount_table":
             given = self._names.function("default_parameters")
             yield f"(void){self._names.function('prepare_mounts')}(&{given}, &{a.name});"
+        elif isinstance(a.type, Struct) and not a.shape:
+            yield f"{self._fill(a.type, kind)}(&{a.name});"
         else:
             yield from self._filled(a.name, Field(a.name, a.type, a.shape), kind)
 
@@ -212,19 +219,33 @@ class _Writer:
             return self._names.function("default")
         return ""
 
+    def _fill(self, struct: Struct, kind: str) -> str:
+        """Name of the function that fills a struct with all values of a set."""
+        name = f"{kind}_{struct.name}"
+        if name not in self.fills:
+            middle = ""
+            if struct.name in _CONSTANTS and kind == NORMAL:
+                middle = f"{self._names.function(_CONSTANTS[struct.name])}."
+            lines = (line for f in struct.fields for line in self._member("x->", f, kind, middle))
+            self.fills[name] = self._shared(name, f"{self._names.type(struct)} *x", lines)
+        return name
+
+    def _shared(self, name: str, argument: str, lines: Iterator[str]) -> str:
+        return "\n".join([f"static void {name}({argument})", "{", *(f"    {line}" for line in lines), "}"])
+
+    def _member(self, prefix: str, f: Field, kind: str, middle: str) -> Iterator[str]:
+        return self._filled(f"{prefix}{f.name}", f, kind, f"{middle}{f.name}" if middle else "")
+
     def _filled(self, place: str, f: Field, kind: str, middle: str = "") -> Iterator[str]:
         """Fills a place with all values of a set."""
         if isinstance(f.type, Struct):
-            if f.type.name in ("parameters", "inverse_options") and kind == NORMAL:
-                middle = self._names.function(_CONSTANTS[f.type.name])
             counts = [self._count(n) for n in f.shape]
             for level, count in enumerate(counts):
                 index = "ijk"[level]
                 yield f"{'    ' * level}for (int {index} = 0; {index} < {count}; ++{index}) {{"
             inner = "".join(f"[{'ijk'[level]}]" for level in range(len(counts)))
             for member in f.type.fields:
-                own = f"{middle}{inner}.{member.name}" if middle else ""
-                for line in self._filled(f"{place}{inner}.{member.name}", member, kind, own):
+                for line in self._member(f"{place}{inner}.", member, kind, f"{middle}{inner}." if middle else ""):
                     yield "    " * len(counts) + line
             for level in reversed(range(len(counts))):
                 yield f"{'    ' * level}}}"
@@ -260,7 +281,18 @@ class _Writer:
     # ---- results ----
 
     def _asserted(self, what: str, a: Argument) -> Iterator[str]:
-        yield from self._of(what, a.name, Field(a.name, a.type, a.shape))
+        if isinstance(a.type, Struct) and not a.shape:
+            yield f"{self._look(what, a.type)}(&{a.name});"
+        else:
+            yield from self._of(what, a.name, Field(a.name, a.type, a.shape))
+
+    def _look(self, what: str, struct: Struct) -> str:
+        """Name of the function that asserts something of all of a struct."""
+        name = f"{what}_{struct.name}"
+        if name not in self.asserts:
+            lines = (line for f in struct.fields for line in self._of(what, f"x->{f.name}", f))
+            self.asserts[name] = self._shared(name, f"const {self._names.type(struct)} *x", lines)
+        return name
 
     def _of(self, what: str, place: str, f: Field) -> Iterator[str]:
         if isinstance(f.type, Struct):

@@ -216,7 +216,7 @@ def _solve_blocks(
             body.set(inverse[s], real(0))
     rate = body.local("rate", (layout.room,), comment="accelerations at V* = 0")
     parts = body.local("taken", (), layout.lane_schur, "by the flywheels, lane by lane")
-    lanes.clear(body, parts, layout.lane_schur, layout.lane_count)
+    body.call(lib["clear_taken"], parts)
     with lanes.blocks(lib, body) as (b, first):
         couple_blocks(lib, body, stand, b, first, seen, alike, drives[b])
         with body.loop("k", layout.lane_count) as k:

@@ -210,7 +210,7 @@ def sum_up(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums:
     else:
         accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
     parts = body.local("lane", (), layout.lane_sums, "of the flywheels, lane by lane")
-    lanes.clear(body, parts, layout.lane_sums, layout.lane_count)
+    body.call(lib["clear_lanes"], parts)
     with lanes.blocks(lib, body) as (b, first):
         body.call(lib["add_block"], stand.block[b], first, *turns, speeds, accelerations, parts)
     body.call(lib["add_lanes"], parts, sums)

@@ -13,7 +13,7 @@ from mahovik.lower.library import Library
 from mahovik.program.build import Body
 from mahovik.program.expression import Expr, Place, integer, real
 from mahovik.program.function import Argument, Function
-from mahovik.program.types import Kind, NamedCount, Struct
+from mahovik.program.types import Kind, Struct
 
 
 def first_argument() -> Argument:
@@ -43,11 +43,14 @@ def blocks(lib: Library, body: Body) -> Iterator[tuple[Place, Expr]]:
         yield b, b * integer(lib.layout.lane_count)
 
 
-def clear(body: Body, sums: Place, struct: Struct, lanes: NamedCount) -> None:
+def clear(lib: Library, name: str, struct: Struct) -> Function:
     """All sums of all lanes to zero."""
+    sums = Argument("lane", struct, (), "out")
+    body = Body()
     for field in struct.fields:
-        with body.loop("i", field.shape[0]) as i, body.loop("k", lanes) as k:
-            body.set(sums.member(field.name)[i][k], real(0))
+        with body.loop("i", field.shape[0]) as i, body.loop("k", lib.layout.lane_count) as k:
+            body.set(sums.place.member(field.name)[i][k], real(0))
+    return Function(name, "Sums of the lanes to zero.", (sums,), body.statements)
 
 
 def tree(parts: Sequence[Expr]) -> Expr:

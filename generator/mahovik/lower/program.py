@@ -159,6 +159,8 @@ def _add_rows(lib: Library) -> None:
     lib.add(lanes.put_row(lib))
     if int(lib.layout.room) > int(lib.layout.count):
         lib.add(lanes.spread(lib))
+    lib.add(lanes.clear(lib, "clear_lanes", lib.layout.lane_sums))
+    lib.add(lanes.clear(lib, "clear_taken", lib.layout.lane_schur))
     lib.add(flywheels.add_block(lib))
     lib.add(lanes.add_lanes(lib))
 

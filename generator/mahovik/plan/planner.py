@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,15 +17,14 @@ from mahovik.plan.certificate import certified, programme_of, wrong_items
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.finite import plan_finite
-from mahovik.plan.outcome import Plan, Status
+from mahovik.plan.outcome import Plan, Status, Tell
 from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
+from mahovik.plan.runup import shortcomings, with_runup
 from mahovik.plan.search import Candidate, Search, search
 from mahovik.plan.shortened import repeated, shortened
 from mahovik.plan.wishes import Wishes
 from mahovik.stand.model import Stand
-
-Tell = Callable[[Search], None]
 
 
 def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
@@ -45,7 +44,7 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
     if not motion.periodic:
-        return plan_finite(problem, first, asked, budget)
+        return plan_finite(problem, first, asked, budget, tell)
     improver = Improver.of(problem)
     found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
     return _plan(problem, motion, first, found, choose(improver, found), budget, asked)
@@ -87,9 +86,9 @@ def _plan(
         return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, found.interrupted)
     best, programme = programmes[0]
     warnings = (*first.warnings, *programme.report.get("warnings", ()))
-    status: Status = "OK_LIMIT" if best.exceeded else "OK"
     given = tuple(each for _, each in programmes)
-    over = tuple(each.words for each in best.exceeded)
+    over = (*(each.words for each in best.exceeded), *shortcomings(programme))
+    status: Status = "OK_LIMIT" if over else "OK"
     return Plan(status, None, over, warnings, given, effort, found.interrupted)
 
 
@@ -127,4 +126,5 @@ def _programme(
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
     programme = programme_of(stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
+    programme = with_runup(stand, motion, programme, effort["seed"])
     return certified(stand, motion, programme) if verify else programme

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -13,6 +13,7 @@ from mahovik.plan.array import Array
 from mahovik.plan.bounds import Exceeded, bounded
 from mahovik.plan.budget import Budget
 from mahovik.plan.fourier import Periodic
+from mahovik.plan.outcome import Tell
 from mahovik.plan.problem import Problem
 from mahovik.plan.starts import Crowd
 from mahovik.plan.windings import Kind, drawn, order, rounds
@@ -97,9 +98,6 @@ class Search:
             self.found.append(candidate)
         else:
             self.beyond = sorted([*self.beyond, candidate], key=lambda each: each.used)[:SPARE]
-
-
-Tell = Callable[[Search], None]
 
 
 def search(

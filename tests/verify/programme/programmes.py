@@ -90,9 +90,9 @@ def twins() -> Case:
 
 
 def twins_run_up() -> RunUpTable:
-    """In 0.2 s to the programme of `twins`: speed by a quintic, angle to end where the programme begins."""
-    x = np.linspace(0.0, 1.0, 41)[:, None]
-    Tr, omega = 0.2, 2 * np.pi / 0.1 * np.array([[1.0, -1.0]])
+    """In 0.1 s to the programme of `twins`: speed by a quintic, angle to end where the programme begins."""
+    x = np.linspace(0.0, 1.0, 21)[:, None]
+    Tr, omega = 0.1, 2 * np.pi / 0.1 * np.array([[1.0, -1.0]])
     speed, slope = x**3 * (10 - 15 * x + 6 * x**2), 30 * x**2 * (1 - x) ** 2
     way = x**4 * (2.5 - 3 * x + x**2) - 0.5
     phi = np.array([[0.3, 1.0]]) + omega * Tr * way

@@ -91,9 +91,9 @@ def test_a_carrier_that_does_not_end_where_the_motion_begins() -> None:
 @pytest.mark.parametrize(
     ("bounds", "offends"),
     [
-        (Bounds(acceleration=(580.0, 580.0)), {"run-up bound acceleration"}),
-        (Bounds(acceleration=(600.0, 600.0), speed=(63.0, 63.0)), set()),
-        (Bounds(torque=(0.4, 0.4)), {"run-up bound torque"}),
+        (Bounds(acceleration=(1150.0, 1150.0)), {"run-up bound acceleration"}),
+        (Bounds(acceleration=(1200.0, 1200.0), speed=(63.0, 63.0)), set()),
+        (Bounds(torque=(0.8, 0.8)), {"run-up bound torque"}),
     ],
 )
 def test_bounds_hold_on_the_way(bounds: Bounds, offends: set[str]) -> None:

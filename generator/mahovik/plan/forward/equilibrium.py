@@ -24,10 +24,14 @@ _LEFT = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """y (12) at rest, V = 0, and its derivatives by the flywheels' angles (12, N)."""
+    """y (12) at rest, V = 0, and its derivatives by the flywheels' angles (12, N).
+
+    held   (12, 12): takes out of differences of states the displacements in directions that are free at rest
+    """
 
     y: Array
     by_phi: Array
+    held: Array
 
 
 def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibrium:
@@ -42,7 +46,7 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
     if near is not None:
         y[0, :6] = near[:6]
     for _ in range(_MOST):
-        back, stiff = _compliance(chart, given, y, root)
+        back, free = _compliance(chart, given, y, root)
         step = back @ chart.acceleration(given, y)[0]
         y[0, :6] += step * min(1.0, _LONGEST / max(float(np.abs(step).max()), 1e-300))
         if np.abs(step).max() < _LAST:
@@ -51,17 +55,19 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
     left = root @ chart.acceleration(given, y)[0]
     size = float(np.linalg.norm(left)) / float(root[0, 0])
     if not size <= _LEFT * max(1.0, float(np.linalg.norm(stand.gravity))):
-        why = "no equilibrium is near the mean pose" if stiff else "nothing holds it"
+        why = "nothing holds it" if free.size else "no equilibrium is near the mean pose"
         raise CheckError(
             f"{stand.name}: no rest to run up from: with the flywheels still the carrier accelerates by {size:.3g} "
             f"m/s2; {why}"
         )
     by_phi = back @ given.inverse[0] @ along(chart, given, y, still).by_phi[0]
-    return Equilibrium(y[0], np.vstack([by_phi, np.zeros_like(by_phi)]))
+    held = np.eye(12)
+    held[:6, :6] -= free @ free.T @ root.T @ root
+    return Equilibrium(y[0], np.vstack([by_phi, np.zeros_like(by_phi)]), held)
 
 
-def _compliance(chart: Chart, given: Drive, y: Array, root: Array) -> tuple[Array, bool]:
-    """Displacement (6, 6) that balances an acceleration, none in free directions; whether none is free."""
+def _compliance(chart: Chart, given: Drive, y: Array, root: Array) -> tuple[Array, Array]:
+    """Displacement (6, 6) that balances an acceleration, none in free directions; these (6, n), orthonormal in K."""
     aside = np.zeros((12, 12))
     aside[range(12), [*range(6), *range(6)]] = [_STEP] * 6 + [-_STEP] * 6
     moved = chart.acceleration(given[np.zeros(12, dtype=int)], y + aside)
@@ -69,4 +75,5 @@ def _compliance(chart: Chart, given: Drive, y: Array, root: Array) -> tuple[Arra
     U, sigma, Vt = np.linalg.svd(-root @ slopes @ np.linalg.inv(root))
     kept = sigma > FREE * max(float(sigma[0]), 1e-9)
     inverse = (Vt[kept].T / sigma[kept]) @ U[:, kept].T
-    return np.linalg.inv(root) @ inverse @ root, bool(kept.all())
+    back = np.linalg.inv(root)
+    return back @ inverse @ root, np.asarray(back @ Vt[~kept].T)

@@ -64,6 +64,8 @@ def size(error: Array) -> float:
 class Boundary:
     """Run-up (`up`) or run-down between rest and the programme's t = 0.
 
+    Where a direction is free at rest, the carrier may begin (or end) anywhere along it: there no pose is asked for.
+
     chart   about the mean pose
     family  at 4 B + 1 nodes
     joint   y (12) of the required motion at t = 0
@@ -104,7 +106,7 @@ class Boundary:
         if guess is None:
             guess = np.tile(start, (len(self.family.t), 1))
         found = course(self.chart, given, self.spacing, start, guess, near)
-        return given, rest, found, self.amplitude.shares(found.y[-1] - end)
+        return given, rest, found, self.amplitude.shares(rest.held @ (found.y[-1] - end))
 
     def along(self, flight: Flight) -> Linear:
         """Torques on the way, and derivatives of (8) and of them by the flywheels' motion."""
@@ -130,7 +132,7 @@ class Boundary:
         defects = integrated(rates.reshape(-1, 12, N * P), self.spacing)
         states = flight.course.near.solve(defects, start)
         end = states[-1] if self.up else states[-1] - rest
-        return self.amplitude.shares(end), states
+        return self.amplitude.shares(flight.rest.held @ end), states
 
 
 def boundary(

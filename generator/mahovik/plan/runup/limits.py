@@ -10,7 +10,7 @@ from mahovik.errors import StateError
 from mahovik.motion.required import Bounds
 from mahovik.plan.array import Array
 from mahovik.plan.runup.boundary import Boundary, Flight
-from mahovik.plan.runup.newton import LONGEST, shoot
+from mahovik.plan.runup.newton import LONGEST, reachable, shoot
 
 KEEP = 0.97
 """Of a bound: what is above is pushed down."""
@@ -86,8 +86,9 @@ def reduced(problem: Boundary, flight: Flight, bounds: Bounds) -> Flight:
 def _step(J: Array, error: Array, h: Array, G: Array, weight: float) -> Array:
     """argmin |h + G dx|^2 + weight |dx|^2 with J dx = -error."""
     U, sigma, Vt = np.linalg.svd(J)
-    straight = -Vt[: len(sigma)].T @ ((U.T @ error) / sigma)
-    null = Vt[len(sigma) :].T
+    rank = int(reachable(sigma).sum())
+    straight = -Vt[:rank].T @ ((U.T @ error)[:rank] / sigma[:rank])
+    null = Vt[rank:].T
     reach = G @ null
     z = np.linalg.solve(reach.T @ reach + weight * np.eye(reach.shape[1]), -reach.T @ (h + G @ straight))
     return np.asarray(straight + null @ z)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.errors import StateError
 from mahovik.plan.array import Array
@@ -19,7 +20,8 @@ FAR = 0.3
 _SHARES = (1.0, 0.5, 0.25, 0.125, 0.0625)
 """Of a step, tried in turn."""
 
-_RANK = 1e-10
+NOTHING = 1e-6
+"""Singular value of the derivatives of the terminal error (1/rad), or part of the largest, that counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,5 +66,12 @@ def shorter(problem: Boundary, flight: Flight, step: Array) -> Flight | None:
 
 def least_step(J: Array, error: Array, c: Array | None) -> Array:
     """-J^+ e; or, with c, the step for which c + step is least among those that J says lead to the end."""
-    inverse = np.linalg.pinv(J, rcond=_RANK)
+    U, sigma, Vt = np.linalg.svd(J, full_matrices=False)
+    kept = reachable(sigma)
+    inverse = (Vt[kept].T / sigma[kept]) @ U[:, kept].T
     return np.asarray(-inverse @ error if c is None else inverse @ (J @ c - error) - c)
+
+
+def reachable(sigma: Array) -> NDArray[np.bool_]:
+    """Which singular values are not NOTHING."""
+    return np.asarray(sigma > NOTHING * max(1.0, float(sigma[0])))

@@ -15,7 +15,7 @@ from mahovik.plan.array import Array
 from mahovik.plan.residual import Mechanics
 from mahovik.plan.runup.boundary import NODES, Boundary, Flight, boundary
 from mahovik.plan.runup.limits import reduced, shares
-from mahovik.plan.runup.newton import shoot
+from mahovik.plan.runup.newton import reachable, shoot
 
 GOAL = 1e-8
 """Terminal error at the nodes, share of the amplitude."""
@@ -55,6 +55,7 @@ def solve(
     """
     rng = np.random.default_rng(seed)
     best = np.inf
+    which, where = ("run-up", "into the programme") if up else ("run-down", "to rest")
     for number, (splines, spread) in enumerate(_ATTEMPTS):
 
         def problem(nodes: int, splines: int = splines) -> Boundary:
@@ -67,6 +68,11 @@ def solve(
             shot = shoot(coarse, coarse.fly(c), _COARSE, _STEPS)
             best = min(best, shot.flight.size)
             if shot.flight.size > _COARSE:
+                if out_of_reach(coarse, shot.flight):
+                    raise CheckError(
+                        f"{which}: what surrounds the stand cannot take up the momentum of the programme, so that no "
+                        "run-up or run-down exists; a programme that rocks may have none to take up"
+                    )
                 continue
             flight = shot.flight
             if shares(coarse, flight, motion.bounds).excess > 0.0:
@@ -75,11 +81,19 @@ def solve(
         except StateError:
             continue
         return Found(*found, shot.steps, number + 1)
-    which, where = ("run-up", "into the programme") if up else ("run-down", "to rest")
+    ends = f"ends {best:.2g} of its amplitude away" if np.isfinite(best) else "is thrown about on the way"
     raise CheckError(
-        f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier ends "
-        f"{best:.2g} of its amplitude away; give it longer (`runup`)"
+        f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier {ends}; "
+        "give it longer (`runup`)"
     )
+
+
+def out_of_reach(problem: Boundary, flight: Flight) -> bool:
+    """Whether the terminal error lies where no change of the flywheels' motion leads, to first order."""
+    J, _ = problem.sensitivity(problem.renewed(flight))
+    U, sigma, _ = np.linalg.svd(J)
+    lost = U[:, ~reachable(sigma)].T @ flight.error
+    return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))
 
 
 def _refined(problem: Callable[[int], Boundary], coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:

@@ -31,14 +31,17 @@ def separating_states(stand: Stand, seed: int = 1) -> list[tuple[str, State]]:
     assert len(found) == FIRST
     N = len(stand.flywheels)
     zeros, zero6 = (0.0,) * N, (0.0,) * 6
-    quiet = {"phi_ddot": zeros, "V_dot": zero6, "tau": zeros}
+
+    def quiet(state: State) -> State:
+        return replace(state, phi_ddot=zeros, V_dot=zero6, tau=zeros)
+
     states = {
-        "at rest": replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros, **quiet),  # type: ignore[arg-type]
-        "flywheels turn": replace(_by_angles(stand, rng), V=zero6, **quiet),  # type: ignore[arg-type]
+        "at rest": quiet(replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros)),
+        "flywheels turn": quiet(replace(_by_angles(stand, rng), V=zero6)),
         "flywheels accelerate": replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros, V_dot=zero6),
-        "carrier moves": replace(_by_angles(stand, rng), phi_dot=zeros, **quiet),  # type: ignore[arg-type]
+        "carrier moves": quiet(replace(_by_angles(stand, rng), phi_dot=zeros)),
         "carrier accelerates": replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros, phi_ddot=zeros),
-        "no acceleration": replace(_by_quaternion(stand, rng), **quiet),  # type: ignore[arg-type]
+        "no acceleration": quiet(_by_quaternion(stand, rng)),
     }
     found += states.items()
     for k in range(min(N, ALONE)):

@@ -22,6 +22,9 @@ from mahovik.verify.programme.simulation import simulate
 STEP_ERROR = 1e-8
 """Of the amplitude, a step: what is asked of the end is coarser than of a programme."""
 
+STEPS = 24
+"""A period at least; the end is then right to 1e-6 of the amplitude after ten periods."""
+
 SHOWN = 32
 """Times a period at which deviation and torque are looked at."""
 
@@ -76,7 +79,7 @@ def _motion(
     mean = motion.mean + programme.bias
     periods = given.duration / programme.span
     t = np.linspace(0.0, given.duration, int(SHOWN * np.ceil(periods)) + 1)
-    longest = min(programme.span, given.duration) / 8
+    longest = min(programme.span, given.duration) / STEPS
     try:
         rest = rest_near(stand, given.samples.phi[0 if up else -1], mean, scale.K0)
         start = np.concatenate([rest.q, np.zeros(6)]) if up else np.concatenate([q, V])

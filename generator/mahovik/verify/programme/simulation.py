@@ -24,6 +24,9 @@ RTOL = 1e-12
 STEP_ERROR = 1e-9
 """Of the amplitude, a step."""
 
+STEPS = 32
+"""A span at least: at the rows of a table the third derivative of phi jumps, to which a step's estimate is blind."""
+
 FURTHEST = 100.0
 """Amplitudes from the required motion: a carrier that is thrown off further is not followed."""
 
@@ -82,7 +85,7 @@ def finding(stand: Stand, motion: RequiredMotion, programme: Programme, scale: S
     course = motion.at(t, programme.bias)
     start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
     try:
-        y = simulate(stand, programme.at, start, t, scale, programme.span / 16, furthest=FURTHEST)
+        y = simulate(stand, programme.at, start, t, scale, programme.span / STEPS, furthest=FURTHEST)
     except StateError as error:
         return Finding("simulation", np.inf, limit, False, str(error))
     apart = y[:, :6] - course.q

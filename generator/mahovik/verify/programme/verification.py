@@ -9,7 +9,7 @@ from mahovik.motion.programme import Angles, Programme
 from mahovik.motion.required import RequiredMotion
 from mahovik.stand.model import Stand
 from mahovik.verify.programme import floquet, identity, limits, residual, runup, simulation, table
-from mahovik.verify.programme.finding import Finding, tolerance_for
+from mahovik.verify.programme.finding import Finding, Tolerance, tolerance_for
 from mahovik.verify.programme.scale import scale_of
 
 FINER_ANGLES = 8
@@ -25,7 +25,11 @@ def verify_programme(
     `tolerance`: of the residual, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
     stand's flywheels or another motion's kind or period is not tried: only that is said.
     """
-    limit = tolerance_for(stand, tolerance)
+    with np.errstate(all="ignore"):  # what overflows is not finite, and fails
+        return _findings(stand, motion, programme, tolerance_for(stand, tolerance))
+
+
+def _findings(stand: Stand, motion: RequiredMotion, programme: Programme, limit: Tolerance) -> tuple[Finding, ...]:
     whose = [identity.stand_finding(stand, programme), identity.motion_finding(motion, programme)]
     same_span = programme.periodic == motion.periodic and abs(programme.span / motion.span - 1) < 1e-9
     if not identity.same_flywheels(stand, programme) or not same_span:
