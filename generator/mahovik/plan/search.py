@@ -25,8 +25,10 @@ DRAWN, CHOSEN, REFINED = 256, 48, 6
 """Starts a round; those of the best score, which get harmonics; those that are refined, best first."""
 REFINED_IN_BOUNDS = 3
 """Where there are bounds: the best of a fresh crowd promise more than the rest of this one."""
-_MEANS, _WAVES = 8, 20
-"""Steps of the whole crowd over mean angles; of the chosen over three harmonics."""
+_MEANS = 8
+"""Steps of the whole crowd over mean angles."""
+_WAVES = ((2, 20), (5, 40), (8, 60), (11, 60))
+"""Harmonics beyond the motion's, and steps, of the chosen: in the first round of a kind, the second, and so on."""
 _PROMISING = 0.6
 """Root mean square of the relative residual above which no start is refined."""
 SPARE = 3
@@ -152,8 +154,9 @@ def _round(
     if np.any(windings):
         crowd.improve(_MEANS, budget)
     crowd = crowd.with_harmonics(np.arange(K), problem.highest + 1)
-    chosen = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], problem.highest + 2)
-    chosen.improve(_WAVES, budget)
+    harmonics, steps = _WAVES[min(state.tried.get(kind, 0) // K, len(_WAVES) - 1)]
+    chosen = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], problem.highest + harmonics)
+    chosen.improve(steps, budget)
     residuals = chosen.residuals()
     state.starts += K
     state.tried[kind] = state.tried.get(kind, 0) + K
