@@ -10,6 +10,7 @@ import pytest
 from mahovik.motion.required import Bounds
 from mahovik.plan.budget import Budget
 from mahovik.plan.optimise import Improved, improve, judged, over
+from mahovik.plan.optimise.merit import Around, Model, Point
 from plan.improvable import UNTIL, N, improved, plain, setting
 
 TIGHT = Bounds(acceleration=(1000.0,) * N, torque=(1.2,) * N, speed=(17.0,) * N, angle=(0.28,) * N)
@@ -55,6 +56,24 @@ def test_an_end_of_the_budget_gives_what_there_is() -> None:
     few = improve(own.problem, own.cost, plain("rock"), Budget(3))
     assert none.objective == pytest.approx(start.objective, rel=1e-6)
     assert few.objective < start.objective and few.steps == 3
+
+
+def test_ctrl_c_ends_it_with_what_there_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the middle of a step: the point before it, and nobody takes another step."""
+    own, budget = setting(), Budget(UNTIL)
+    model, calls = Point.model, []
+
+    def interrupted(self: Point, around: Around) -> Model:
+        calls.append(self)
+        if len(calls) == 4:
+            raise KeyboardInterrupt
+        return model(self, around)
+
+    monkeypatch.setattr(Point, "model", interrupted)
+    found = improve(own.problem, own.cost, plain("rock"), budget)
+    assert budget.interrupted and budget.exhausted and not budget.step()
+    assert len(calls) == 4 and found.steps == 3
+    assert found.objective < judged(own.problem, own.cost, plain("rock"), 0).objective
 
 
 def test_what_cannot_be_kept_is_told() -> None:

@@ -10,6 +10,7 @@ import pytest
 from mahovik.motion.required import Bounds
 from mahovik.motion.required.course import Harmonics
 from mahovik.plan import Wishes, plan_motion
+from mahovik.plan.shortened import shortened
 from mahovik.plan.starts import Crowd
 from plan.examples import example
 
@@ -102,3 +103,18 @@ def test_preflight_refuses_what_no_search_finds(seed: int) -> None:
     assert first.refusal is not None
     assert first.refusal.reason == "FIRST_MOMENT"
     assert search(problem, Improver.of(problem), first.bias, seed, Budget(10**6, 8.0), most=2).found == []
+
+
+def test_a_motion_that_repeats_itself_is_planned_once() -> None:
+    """Harmonic 7 of 0.7 s is harmonic 1 of 0.1 s: the same programme, told over seven periods."""
+    stand, motion = example("bench8")
+    own = replace(motion, winding="spin", bounds=Bounds())
+    seven = replace(own, span=0.7, course=replace(motion.course, period=0.7, k=(7,)))
+    (short,), (long,) = (plan_motion(stand, each, QUICK).programmes for each in (own, seven))
+    assert long.span == 0.7
+    assert [n / 7 for n in long.winding] == list(short.winding)
+    t = np.linspace(0.0, 0.7, 50)
+    assert long.at(t).phi == pytest.approx(short.at(t).phi, abs=1e-9)
+    given = replace(seven, winding=(1,) * 8)
+    assert shortened(given) is given
+    assert shortened(replace(seven, winding=(7, -7) * 4)).winding == (1, -1) * 4

@@ -1,4 +1,4 @@
-"""Planning as a whole, bounds and choice: statuses, what is said of a bound, interruption, determinism."""
+"""Planning as a whole, bounds and choice: statuses, what is said of a bound, determinism."""
 
 from __future__ import annotations
 
@@ -11,17 +11,16 @@ import pytest
 from mahovik.errors import MotionError
 from mahovik.motion.required import Bounds
 from mahovik.plan import Plan, Wishes, plan_motion
-from mahovik.plan.search import Search
 from plan.examples import example
 
 N = 8
 QUICK = Wishes(winding="rock", verify=False)
 
 
-def planned(wishes: Wishes, tell: Any = None, **changed: Any) -> Plan:
+def planned(wishes: Wishes, **changed: Any) -> Plan:
     """bench8 with fields of its motion changed."""
     stand, motion = example("bench8")
-    return plan_motion(stand, replace(motion, **changed), wishes, tell)
+    return plan_motion(stand, replace(motion, **changed), wishes)
 
 
 def test_a_bound_that_cannot_be_kept() -> None:
@@ -52,23 +51,6 @@ def test_several_are_kept_best_first_and_the_same_seed_gives_the_same() -> None:
     for one, two in zip(first.programmes, second.programmes, strict=True):
         assert np.array_equal(one.course.cos, two.course.cos)  # type: ignore[union-attr]
         assert one.report["search"] == two.report["search"]
-
-
-def test_interruption_gives_the_best_so_far() -> None:
-    """Ctrl-C at the third word of progress: what was found by then."""
-    told = 0
-
-    def tell(state: Search) -> None:
-        nonlocal told
-        told += 1
-        if state.found:
-            raise KeyboardInterrupt
-
-    found = planned(replace(QUICK, keep=3), tell, bounds=Bounds())
-    assert found.interrupted
-    assert len(found.programmes) == 1
-    assert found.status == "OK"
-    assert told >= 2
 
 
 def test_the_end_of_the_steps_gives_the_best_so_far() -> None:

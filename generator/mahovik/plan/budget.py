@@ -8,12 +8,16 @@ from dataclasses import dataclass, field
 
 @dataclass
 class Budget:
-    """`steps` of Levenberg-Marquardt that may be taken; `seconds` from its making: a cut-off, told in the result."""
+    """`steps` of Levenberg-Marquardt that may be taken; `seconds` from its making: a cut-off, told in the result.
+
+    interrupted   by Ctrl-C in the middle of something that can end with what it has
+    """
 
     steps: int
     seconds: float | None = None
     taken: int = 0
     cut: bool = False
+    interrupted: bool = False
     _begun: float = field(default_factory=time.monotonic)
 
     def step(self) -> bool:
@@ -28,7 +32,7 @@ class Budget:
     @property
     def exhausted(self) -> bool:
         """Whether the search has to end."""
-        return self.cut or self.taken >= self.steps
+        return self.cut or self.interrupted or self.taken >= self.steps
 
     @property
     def elapsed(self) -> float:

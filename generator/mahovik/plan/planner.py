@@ -22,6 +22,7 @@ from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
 from mahovik.plan.runup import shortcomings, with_runup
 from mahovik.plan.search import Candidate, Search, search
+from mahovik.plan.shortened import repeated, shortened
 from mahovik.plan.wishes import Wishes
 from mahovik.stand.model import Stand
 
@@ -38,7 +39,7 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
         motion = replace(motion, winding=asked.winding)
     budget = Budget(asked.steps, asked.seconds)
     try:
-        problem = Problem.of(stand, motion)
+        problem = Problem.of(stand, shortened(motion))
         first = preflight(problem)
     except StateError as error:
         return Plan("SINGULAR_ATTITUDE", None, (str(error),), (), ())
@@ -48,13 +49,19 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
         return plan_finite(problem, first, asked, budget)
     improver = Improver.of(problem)
     found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
-    return _plan(problem, first, found, choose(improver, found), budget, asked)
+    return _plan(problem, motion, first, found, choose(improver, found), budget, asked)
 
 
 def _plan(
-    problem: Problem, first: Preflight, found: Search, chosen: Sequence[Candidate], budget: Budget, asked: Wishes
+    problem: Problem,
+    motion: RequiredMotion,
+    first: Preflight,
+    found: Search,
+    chosen: Sequence[Candidate],
+    budget: Budget,
+    asked: Wishes,
 ) -> Plan:
-    """The outcome of a search."""
+    """The outcome of a search for `motion`, of which the problem may be a part that repeats itself."""
     effort = {
         "seed": asked.seed,
         "starts": found.starts,
@@ -69,7 +76,7 @@ def _plan(
         return Plan("NO_PROGRAM", "SEARCH", (not_found(found),), tuple(first.warnings), (), effort, found.interrupted)
     programmes, refused = [], []
     for each in chosen:
-        programme = _programme(problem, each, effort, asked.verify)
+        programme = _programme(problem, motion, each, effort, asked.verify)
         wrong = wrong_items(programme)
         if wrong:
             refused.append(f"a programme was found and refused by the verification: {wrong}")
@@ -98,10 +105,12 @@ def not_found(found: Search) -> str:
     )
 
 
-def _programme(problem: Problem, chosen: Candidate, effort: Mapping[str, Any], verify: bool) -> Programme:
+def _programme(
+    problem: Problem, motion: RequiredMotion, chosen: Candidate, effort: Mapping[str, Any], verify: bool
+) -> Programme:
     """The programme with its report."""
-    stand, motion, own = problem.stand, problem.motion, chosen.motion
-    found = figures(problem, own)
+    stand, own = problem.stand, repeated(chosen.motion, round(motion.span / problem.motion.span))
+    found = figures(problem, chosen.motion)
     report: dict[str, Any] = {
         "kind": chosen.kind,
         "objective": chosen.objective,

@@ -30,6 +30,8 @@ _PROMISING = 0.6
 """Root mean square of the relative residual above which no start is refined."""
 SPARE = 3
 """Candidates beyond the bounds that are remembered."""
+_LARGEST = 16
+"""Flywheels times harmonics beyond which fewer starts are drawn at once: memory."""
 ROUNDS = 40
 ROUNDS_IN_BOUNDS = 15
 """Rounds after which the search ends without a programme; with bounds each of them takes longer."""
@@ -130,6 +132,7 @@ def search(
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
+    state.interrupted |= budget.interrupted
     return state
 
 
@@ -145,13 +148,13 @@ def _round(
     tell: Tell | None,
 ) -> None:
     """One crowd of starts of one kind; the best of it refined."""
-    K = DRAWN if problem.N <= 12 else DRAWN // 2
+    K = max(CHOSEN, int(DRAWN * min(1.0, _LARGEST / (problem.N * problem.highest))))
     windings = drawn(kind, problem.motion, problem.N, K, rng)
     crowd = Crowd(problem, windings, rng.uniform(-np.pi, np.pi, (K, problem.N, 1)), bias)
     if np.any(windings):
         crowd.improve(_MEANS, budget)
-    crowd = crowd.with_harmonics(np.arange(K), 2)
-    chosen = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], 3)
+    crowd = crowd.with_harmonics(np.arange(K), problem.highest + 1)
+    chosen = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], problem.highest + 2)
     chosen.improve(_WAVES, budget)
     residuals = chosen.residuals()
     state.starts += K

@@ -26,14 +26,21 @@ def unit(motion: RequiredMotion) -> int:
 
 
 def order(motion: RequiredMotion, N: int) -> tuple[Kind, ...]:
-    """Kinds to try in turn. With seven flywheels or fewer, spinning sets mostly cross det I = 0: they rock first."""
+    """Kinds to try in turn. With seven flywheels or fewer, spinning sets mostly cross det I = 0: they rock first.
+
+    A kind that the bounds of speed forbid for all flywheels is left out.
+    """
     if isinstance(motion.winding, tuple):
         return ("given",)
-    if motion.winding == "spin":
+    if motion.winding != "any":
+        return (motion.winding,)
+    kinds: tuple[Kind, ...] = ("spin", "rock", "mixed") if N >= 8 else ("rock", "spin", "mixed")
+    able = [allowed("mixed", motion, s) for s in range(N)]
+    if all(0 not in turns for turns in able):
         return ("spin",)
-    if motion.winding == "rock":
+    if all(turns == (0,) for turns in able):
         return ("rock",)
-    return ("spin", "rock", "mixed") if N >= 8 else ("rock", "spin", "mixed")
+    return kinds
 
 
 def rounds(motion: RequiredMotion, N: int) -> Iterator[Kind]:
@@ -41,12 +48,25 @@ def rounds(motion: RequiredMotion, N: int) -> Iterator[Kind]:
     return cycle(order(motion, N))
 
 
+def allowed(kind: Kind, motion: RequiredMotion, s: int) -> tuple[int, ...]:
+    """Windings that flywheel s may have in a kind, inside the bounds of speed; another kind's where it may have none.
+
+    Its mean speed lies between least and greatest speed; one that must not stop does not rock.
+    """
+    bounds, turn = motion.bounds, unit(motion)
+    least = bounds.speed_min[s] if bounds.speed_min is not None else 0.0
+    turn *= max(1, math.ceil(least * motion.span / (2.0 * math.pi * turn) - 1e-9))
+    fast = bounds.speed is not None and 2.0 * math.pi * turn / motion.span > bounds.speed[s]
+    rock: tuple[int, ...] = (0,) if least == 0.0 else ()
+    spin: tuple[int, ...] = (-turn, turn) if not fast or not rock else ()
+    if kind == "mixed":
+        return (spin[:1] + rock + spin[1:]) if spin else rock
+    return (rock or spin) if kind == "rock" else (spin or rock)
+
+
 def drawn(kind: Kind, motion: RequiredMotion, N: int, K: int, rng: np.random.Generator) -> Array:
     """Winding numbers (K, N) of K starts."""
-    turn = unit(motion)
     if kind == "given":
         return np.tile(np.array(motion.winding, dtype=np.float64), (K, 1))
-    if kind == "rock":
-        return np.zeros((K, N))
-    choice = (-turn, turn) if kind == "spin" else (-turn, 0, turn)
-    return rng.choice(np.array(choice, dtype=np.float64), size=(K, N))
+    choices = [np.array(allowed(kind, motion, s), dtype=np.float64) for s in range(N)]
+    return np.stack([rng.choice(each, size=K) for each in choices], axis=1) if N else np.zeros((K, 0))

@@ -29,7 +29,8 @@ _LEAST = 1e-9
 _SOLVED = 1e-10
 """Residual harmonics 0..H that count as zero."""
 _DECREASE = 1e-4
-"""Of the merit: a run ends after three steps that gain less."""
+_IDLE = 3
+"""Of the merit: a run ends after so many steps that gain less."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,30 +43,32 @@ class Run:
 
 
 def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: float | None = None) -> Run:
-    """At most `steps` steps from `start`; ends early where little is gained, or all bounds are used below `enough`."""
+    """At most `steps` steps from `start`; ends early where little is gained, or all bounds are used below `enough`.
+
+    Ctrl-C ends it, and the budget, with the point it has.
+    """
     point, lam, nu, idle = stage.at(start), 1e-2, 0.0, 0
+    around = stage.around(start.bias)
     for taken in range(steps):
         if enough is not None and point.used < enough and solved(point):
             return Run(point, taken, True)
         if not budget.step():
             return Run(point, taken, False)
-        if taken % RENEWED == 0:
-            around = stage.around(point.motion.bias)
-        model = point.model(around)
-        local = Local.of(stage, model)
-        nu = max(local.penalty(), 0.5 * nu)
-        before = nu * size(point.c) + point.value
-        for _ in range(TRIALS):
-            trial = local.trial(point, lam)
-            if trial is not None and nu * size(trial.c) + trial.value < before:
-                break
-            lam = max(6.0 * lam, _LEAST)
-        else:
+        try:
+            if taken % RENEWED == RENEWED - 1:
+                around = stage.around(point.motion.bias)
+            local = Local.of(stage, point.model(around))
+            nu = max(local.penalty(), 0.5 * nu)
+            trial, lam = local.better(point, lam, nu)
+        except KeyboardInterrupt:
+            budget.interrupted = True
+            return Run(point, taken, False)
+        if trial is None:
             return Run(point, taken + 1, True)
-        after = nu * size(trial.c) + trial.value
+        before, after = merit(point, nu), merit(trial, nu)
         idle = idle + 1 if before - after < _DECREASE * before else 0
         point, lam = trial, max(0.2 * lam, _LEAST)
-        if idle >= 3 and solved(point):
+        if idle >= _IDLE and solved(point):
             return Run(point, taken + 1, True)
     return Run(point, steps, False)
 
@@ -85,6 +88,11 @@ def restore(stage: Stage, start: Periodic, steps: int, budget: Budget) -> Period
             break
         point = trial
     return point.motion
+
+
+def merit(point: Point, nu: float) -> float:
+    """nu |c| + value."""
+    return nu * size(point.c) + point.value
 
 
 def size(c: Array) -> float:
@@ -124,6 +132,16 @@ class Local:
         shortest = -self.split.least(self.c)
         y = self.split.multipliers(self.gradient + self.curvature @ shortest)
         return 1.5 * float(np.linalg.norm(y)) + 1e-3
+
+    def better(self, point: Point, lam: float, nu: float) -> tuple[Point | None, float]:
+        """A point of less merit, and the damping that led there; None: damping does not help."""
+        before = merit(point, nu)
+        for _ in range(TRIALS):
+            trial = self.trial(point, lam)
+            if trial is not None and merit(trial, nu) < before:
+                return trial, lam
+            lam = max(6.0 * lam, _LEAST)
+        return None, lam
 
     def trial(self, point: Point, lam: float) -> Point | None:
         """The point after a step with damping `lam`, corrected; None: no step can be computed."""

@@ -1,0 +1,57 @@
+"""Windings inside the bounds of speed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mahovik.motion.required import Bounds, RequiredMotion
+from mahovik.plan.windings import Kind, allowed, drawn, order
+from plan.problems import PERIOD, required
+
+ONE = 2 * np.pi / PERIOD
+"""rad/s: a turn a period."""
+
+
+def motion(bounds: Bounds, **changed: object) -> RequiredMotion:
+    return replace(required(3, bounds=bounds), **changed)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    "least, most, spin, rock",
+    [
+        (0.0, 9.0, (-1, 1), (0,)),
+        (0.0, 0.9, (0,), (0,)),
+        (0.4, 9.0, (-1, 1), (-1, 1)),
+        (1.0, 9.0, (-1, 1), (-1, 1)),
+        (1.1, 9.0, (-2, 2), (-2, 2)),
+    ],
+)
+def test_mean_speeds_lie_inside_the_bounds(
+    least: float, most: float, spin: tuple[int, ...], rock: tuple[int, ...]
+) -> None:
+    """Bounds in turns a period: too slow a bound stops the spinning, a least speed the rocking."""
+    own = motion(Bounds(speed=(most * ONE,) * 3, speed_min=(least * ONE,) * 3))
+    assert allowed("spin", own, 1) == spin
+    assert allowed("rock", own, 1) == rock
+    assert set(allowed("mixed", own, 1)) == set(spin) | (set(rock) if least == 0.0 else set())
+
+
+def test_kinds_that_no_flywheel_can_have_are_not_tried() -> None:
+    """Unless the motion asks for them."""
+    assert order(motion(Bounds()), 3) == ("rock", "spin", "mixed")
+    assert order(motion(Bounds(speed=(0.5 * ONE,) * 3)), 3) == ("rock",)
+    assert order(motion(Bounds(speed_min=(0.5 * ONE,) * 3)), 3) == ("spin",)
+    assert order(motion(Bounds(speed_min=(0.5 * ONE, 0.0, 0.0))), 3) == ("rock", "spin", "mixed")
+    assert order(motion(Bounds(), winding="spin"), 3) == ("spin",)
+
+
+@pytest.mark.parametrize("kind, values", [("spin", {-1, 1}), ("rock", {0}), ("mixed", {-1, 0, 1})])
+def test_drawn_windings_are_those_of_their_kind(kind: Kind, values: set[int]) -> None:
+    """All of them come up; of a flywheel with a least speed only its own."""
+    found = drawn(kind, motion(Bounds()), 3, 200, np.random.default_rng(0))
+    assert found.shape == (200, 3) and set(found.ravel()) == values
+    bound = motion(Bounds(speed_min=(0.0, 1.5 * ONE, 0.0)))
+    assert set(drawn(kind, bound, 3, 200, np.random.default_rng(0))[:, 1]) == {-2, 2}
