@@ -45,7 +45,7 @@ def test_a_bound_on_the_deviation_is_kept() -> None:
 
 @pytest.mark.parametrize("up", ["runup", "rundown"])
 def test_rocking_underwater(up: str) -> None:
-    """Added mass, quadratic damping, free in yaw and translation: the motion is hardly more than the programme's own."""
+    """Added mass, quadratic damping, free in yaw: the carrier hardly moves more than in the programme."""
     stand, motion = example("auv6")
     found = plan_motion(stand, replace(motion, runup=1.0), Wishes(verify=False))
     assert found.status == "OK", found.words
