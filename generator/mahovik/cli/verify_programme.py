@@ -34,6 +34,8 @@ def verify_programme(
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """
+    from rich.console import Console
+
     from mahovik.motion.programme import load_programme
     from mahovik.motion.required import load_motion
     from mahovik.verify import programme as verification
@@ -41,7 +43,8 @@ def verify_programme(
     stand = load_stand(stand_file)
     motion = load_motion(motion_file, stand)
     programme = load_programme(programme_file)
-    findings = verification.verify_programme(stand, motion, programme, tolerance=tolerance)
+    with Console(stderr=True).status("by the reference, some seconds"):  # on a terminal only
+        findings = verification.verify_programme(stand, motion, programme, tolerance=tolerance)
     if as_json:
         import json
 
