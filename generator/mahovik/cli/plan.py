@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from mahovik.motion.programme import Programme
     from mahovik.motion.required.model import Winding
     from mahovik.plan import Plan
-    from mahovik.plan.search import Search
+    from mahovik.plan.outcome import Progress
 
 
 @click.command()
@@ -80,7 +80,7 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
 
 
 @contextmanager
-def _progress() -> Iterator[Callable[[Search], None] | None]:
+def _progress() -> Iterator[Callable[[Progress], None] | None]:
     """One line on standard error: starts tried, best residual; nothing where that is no terminal."""
     if not sys.stderr.isatty():
         yield None
@@ -117,7 +117,10 @@ def _report(programme: Programme, path: Path) -> None:
     for key, name in (("runup", "run-up"), ("rundown", "run-down")):
         if "deviation" in report.get(key, {}):
             strayed = [report[key]["deviation"][kind] for kind in ("linear", "angular")]
-            largest = (f"{1e3 * x['largest']:.3g} {unit} at {x['t']:.3g} s" for x, unit in zip(strayed, ("mm", "mrad"), strict=True))
+            largest = (
+                f"{1e3 * x['largest']:.3g} {unit} at {x['t']:.3g} s"
+                for x, unit in zip(strayed, ("mm", "mrad"), strict=True)
+            )
             out.print(f"{name}: terminal error {report[key]['terminal_error']:.2g}, deviation {', '.join(largest)}")
 
 

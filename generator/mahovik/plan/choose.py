@@ -57,7 +57,7 @@ class Improver:
     def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
         """The programme that a start becomes, inside the bounds or beyond them; None: it becomes none."""
         order = max(self.problem.highest, int(np.abs(start.winding).max(initial=0)))
-        H = _FIRST + 2 * (order - 1)
+        H = max(start.H, _FIRST + 2 * (order - 1))
         grid = self.problem.grid(4 * H + 8 * order + 16, H)
         near = refine(self.problem, grid, start.with_harmonics(H), _NEARLY, budget)
         if near.residual > _HOPELESS:

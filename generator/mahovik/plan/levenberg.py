@@ -132,7 +132,7 @@ def climb(
     Gives up where the first rung ends above `hopeless`, and where a later one does not halve the residual.
     """
     motion, damping, before = start, 1e-2, np.inf
-    for number, H in enumerate(rungs):
+    for number, H in enumerate(rung for rung in rungs if rung >= start.H):
         grid = problem.grid(nodes(H), H)
         first = number == 0
         rules = Rules(3e-3 if first else 1e-3 * problem.tolerance, 40 if first else 14, damping)

@@ -2,14 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 from mahovik.motion.programme import Programme
 
 Status = Literal["OK", "OK_LIMIT", "NO_PROGRAM", "SINGULAR_ATTITUDE"]
 """BAD_INPUT is a MotionError or StandError before anything is planned."""
+
+
+class Progress(Protocol):
+    """What a search tells on its way."""
+
+    @property
+    def starts(self) -> int:
+        """Starts tried."""
+
+    @property
+    def best(self) -> float:
+        """Least relative residual so far."""
+
+    @property
+    def found(self) -> Sequence[object]:
+        """Programmes so far."""
+
+
+Tell = Callable[[Progress], None]
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,7 +17,7 @@ from mahovik.plan.certificate import certified, programme_of, wrong_items
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.finite import plan_finite
-from mahovik.plan.outcome import Plan, Status
+from mahovik.plan.outcome import Plan, Status, Tell
 from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
 from mahovik.plan.runup import shortcomings, with_runup
@@ -25,8 +25,6 @@ from mahovik.plan.search import Candidate, Search, search
 from mahovik.plan.shortened import repeated, shortened
 from mahovik.plan.wishes import Wishes
 from mahovik.stand.model import Stand
-
-Tell = Callable[[Search], None]
 
 
 def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
@@ -46,7 +44,7 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
     if not motion.periodic:
-        return plan_finite(problem, first, asked, budget)
+        return plan_finite(problem, first, asked, budget, tell)
     improver = Improver.of(problem)
     found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
     return _plan(problem, motion, first, found, choose(improver, found), budget, asked)

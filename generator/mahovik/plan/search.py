@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -13,6 +13,7 @@ from mahovik.plan.array import Array
 from mahovik.plan.bounds import Exceeded, bounded
 from mahovik.plan.budget import Budget
 from mahovik.plan.fourier import Periodic
+from mahovik.plan.outcome import Tell
 from mahovik.plan.problem import Problem
 from mahovik.plan.starts import Crowd
 from mahovik.plan.windings import Kind, drawn, order, rounds
@@ -24,8 +25,10 @@ DRAWN, CHOSEN, REFINED = 256, 48, 6
 """Starts a round; those of the best score, which get harmonics; those that are refined, best first."""
 REFINED_IN_BOUNDS = 3
 """Where there are bounds: the best of a fresh crowd promise more than the rest of this one."""
-_MEANS, _WAVES = 8, 20
-"""Steps of the whole crowd over mean angles; of the chosen over three harmonics."""
+_MEANS = 8
+"""Steps of the whole crowd over mean angles."""
+_WAVES = ((2, 20), (5, 40), (8, 60), (11, 60))
+"""Harmonics beyond the motion's, and steps, of the chosen: in the first round of a kind, the second, and so on."""
 _PROMISING = 0.6
 """Root mean square of the relative residual above which no start is refined."""
 SPARE = 3
@@ -99,9 +102,6 @@ class Search:
             self.beyond = sorted([*self.beyond, candidate], key=lambda each: each.used)[:SPARE]
 
 
-Tell = Callable[[Search], None]
-
-
 def search(
     problem: Problem,
     polisher: Polisher,
@@ -154,8 +154,9 @@ def _round(
     if np.any(windings):
         crowd.improve(_MEANS, budget)
     crowd = crowd.with_harmonics(np.arange(K), problem.highest + 1)
-    chosen = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], problem.highest + 2)
-    chosen.improve(_WAVES, budget)
+    harmonics, steps = _WAVES[min(state.tried.get(kind, 0) // K, len(_WAVES) - 1)]
+    chosen = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], problem.highest + harmonics)
+    chosen.improve(steps, budget)
     residuals = chosen.residuals()
     state.starts += K
     state.tried[kind] = state.tried.get(kind, 0) + K

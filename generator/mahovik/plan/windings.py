@@ -19,6 +19,9 @@ from mahovik.plan.array import Array
 
 Kind = Literal["spin", "rock", "mixed", "given"]
 
+_SLOW = 4
+"""Periods of the lowest harmonic in that of the motion from which flywheels rock first."""
+
 
 def unit(motion: RequiredMotion) -> int:
     """Turns a period that count as one: the greatest common divisor of the motion's harmonics."""
@@ -28,13 +31,16 @@ def unit(motion: RequiredMotion) -> int:
 def order(motion: RequiredMotion, N: int) -> tuple[Kind, ...]:
     """Kinds to try in turn. With seven flywheels or fewer, spinning sets mostly cross det I = 0: they rock first.
 
+    So do all where the lowest harmonic is high.
+
     A kind that the bounds of speed forbid for all flywheels is left out.
     """
     if isinstance(motion.winding, tuple):
         return ("given",)
     if motion.winding != "any":
         return (motion.winding,)
-    kinds: tuple[Kind, ...] = ("spin", "rock", "mixed") if N >= 8 else ("rock", "spin", "mixed")
+    slow = min(motion.harmonics, default=1) >= _SLOW * unit(motion)  # turning with the period is hardly turning
+    kinds: tuple[Kind, ...] = ("spin", "rock", "mixed") if N >= 8 and not slow else ("rock", "spin", "mixed")
     able = [allowed("mixed", motion, s) for s in range(N)]
     if all(0 not in turns for turns in able):
         return ("spin",)

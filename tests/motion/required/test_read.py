@@ -124,6 +124,15 @@ def test_units_bounds_and_weights() -> None:
         ),
         ({"winding": [1, 0.5]}, "m.json: winding[1]: expected a whole number, found 0.5"),
         ({"runup": 0}, "m.json: runup: 0 s is not above 0"),
+        (
+            {"bounds": {"deviation": {"linear": "1 mm"}}},
+            "m.json: bounds, deviation: goes with `runup`: it bounds the carrier on the way there and back",
+        ),
+        (
+            {"runup": 1, "bounds": {"deviation": {"angular": 0}}},
+            "m.json: bounds, deviation, angular: 0 rad is not above 0",
+        ),
+        ({"runup": 1, "bounds": {"deviation": {}}}, "m.json: bounds, deviation: expected linear, angular, or both"),
         ({"bounds": {"sped": 1}}, 'm.json: bounds: unknown key "sped", did you mean "speed"?'),
         (
             {"bounds": {"speed": "50 Hz"}},
@@ -250,6 +259,14 @@ def test_keys_that_are_periodic_only() -> None:
     assert problems({**FINITE, "harmonics": []}) == [
         'm.json: harmonics: goes not with type "finite", which has `samples`'
     ]
+
+
+def test_deviation_on_the_way() -> None:
+    """Units; what is left out is not bounded."""
+    motion = read_motion(json.dumps({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "2 mm"}}}), SHAKER)
+    assert motion.bounds.deviation == (2e-3, math.inf)
+    (line,) = problems({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "0.09 mm", "angular": 1}}})
+    assert line == "m.json: bounds, deviation: linear: 9e-05 m is below what the motion itself strays, 0.0001 m"
 
 
 def test_start_of_a_finite_motion() -> None:

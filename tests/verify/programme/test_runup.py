@@ -114,3 +114,19 @@ def test_a_run_up_is_one_of_the_items() -> None:
     samples = twins_run_up().samples
     late = replace(programme, runup=changed(phi=samples.phi + 0.01))
     assert {each.name for each in verify_programme(stand, motion, late) if not each.passed} == {"run-up joint"}
+
+
+def test_a_bound_on_the_deviation() -> None:
+    """The twins' carrier is held still and strays by nothing."""
+    found = of_run_up(twins_run_up(), Bounds(deviation=(1e-3, np.inf)))
+    assert found["run-up bound deviation"].passed and found["run-up bound deviation"].value < 1e-6
+
+
+def test_deviation_is_a_distance_and_an_angle() -> None:
+    """From a mean pose that is turned: the angle between attitudes, not that of coordinates."""
+    mean = np.array([1.0, 2.0, 3.0, 0.5, 1.2, -0.3])
+    y = np.zeros((2, 12))
+    y[:, :6] = mean
+    y[0, :3] += [3e-3, -4e-3, 0.0]
+    y[1, 3] += 0.2  # about the vertical, whatever the pose
+    assert runup.deviation(twins()[0], y, mean) == pytest.approx([5e-3, 0.2])

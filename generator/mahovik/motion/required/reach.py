@@ -25,6 +25,11 @@ def check(motion: RequiredMotion, stand: Stand, problems: Problems) -> None:
             peak = float(np.max(np.abs(values[:, 3 * kind : 3 * kind + 3])))
             if not peak <= limit:
                 problems.add(f"{words} reaches {peak:.3g} {unit}, out of range, at most {limit:g} {unit} in magnitude")
+    if motion.bounds.deviation is not None:
+        least, bound = float(np.linalg.norm((course.q - motion.mean)[:, :3], axis=1).max()), motion.bounds.deviation[0]
+        if bound < least:
+            told = f"{bound:g} m is below what the motion itself strays, {least:g} m"
+            problems.add("bounds", "deviation", f"linear: {told}")
     theta = course.q[:, 4]
     name, value = ("sin", np.sin(theta)) if stand.angles == "euler" else ("cos", np.cos(theta))
     i = int(np.argmin(np.abs(value)))

@@ -13,7 +13,7 @@ from mahovik.plan.figures import singular_values
 from mahovik.plan.finite.search import FiniteProblem, FiniteSearch, Solved, search_finite, table_of
 from mahovik.plan.fourier import Angles
 from mahovik.plan.objective import Cost
-from mahovik.plan.outcome import Plan
+from mahovik.plan.outcome import Plan, Tell
 from mahovik.plan.preflight import Preflight
 from mahovik.plan.problem import Problem
 from mahovik.plan.residual import linear, prescribe
@@ -24,11 +24,11 @@ _TIMES = 2000
 """Times at which peaks and bounds are looked at."""
 
 
-def plan_finite(own: Problem, first: Preflight, asked: Wishes, budget: Budget) -> Plan:
+def plan_finite(own: Problem, first: Preflight, asked: Wishes, budget: Budget, tell: Tell | None = None) -> Plan:
     """A programme of a finite motion, or why there is none. The objective chooses among those found; it moves none."""
     problem = FiniteProblem.from_rest(own)
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
-    found = search_finite(problem, first.bias, asked.seed, budget, max(asked.enough, asked.keep))
+    found = search_finite(problem, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell)
     effort = {
         "seed": asked.seed,
         "starts": found.starts,

@@ -13,6 +13,7 @@ from mahovik.plan.budget import Budget
 from mahovik.plan.finite.space import Space
 from mahovik.plan.fourier import Angles, Periodic
 from mahovik.plan.levenberg import Rules, refine
+from mahovik.plan.outcome import Tell
 from mahovik.plan.problem import Grid, Problem
 from mahovik.plan.starts import Crowd
 
@@ -117,7 +118,9 @@ class FiniteSearch:
     cut: bool = False
 
 
-def search_finite(problem: FiniteProblem, bias: Array, seed: int, budget: Budget, enough: int = 1) -> FiniteSearch:
+def search_finite(
+    problem: FiniteProblem, bias: Array, seed: int, budget: Budget, enough: int = 1, tell: Tell | None = None
+) -> FiniteSearch:
     """Programmes of a finite motion, in the order found; `bias` (6): where starts begin. Ctrl-C ends the search."""
     rng, state, N = np.random.default_rng(seed), FiniteSearch(), problem.N
     bounds = problem.motion.bounds
@@ -138,6 +141,8 @@ def search_finite(problem: FiniteProblem, bias: Array, seed: int, budget: Budget
             state.starts += DRAWN
             state.best = min(state.best, float(residuals.min()))
             for k in np.argsort(residuals, kind="stable")[:REFINED]:
+                if tell is not None:
+                    tell(state)
                 if budget.exhausted or len(state.found) >= enough:
                     break
                 solved = collocate(problem, crowd.motion(int(k)), budget)

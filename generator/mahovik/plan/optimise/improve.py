@@ -169,4 +169,4 @@ def grid_of(problem: Problem, H: int, fine: bool) -> Grid:
 def harmonics(problem: Problem, motion: Periodic, least: int) -> int:
     """Harmonics to work with: more for motions and windings of high order."""
     order = max(problem.highest, int(abs(motion.winding).max(initial=0)))
-    return least + 4 * (order - 1)
+    return least + 2 * (order - 1)

@@ -18,6 +18,8 @@ from mahovik.plan.runup.fade import SPLINES, Fade, fade
 
 NODES = 64
 """A period of the fastest harmonic or flywheel."""
+FEWEST = 48
+"""Blocks of NODES: enough for the splines."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +149,7 @@ def boundary(
 ) -> Boundary:
     """The problem of a programme for a motion; `nodes` a period of its fastest part."""
     fastest = max([1, *motion.harmonics, *(abs(n) for n in programme.winding)])
-    B = int(np.ceil(nodes * fastest * duration / motion.span / INTERVALS))
+    B = int(np.ceil(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
     t = np.linspace(0.0, duration, INTERVALS * B + 1)
     still = np.zeros((1, 6))
     chart = Chart.about(mechanics, Required((motion.mean + programme.bias)[None], still, still))

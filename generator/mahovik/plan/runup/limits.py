@@ -17,6 +17,8 @@ KEEP = 0.97
 
 _STEPS, _CLOSE = 24, 1e-4
 """Steps; terminal error after each."""
+_STALL = 4
+"""Steps that together must take a tenth off the excess."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,8 +65,9 @@ def reduced(problem: Boundary, flight: Flight, bounds: Bounds) -> Flight:
     Each step makes the excess and itself least among those that keep the terminal conditions; then Newton's steps.
     """
     best, least, weight = flight, shares(problem, flight, bounds).excess, 1e-2
+    history = [least]
     for _ in range(_STEPS):
-        if least == 0.0 or weight > 1e6:
+        if least == 0.0 or weight > 1e6 or (len(history) > _STALL and least > 0.9 * history[-1 - _STALL]):
             break
         best = problem.renewed(best)
         J, states = problem.sensitivity(best)
@@ -80,6 +83,7 @@ def reduced(problem: Boundary, flight: Flight, bounds: Bounds) -> Flight:
             best, least, weight = there, excess, weight * 0.2
         else:
             weight *= 8.0
+        history.append(least)
     return best
 
 

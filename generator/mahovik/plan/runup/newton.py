@@ -20,7 +20,7 @@ FAR = 0.3
 _SHARES = (1.0, 0.5, 0.25, 0.125, 0.0625)
 """Of a step, tried in turn."""
 
-NOTHING = 1e-6
+NOTHING = 1e-4
 """Singular value of the derivatives of the terminal error (1/rad), or part of the largest, that counts as zero."""
 
 

@@ -10,7 +10,7 @@ from scipy.interpolate import CubicSpline
 
 from mahovik.errors import CheckError, StateError
 from mahovik.motion.programme import Programme, Samples
-from mahovik.motion.required import RequiredMotion
+from mahovik.motion.required import Bounds, RequiredMotion
 from mahovik.plan.array import Array
 from mahovik.plan.residual import Mechanics
 from mahovik.plan.runup.boundary import NODES, Boundary, Flight, boundary
@@ -24,7 +24,12 @@ ACCEPTED = 1e-6
 
 _ATTEMPTS = ((6, 0.0), (10, 0.0), (10, 0.7), (10, 1.4), (14, 0.0))
 """Splines a flywheel, and how far (rad) the first angles of rest are drawn about those of the plain fade."""
+RICHER = (12, 20)
+"""Splines a flywheel, in turn, while a bound is exceeded."""
 _STEPS, _COARSE = 60, 1e-4
+
+Problems = Callable[[int, int], Boundary]
+"""By nodes and splines."""
 DENSEST = 8 * NODES
 """A period of the fastest part, and rows half as many."""
 
@@ -55,13 +60,13 @@ def solve(
     """
     rng = np.random.default_rng(seed)
     best = np.inf
+
+    def problem(nodes: int, splines: int) -> Boundary:
+        return boundary(mechanics, motion, programme, duration, up=up, nodes=nodes, splines=splines)
+
     which, where = ("run-up", "into the programme") if up else ("run-down", "to rest")
     for number, (splines, spread) in enumerate(_ATTEMPTS):
-
-        def problem(nodes: int, splines: int = splines) -> Boundary:
-            return boundary(mechanics, motion, programme, duration, up=up, nodes=nodes, splines=splines)
-
-        coarse = problem(NODES)
+        coarse = problem(NODES, splines)
         c = np.zeros((mechanics.N, coarse.family.P))
         c[:, 0] = spread * rng.uniform(-1.0, 1.0, mechanics.N)
         try:
@@ -74,10 +79,7 @@ def solve(
                         "run-up or run-down exists; a programme that rocks may have none to take up"
                     )
                 continue
-            flight = shot.flight
-            if shares(coarse, flight, motion.bounds).excess > 0.0:
-                flight = reduced(coarse, flight, motion.bounds)
-            found = _refined(problem, coarse, flight)
+            found = _refined(problem, *_within(problem, coarse, shot.flight, motion.bounds))
         except StateError:
             continue
         return Found(*found, shot.steps, number + 1)
@@ -96,18 +98,39 @@ def out_of_reach(problem: Boundary, flight: Flight) -> bool:
     return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))
 
 
-def _refined(problem: Callable[[int], Boundary], coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
+def _within(problem: Problems, own: Boundary, flight: Flight, bounds: Bounds) -> tuple[Boundary, Flight]:
+    """Inside the bounds, or nearer to them: with more splines a flywheel while they are exceeded."""
+    if shares(own, flight, bounds).excess > 0.0:
+        flight = reduced(own, flight, bounds)
+    for splines in RICHER:
+        if shares(own, flight, bounds).most <= 1.0:
+            break
+        richer = problem(NODES, splines)
+        added = own.family.basis[0] @ flight.c.T
+        c = np.linalg.lstsq(richer.family.basis[0], added, rcond=None)[0].T
+        try:
+            there = shoot(richer, richer.fly(c), _COARSE, _STEPS).flight
+        except StateError:
+            break
+        if there.size > _COARSE:
+            break
+        own, flight = richer, reduced(richer, there, bounds)
+    return own, flight
+
+
+def _refined(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
     """On denser nodes, until the table of the solution ends right: problem, flight, terminal error of the table.
 
     Raises StateError where even the densest does not.
     """
     before, flight, nodes = coarse, start, 2 * NODES
-    own = problem(nodes)
+    splines = coarse.family.P - 1
+    own = problem(nodes, splines)
     while nodes <= DENSEST:
         flight = own.fly(flight.c, guess=between(before, own, flight.course.y))
         flight = shoot(own, flight, GOAL, 6).flight
         nodes *= 2
-        denser = problem(nodes)
+        denser = problem(nodes, splines)
         error = denser.missed(table_of(own, flight), between(own, denser, flight.course.y))
         if error <= ACCEPTED:
             return own, flight, error

@@ -9,12 +9,13 @@ from mahovik.motion.programme import Programme, RunUpTable
 from mahovik.motion.required import RequiredMotion
 from mahovik.reference.array import Array
 from mahovik.reference.forward import forward
+from mahovik.reference.rotation import attitude, rotation_vector
 from mahovik.reference.torque import torque
 from mahovik.stand.model import Stand
 from mahovik.verify.programme import table
 from mahovik.verify.programme.along import pieces_at, twist
 from mahovik.verify.programme.finding import Finding, Tolerance, judged
-from mahovik.verify.programme.limits import bound_findings
+from mahovik.verify.programme.limits import EXCEEDED, bound_findings
 from mahovik.verify.programme.rest import rest_near
 from mahovik.verify.programme.scale import Scale
 from mahovik.verify.programme.simulation import simulate
@@ -93,11 +94,10 @@ def _motion(
     apart = twist(stand, q, x)
     shift = rest.free @ (rest.free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
     shares = (scale.of_displacement(apart - shift), scale.of_twist(V_left))
-    deviation = y[:, :6] - mean
+    strayed = deviation(stand, y, mean)
     words = (
         f"carrier at the end, pose {shares[0]:.2g}, twist {shares[1]:.2g} of the amplitude; on the way "
-        f"{1e3 * np.linalg.norm(deviation[:, :3], axis=1).max():.3g} mm, "
-        f"{1e3 * np.linalg.norm(deviation[:, 3:], axis=1).max():.3g} mrad from the mean pose"
+        f"{1e3 * strayed[0]:.3g} mm, {1e3 * strayed[1]:.3g} mrad from the mean pose"
     )
     angles = given.at(t)
     tau = _torques(stand, y, angles) if motion.bounds.torque is not None else np.zeros_like(angles.phi)
@@ -107,7 +107,18 @@ def _motion(
         for each in bound_findings(motion.bounds, names, angles, tau, np.zeros_like(angles.phi), f"{name} ")
         if not each.name.endswith("angle")
     ]
+    if motion.bounds.deviation is not None:
+        over = strayed / np.array(motion.bounds.deviation)
+        words_over = f"{strayed[0]:.6g} m, {strayed[1]:.6g} rad from the mean pose"
+        bounds.append(judged(f"{name} bound deviation", float(over.max()), EXCEEDED, words_over))
     return [judged(f"{name} end", max(shares), limit, words), *bounds]
+
+
+def deviation(stand: Stand, y: Array, mean: Array) -> Array:
+    """Largest distance of O1 (m) and angle of E1 (rad) from the pose `mean`, along states y (M, 12)."""
+    back = attitude(stand.angles, *mean[3:]).T
+    turned = [np.linalg.norm(rotation_vector(back @ attitude(stand.angles, *q[3:6]))) for q in y]
+    return np.array([np.linalg.norm(y[:, :3] - mean[:3], axis=1).max(), max(turned)])
 
 
 def _torques(stand: Stand, y: Array, angles: tuple[Array, Array, Array]) -> Array:

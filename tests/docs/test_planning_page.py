@@ -1,0 +1,54 @@
+"""docs/planning.md: its table is that of tools/plan_campaign.py, row by row, and nothing was found that cannot be."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import sys
+from types import ModuleType
+
+import pytest
+
+from docs.pages import ROOT, cells
+
+TOOLS = ROOT / "tools"
+
+
+@pytest.fixture
+def tool(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The tool, with the module of stands beside it."""
+    monkeypatch.syspath_prepend(str(TOOLS))
+    spec = importlib.util.spec_from_file_location("plan_campaign_tool", TOOLS / "plan_campaign.py")
+    assert spec is not None
+    assert spec.loader is not None
+    found = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, spec.name, found)  # its data classes look for their module
+    spec.loader.exec_module(found)
+    return found
+
+
+def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
+    """In order; at most all stands are found; medians do not exceed the longest."""
+    text = tool.PAGE.read_text(encoding="utf-8").split(tool.BEGIN)[1].split(tool.END)[0]
+    rows = [cells(line) for line in text.splitlines() if re.match(r"\| \d", line)]
+    assert [(int(row[0]), row[1]) for row in rows] == [(row.N, row.name) for row in tool.ROWS]
+    for _, _, found, median, longest, _ in rows:
+        some, of = map(int, found.split(" of "))
+        assert 0 < some <= of
+        assert float(median) <= float(longest)
+    refused = re.search(r"preflight refused (\d+); of these a search found (\d+)", text)
+    assert refused is not None
+    assert int(refused[1]) > 0
+    assert refused[2] == "0"
+
+
+def test_stands_and_motions_are_the_same_for_the_same_seed(tool: ModuleType) -> None:
+    """And differ with it; they are what the page says."""
+    row = tool.ROWS[0]
+    (stand, motion), (again, _), (other, _) = (row.problem(seed) for seed in (1, 1, 2))
+    assert stand == again
+    assert stand != other
+    assert stand.carrier.mass == 12.0
+    assert all(0.5 <= wheel.mass <= 1.2 for wheel in stand.flywheels)
+    assert motion.harmonics == (1,)
+    assert abs(motion.course.cos[:, 5]).max() == 0.0

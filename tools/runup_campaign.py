@@ -1,0 +1,165 @@
+"""How often and how fast run-ups and run-downs are found, on seeded random stands: the table of docs/planning-runup.md.
+
+python tools/runup_campaign.py [--stands 10] [--first 7000] [--verify 1] [--rows TEXT] [--write]
+
+Times are of the processor, of run-up and run-down together, without the plan and the verification. Exit status 1 where
+the independent verification refuses a table.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+from plan_stands import campaign_motion, campaign_stand
+
+from mahovik.motion.programme import Programme
+from mahovik.motion.required import Bounds
+from mahovik.plan import Wishes, plan_motion
+from mahovik.plan.certificate import certified, wrong_items
+from mahovik.plan.runup import shortcomings, with_runup
+
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-runup.md"
+BEGIN, END = "<!-- campaign: tools/runup_campaign.py --write -->", "<!-- end of campaign -->"
+KEYS = ("runup", "rundown")
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the table: flywheels, windings, seconds; share of the plain run-up's deviation that is allowed."""
+
+    N: int
+    winding: str
+    duration: float
+    share: float | None = None
+
+    @property
+    def name(self) -> str:
+        """In words."""
+        bound = f", deviation to {self.share:g} of that without bound" if self.share else ""
+        return f"{self.winding}, {self.duration:g} s{bound}"
+
+
+ROWS = (
+    *(Row(N, "spin", 1.0) for N in (8, 7, 10, 12)),
+    *(Row(8, "spin", duration) for duration in (0.5, 0.3)),
+    *(Row(6, "rock", duration) for duration in (1.0, 0.3)),
+    *(Row(8, "spin", 1.0, share) for share in (0.8, 0.6)),
+)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Of one stand: tables found inside their bounds, s of the processor, of each table deviation (m, rad) and error."""
+
+    found: int
+    seconds: float
+    deviation: tuple[tuple[float, float], ...]
+    errors: tuple[float, ...]
+    wrong: str
+
+
+def outcome(row: Row, seed: int, verify: bool) -> Outcome | None:
+    """Run-up and run-down of the programme of a seed; None: no programme."""
+    stand = campaign_stand(seed, row.N)
+    motion = replace(campaign_motion(seed, row.N, winding=row.winding), runup=row.duration)
+    planned = plan_motion(stand, replace(motion, runup=None), Wishes(seconds=30.0, verify=False))
+    if not planned.programmes:
+        return None
+    programme = planned.programmes[0]
+    if row.share is not None:
+        plain = with_runup(stand, motion, programme)
+        if plain.runup is None or plain.rundown is None:
+            return None
+        limits = row.share * np.max([strayed(plain, key) for key in KEYS], axis=0)
+        motion = replace(motion, bounds=Bounds(deviation=(np.inf, float(limits[1]))))
+    begun = time.process_time()
+    made = with_runup(stand, motion, programme)
+    seconds = time.process_time() - begun
+    there = [key for key, table in zip(KEYS, (made.runup, made.rundown), strict=True) if table is not None]
+    names = {"runup": "run-up", "rundown": "run-down"}
+    good = [key for key in there if not any(line.startswith(names[key]) for line in shortcomings(made))]
+    wrong = wrong_items(certified(stand, motion, made)) if verify else ""
+    errors = tuple(made.report[key]["terminal_error"] for key in there)
+    return Outcome(len(good), seconds, tuple(strayed(made, key) for key in there), errors, wrong)
+
+
+def strayed(programme: Programme, key: str) -> tuple[float, float]:
+    """Deviation of a table: m, rad."""
+    told = programme.report[key]["deviation"]
+    return told["linear"]["largest"], told["angular"]["largest"]
+
+
+def line(row: Row, outcomes: Sequence[Outcome]) -> str:
+    """A line of the table."""
+    spent = sorted(each.seconds for each in outcomes)
+    away = np.array([x for each in outcomes for x in each.deviation]).reshape(-1, 2)
+    errors = [x for each in outcomes for x in each.errors]
+    cells = [
+        row.N,
+        row.name,
+        f"{sum(each.found for each in outcomes)} of {2 * len(outcomes)}",
+        f"{np.median(spent):.1f}",
+        f"{spent[-1]:.1f}",
+        f"{1e3 * np.median(away[:, 0]):.2f}, {1e3 * away[:, 0].max():.2f}",
+        f"{1e3 * np.median(away[:, 1]):.1f}, {1e3 * away[:, 1].max():.1f}",
+        f"{max(errors):.0e}",
+    ]
+    return "| " + " | ".join(str(each) for each in cells) + " |"
+
+
+def main() -> None:
+    """Runs the rows and writes the page."""
+    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
+    options.add_argument("--stands", type=int, default=10, help="stands a row")
+    options.add_argument("--first", type=int, default=7000, help="first seed")
+    options.add_argument("--verify", type=int, default=1, help="stands of a row whose tables are verified")
+    options.add_argument("--rows", default="", help="those whose line holds this text")
+    options.add_argument("--write", action="store_true", help="into docs/planning-runup.md")
+    asked = options.parse_args()
+    lines, wrong = [], []
+    for row in ROWS:
+        if asked.rows not in f"{row.N} {row.name}":
+            continue
+        seeds = range(asked.first, asked.first + asked.stands)
+        found = [(seed, outcome(row, seed, seed - asked.first < asked.verify)) for seed in seeds]
+        planned = [each for _, each in found if each is not None]
+        if planned:
+            lines.append(line(row, planned))
+            print(lines[-1], flush=True)
+        wrong += [f"{row.N} {row.name}, seed {seed}: {o.wrong}" for seed, o in found if o is not None and o.wrong]
+    if asked.write:
+        write(lines, asked)
+    print(*wrong, sep="\n")
+    sys.exit(1 if wrong else 0)
+
+
+def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
+    """The table between the marks of the page."""
+    text = [
+        f"{asked.stands} stands a row, seeds from {asked.first}; tables of the first {asked.verify} of a row are put "
+        "through the independent verification. A stand without a programme is left out. Found counts run-ups and "
+        "run-downs that keep their bounds; seconds are for both.",
+        "",
+        "| flywheels | windings, duration | found | median, s | longest, s | O1 strays, mm: median, most "
+        "| E1 turns, mrad: median, most | largest terminal error |",
+        "|---|---|---|---|---|---|---|---|",
+        *lines,
+        "",
+    ]
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    after = rest.split(END)[1]
+    PAGE.write_text("\n".join([before + BEGIN, *text, END + after]), encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()
