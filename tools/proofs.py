@@ -103,8 +103,15 @@ def page(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...
         f"Frama-C {version()}; {len(found)} runs, {seconds} s in all on a busy machine of two cores, the longest "
         f"{proof.seconds} s ({stand} {real}, {driver.set}_{driver.function}).\n\n"
         f"Claimed: alarms\n\n{table(head, rows(True))}\n"
-        f"Tried, not claimed: alarms\n\n{table(head, rows(False))}"
+        f"Tried, not claimed: alarms\n\n{table(head, rows(False))}\n{_untried(found, every)}"
     )
+
+
+def _untried(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...]]) -> str:
+    """The functions of which nothing is claimed and nothing was run."""
+    seen = {driver.function for *_, driver in found}
+    names = sorted({d.function for drivers in every.values() for d in drivers} - seen)
+    return f"Neither claimed nor tried: {', '.join(f'`{name}`' for name in names)}.\n" if names else ""
 
 
 def main() -> int:

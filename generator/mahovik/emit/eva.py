@@ -34,11 +34,12 @@ CLAIMED = {
     "torque": (NORMAL, ANY),
     "momentum": (NORMAL, ANY),
     "wrap": (NORMAL, ANY, BITS),
-    "step": (NORMAL, BITS),
+    "step": (BITS,),
     "prepare": (NORMAL, BITS),
 }
 """What must be without alarm. Far out, numbers inside `step` and `prepare` may overflow, to be refused later: there
-anything means bits, where that is no alarm."""
+anything means bits, where that is no alarm. Over the stages of a step intervals grow too wide to show more of most
+stands, even of ordinary magnitudes."""
 
 _SIZES = {
     "position": 100.0,
