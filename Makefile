@@ -35,7 +35,7 @@ help:
 	@echo "make faults     plants faults in the C and in the derivation, each caught: docs/planted-faults.md; minutes"
 	@echo "make traceability  mutants of every function, and the tests that notice them: docs/traceability.md; a quarter hour"
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
-	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md; an hour or two"
+	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md, run-ups too; hours"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
@@ -140,6 +140,7 @@ traceability-page: setup
 
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write
+	$(BIN)/python tools/runup_campaign.py --stands 10 --write
 
 bench: $(BENCH_READY)
 	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench bench
