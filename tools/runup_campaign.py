@@ -59,7 +59,7 @@ ROWS = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one stand: tables found inside their bounds, s of the processor, of each table deviation (m, rad) and error."""
+    """Of one stand: tables inside their bounds, s of the processor, of each table deviation (m, rad) and error."""
 
     found: int
     seconds: float
