@@ -1,6 +1,6 @@
 """What Frama-C Eva proves of the example stands' C: runs the delivered scripts, and writes the table of docs/proofs.md.
 
-python tools/proofs.py [--stands demo3,...] [--quick] [--tried] [--jobs 2] [--no-page]
+python tools/proofs.py [--stands demo3,...] [--quick] [--tried] [--jobs 2] [--page]
 
 Outcomes are kept in build/proofs by the SHA-256 of C and drivers: a second run repeats only what has changed.
 Exit status 1 where anything that is claimed is not proved.

@@ -20,6 +20,7 @@ from mahovik.verify.bounds import BOUNDS
 from mahovik.verify.campaign import random_stands
 from mahovik.verify.rounding.limits import MARGIN, ULPS
 from mahovik.verify.rounding.measure import measure_rounding
+from mahovik.verify.rounding.report import ulp_text
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "rounding.md"
 SHORT = ("forward", "coupled", "torque")
@@ -135,7 +136,7 @@ def by_quantity(found: Found, real: str) -> str:
         [
             f"`{want}`",
             f"`{quantity}`",
-            *(f"{x:.2g}" for x in (worst.ulps, worst.alone, worst.judges)),
+            *(ulp_text(x) for x in (worst.ulps, worst.alone, worst.judges)),
             *(f"{x:.1e}" for x in (worst.scale, worst.apart)),
             f"{BOUNDS[real].of(want, quantity):.0e}",
             f"{worst.relative:.1e}",
@@ -156,7 +157,7 @@ def by_stand(found: Mapping[str, Found]) -> str:
 
 
 def _ulps(worst: Worst | None) -> str:
-    return "" if worst is None else f"{worst.ulps:.2g}"
+    return "" if worst is None else ulp_text(worst.ulps)
 
 
 def narrowest(found: Found, real: str) -> str:

@@ -127,6 +127,20 @@ def test_a_program_that_offers_nothing() -> None:
     assert "no diagnosis" in result.stdout
 
 
+def test_a_program_that_gives_the_states_back_has_no_fault() -> None:
+    result = run("judge", DEMO3, "--states", "2", "--with", "cat", "--explain")
+    assert result.exit_code == 1
+    assert result.stderr == (
+        "error: it answered nothing: each line of its output is the state that it was given, without results\n"
+    )
+    assert "fault" not in result.stdout
+    text = ECHO + 'print(json.dumps({"id": d["id"]}))'
+    result = run("judge", DEMO3, "--states", "2", "--with", f"{PYTHON} -c {shlex.quote(text)}", "--explain")
+    assert result.exit_code == 1
+    assert "no diagnosis: the program answered nothing" in result.stdout
+    assert "nearest" not in result.stdout
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -35,6 +35,19 @@ def test_the_manifest_and_the_header_tell_them(folders: dict[str, Path]) -> None
     assert [(h.lanes, h.fast, h.real) for h in heads.values() if h] == [(4, False, "double"), (2, True, "double")]
 
 
+def test_drivers_of_frama_c_are_of_one_lane(folders: dict[str, Path]) -> None:
+    given = stand("demo3")
+    for files in (delivery(given), delivery(given, "float", batch=True)):
+        assert {"demo3_eva.c", "demo3_eva.sh"} <= set(files)
+        assert files["README.md"].count("_eva.") == 4
+    for folder in folders.values():
+        assert list(folder.glob("*_eva.*")) == []
+        text = (folder / "README.md").read_text()
+        assert "_eva" not in text
+        assert "Frama-C" not in text
+        assert ("demo3_recorder.h" in text) == folder.parent.name.startswith("four")
+
+
 def test_check_wants_the_same_options(folders: dict[str, Path]) -> None:
     four, fast = str(folders["four"]), str(folders["fast"])
     assert run("generate", DEMO3, "--lanes", "4", "-o", four, "--check").exit_code == 0

@@ -177,8 +177,8 @@ def wrapping(made: Emitted) -> str:
     backend = made.backend
     for turn in (n + off for n in (0, 2000, 500_000, 1_200_000, 1_500_000) for off in range(1, 200, 2)):
         for ulps in range(-3, 4):
-            phi = turn * np.pi + ulps * np.spacing(turn * np.pi)
-            wrapped = backend.library.run(backend.program.function("wrap"), {"phi": float(phi)})[1]["wrapped"]
+            phi = float(turn * np.pi + ulps * np.spacing(turn * np.pi))
+            wrapped = backend.library.run(backend.program.function("wrap"), {"phi": phi})[1]["wrapped"]
             if abs(wrapped) > np.pi or abs(np.sin(wrapped) - np.sin(phi)) > 1e-13 or np.cos(wrapped) > 0:
                 return f"wrap({phi!r}) = {wrapped!r}"
     return ""
@@ -194,7 +194,7 @@ def time_steps(made: Emitted) -> str:
         inputs = given | {"dt": 1e-3, "order": 4} | bad
         status, _ = backend.library.probe(step, {a.name: inputs[a.name] for a in step.arguments if a.direction == "in"})
         if status != STATUS_VALUES["BAD_ARGUMENT"]:
-            return f"status {status} for {bad}"
+            return f"status {status} for {', '.join(f'{name} = {value}' for name, value in bad.items())}"
     for order in (2, 4):
         ends = [_moved(backend, given, order, count) for count in (8, 16, 32)]
         found = float(np.log2(np.linalg.norm(ends[1] - ends[0]) / np.linalg.norm(ends[2] - ends[1])))

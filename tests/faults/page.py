@@ -22,6 +22,9 @@ Written by `make faults`. Each fault is planted in a copy of what the generator 
 that stands beside it must catch it, and finds nothing without the fault. `make test` plants some of them,
 `make test-slow` all.
 
+`FAIL: prepare (worst 0 ulp)` is what the self-test says where no listed number is off, but a status, a number that it
+does not list, or the hash over all numbers.
+
 """
 
 

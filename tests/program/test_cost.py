@@ -1,8 +1,11 @@
 """Operation counts."""
 
+from dataclasses import replace
+
 import pytest
 
-from emit.stands import generated
+from emit.stands import generated, stand
+from mahovik.emit.generate import generate_all
 from mahovik.program.build import call
 from mahovik.program.cost import Cost, cost
 from mahovik.program.expression import Convert, bits_of, real, real_of_bits, select
@@ -73,3 +76,17 @@ def test_each_further_flywheel_costs_forward_the_same():
     assert many.total - one.total >= 59 * step.total
     assert (many.total - one.total) % 59 == 0
     assert many.divisions == one.divisions
+
+
+@pytest.mark.parametrize("name", ["hung5", pytest.param("auv6", marks=pytest.mark.slow)])
+def test_flywheels_on_an_instrument_cost_no_more_than_on_the_carrier(name):
+    """`prepare` carries their rows to E1: where they are mounted is settled before the first call."""
+    given = stand(name)
+    instrument = given.instruments[0].name
+    carried, moved = (
+        generate_all(replace(given, flywheels=tuple(replace(s, mount=mount) for s in given.flywheels))).program
+        for mount in ("carrier", instrument)
+    )
+    for called in ("forward", "coupled", "torque"):
+        assert cost(moved.function(called)).total <= cost(carried.function(called)).total, called
+    assert cost(moved.function("prepare")).total >= cost(carried.function("prepare")).total

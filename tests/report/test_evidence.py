@@ -210,6 +210,12 @@ def test_exit_status_and_options(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         1,
         "error: demo3: bad: failed, or not run for want of a tool",
     )
+    done = command(monkeypatch, (ABLE,), DEMO3, *place)
+    assert (done.exit_code, done.stderr.splitlines()[-1]) == (
+        1,
+        "error: demo3: no piece was run, so nothing is shown: install what the page names, or choose other pieces",
+    )
+    assert done.stdout.splitlines()[-2].strip() == "no piece was run; not run: tool missing: able"
     assert command(monkeypatch, (GOOD, BAD), DEMO3, *place, "--without", "bad").exit_code == 0
     assert command(monkeypatch, (GOOD, BAD), "--check", str(tmp_path / "out")).exit_code == 0
     (tmp_path / "out" / "demo3.toml").write_text("")

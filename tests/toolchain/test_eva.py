@@ -15,15 +15,23 @@ from mahovik.toolchain.eva import Proof, parsed, prove
 from toolchain.tools import require
 
 FAULTS = {
-    "index": ("any_torque", "for (int s = 0; s < DEMO3_N; ++s) {", "for (int s = 0; s <= DEMO3_N; ++s) {"),
-    "unwritten": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
-    "written on refusal": (
+    "a loop one row too long": (
+        "any_torque",
+        "for (int s = 0; s < DEMO3_N; ++s) {",
+        "for (int s = 0; s <= DEMO3_N; ++s) {",
+    ),
+    "a result not written": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
+    "a result written on refusal": (
         "any_forward",
         "    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);",
         "    V_dot[0] = 0.0;\n    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);",
     ),
-    "unchecked": ("any_forward", "demo3_check_state(x)", "DEMO3_OK"),
-    "division": ("any_forward", "const demo3_real r1 = 1.0 / S[0]", "const demo3_real r1 = 1.0 / (S[0] - S[0])"),
+    "a state not checked": ("any_forward", "demo3_check_state(x)", "DEMO3_OK"),
+    "a divisor that is zero": (
+        "any_forward",
+        "const demo3_real r1 = 1.0 / S[0]",
+        "const demo3_real r1 = 1.0 / (S[0] - S[0])",
+    ),
 }
 """Driver that must see it, what is replaced, by what."""
 

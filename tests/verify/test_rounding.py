@@ -30,7 +30,7 @@ from mahovik.verify.rounding.error import MISSING, error, narrow, ulp, units
 from mahovik.verify.rounding.exact_program import ExactProgram
 from mahovik.verify.rounding.limits import ULPS
 from mahovik.verify.rounding.measure import RoundingReport, Ruler, measure_rounding
-from mahovik.verify.rounding.report import conclusion
+from mahovik.verify.rounding.report import conclusion, ulp_text
 from rigorous.balls import flat
 from verify.build import generated
 
@@ -243,3 +243,10 @@ def test_narrow_is_of_the_unit_of_each_component() -> None:
 
 def test_the_limit_is_promised_in_double() -> None:
     assert ULPS == {"double": 50.0, "float": None}
+
+
+@pytest.mark.parametrize(
+    ("ulps", "text"), [(0.0, "0"), (1.1e-61, "0"), (9e-10, "0"), (1e-9, "1e-09"), (2.345, "2.3"), (math.inf, "inf")]
+)
+def test_the_radius_of_an_enclosure_is_shown_as_no_error(ulps: float, text: str) -> None:
+    assert ulp_text(ulps) == text

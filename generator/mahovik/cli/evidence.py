@@ -41,8 +41,8 @@ def evidence(
     One folder to hand over: the C, every check that was run on it with its output and the command that repeats it,
     an index page to read offline, and the SHA-256 of every file.
 
-    Exit status 1 where a piece has failed. A tool that is missing is shown with the command that installs it; it is a
-    failure where the environment has CI=true.
+    Exit status 1 where a piece has failed, or none was run. A tool that is missing is shown with the command that
+    installs it; it is a failure where the environment has CI=true.
     """
     if checked is not None:
         if stand_file is not None or output is not None:
@@ -54,7 +54,7 @@ def evidence(
     if full and quick:
         raise UsageError("--full, --quick: one of them")
     stand = load_stand(stand_file)
-    from mahovik.report.evidence.collect import chosen, failures
+    from mahovik.report.evidence.collect import chosen, failures, nothing_ran
     from mahovik.report.evidence.pieces import PIECES
 
     wanted = chosen(PIECES, only, without)
@@ -62,6 +62,10 @@ def evidence(
     found = _collected(stand_file, folder, full, seconds or (600 if full else 20), wanted, real)
     _print(found)
     click.echo(click.format_filename(folder / "index.html"))
+    if nothing_ran(found):
+        raise CheckError(
+            f"{stand.name}: no piece was run, so nothing is shown: install what the page names, or choose other pieces"
+        )
     strict = os.environ.get("CI", "").lower() in ("true", "1")
     if bad := failures(found, strict):
         raise CheckError(f"{stand.name}: {', '.join(bad)}: failed, or not run for want of a tool")

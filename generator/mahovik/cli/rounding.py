@@ -47,7 +47,7 @@ def verify_rigorously(
 def _print(found: RoundingReport) -> None:
     from rich.text import Text
 
-    from mahovik.verify.rounding.report import conclusion
+    from mahovik.verify.rounding.report import NEGLIGIBLE, conclusion, ulp_text
 
     out, report = console(), found.report
     head = f"rounding of {report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}"
@@ -55,7 +55,7 @@ def _print(found: RoundingReport) -> None:
     numbers = ("states>", "ulp>", "function alone>", "judges>", "of scale>", "accepted>", "relative>")
     rows = table("quantity", "want", *numbers, "at state", "verdict")
     for line in found.lines:
-        row = line.row
+        row, exact = line.row, line.ulps < NEGLIGIBLE
         verdict = Text(row.verdict, "red" if row.failed else "green")
         if row.reason:
             verdict.append(f"  {row.reason}")
@@ -63,12 +63,12 @@ def _print(found: RoundingReport) -> None:
             Text(row.quantity),
             row.want,
             str(row.states),
-            f"{line.ulps:.2g}",
-            f"{line.alone:.2g}",
-            f"{line.judges:.1g}",
-            f"{row.worst:.1e}",
+            ulp_text(line.ulps),
+            ulp_text(line.alone),
+            ulp_text(line.judges, 1),
+            f"{0.0 if exact else row.worst:.1e}",
             f"{row.tolerance:.0e}",
-            f"{line.typical:.1e}",
+            f"{0.0 if exact else line.typical:.1e}",
             Text(row.state),
             verdict,
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik.emit.batch import batch_files
-from mahovik.emit.eva import eva_files
+from mahovik.emit.eva import eva_files, provable
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.readme import readme
 from mahovik.emit.recorder import recorder_files
@@ -30,11 +30,11 @@ def delivery(
 ) -> dict[str, str]:
     """All files of the folder but its manifest; `batch`: with the functions for many states.
 
-    `fast`: without the recorder, whose logs want equal bits, and without the drivers of Frama-C, whose arithmetic has
-    no contraction. Raises UsageError, StandError.
+    `fast`: without the recorder, whose logs want equal bits. Drivers of Frama-C are there where `provable` says so.
+    Raises UsageError, StandError.
     """
     generated = generate_all(stand, precision_name, lanes, fast)
-    proofs = {} if fast else eva_files(generated.program, identities(stand))
+    proofs = eva_files(generated.program, identities(stand)) if provable(generated) else {}
     return {**_firmware(stand, generated, batch), **proofs}
 
 

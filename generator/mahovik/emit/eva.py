@@ -8,6 +8,7 @@ from math import prod, sqrt
 from typing import Any
 
 from mahovik import __version__
+from mahovik.emit.generate import Generated
 from mahovik.emit.literal import real_literal
 from mahovik.emit.names import Names
 from mahovik.emit.statement import dimensions
@@ -89,6 +90,14 @@ class Driver:
     def finite(self) -> bool:
         """Are infinities and NaN on the way alarms?"""
         return self.set in (NORMAL, ANY)
+
+
+def provable(generated: Generated) -> bool:
+    """Whether C gets drivers: that of one lane, not fast.
+
+    With more lanes Eva raises alarms; in fast C contraction is another arithmetic than the one that it follows.
+    """
+    return generated.layout.lanes == 1 and not generated.fast
 
 
 def drivers(program: Program) -> tuple[Driver, ...]:

@@ -6,6 +6,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.emit.declaration import titled
+from mahovik.emit.eva import provable
 from mahovik.emit.generate import Generated, described
 from mahovik.emit.names import Names
 from mahovik.emit.statement import dimensions
@@ -37,6 +38,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
         wide=lanes > 1,
         fast=generated.fast,
         batch=batch,
+        proofs=provable(generated),
         generator=f"mahovik {__version__}",
         structure=found.structure,
         physics=found.physics,

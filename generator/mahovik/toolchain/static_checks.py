@@ -68,7 +68,7 @@ DEVIATIONS = {
 """Rules of MISRA C:2012 that the emitted C does not keep, as the addon counts them, with the reason."""
 
 KNOWN = {
-    "incorrectLogicOperator": "that `a` is above 0 or not above 0 is false of NaN, and that is what is asked",
+    "incorrectLogicOperator": "`a > 0` or `a <= 0` is false of NaN, and that is what is asked",
     "oppositeExpression": "the same line",
     "variableScope": "a local array that stands before the branch which alone reads it",
 }

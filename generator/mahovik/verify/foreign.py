@@ -93,6 +93,8 @@ def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Ma
         found.append(result)
     if len(lines) != len(requests):
         raise CheckError(f"{len(lines)} lines of output for {len(requests)} states")
+    if all(result == json.loads(state_line(request)) for result, request in zip(found, requests, strict=True)):
+        raise CheckError("it answered nothing: each line of its output is the state that it was given, without results")
     return found
 
 

@@ -12,6 +12,7 @@ from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.verify.backends import Backend
+from mahovik.verify.batch import batch_row
 from mahovik.verify.bounds import BOUNDS, DOUBLE, Bounds
 from mahovik.verify.compare import Judge, Row, same_bits
 from mahovik.verify.draw import draw
@@ -76,6 +77,7 @@ def verify_c(
     """Generated C, fresh or as it lies in `against`: compiled without a warning, and judged three ways.
 
     `lanes`, `fast`: as CBackend has them. C for speed is held to the same tolerances, not to the interpreter's bits.
+    Batch C in `against` must be what this version generates.
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
@@ -86,6 +88,8 @@ def verify_c(
     rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, Second(stand))
     rows.append(bits(backend, states, against))
     rows.append(refusals(backend.program, _good_inputs(backend, states), _raw(backend)))
+    beside = None if against is None else batch_row(stand, backend.generated, against)
+    rows += [] if beside is None else [beside]
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", lanes {backend.layout.lanes}" if backend.layout.lanes > 1 else ""
     judged += ", fast" if backend.fast else ""

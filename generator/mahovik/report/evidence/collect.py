@@ -121,6 +121,11 @@ def failures(found: Sequence[Collected], strict: bool = False) -> list[str]:
     return [each.piece.name for each in found if each.outcome.verdict in bad]
 
 
+def nothing_ran(found: Sequence[Collected]) -> bool:
+    """Whether no piece has passed or failed: such a folder is no evidence of anything."""
+    return not any(each.outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for each in found)
+
+
 def _collected(piece: Piece, subject: Subject, wanted: Collection[str] | None, say: Say) -> Collected:
     command = piece.command(subject)
     if wanted is not None and piece.name not in wanted:

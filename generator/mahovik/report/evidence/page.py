@@ -63,7 +63,7 @@ def conclusion(found: Sequence[Collected]) -> str:
     """The verdict over all, in one line."""
     counts = Counter(each.outcome.verdict for each in found)
     ran = counts[Verdict.PASSED] + counts[Verdict.FAILED]
-    words = f"{counts[Verdict.PASSED]} of {ran} pieces passed"
+    words = f"{counts[Verdict.PASSED]} of {ran} pieces passed" if ran else "no piece was run"
     if bad := _failed(found):
         words += f"; FAILED: {', '.join(bad)}"
     for verdict in (Verdict.MISSING, Verdict.LEFT_OUT, Verdict.NOTHING):

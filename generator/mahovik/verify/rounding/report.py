@@ -10,13 +10,21 @@ from mahovik.verify.report import as_json as report_json
 from mahovik.verify.report import conclusion as report_conclusion
 from mahovik.verify.rounding.measure import Rounding, RoundingReport
 
+NEGLIGIBLE = 1e-9
+"""An error in ulp below this is shown as 0: the answer is exact, what is left is the radius of its enclosure."""
+
+
+def ulp_text(ulps: float, digits: int = 2) -> str:
+    """An error in ulp for people."""
+    return "0" if ulps < NEGLIGIBLE else f"{ulps:.{digits}g}"
+
 
 def conclusion(found: RoundingReport) -> str:
     """The verdict."""
     if not found.report.passed:
         return report_conclusion(found.report)
     worst = max(found.lines, key=lambda line: line.ulps)
-    words = f"passed: worst {worst.ulps:.2g} ulp of the natural scale, {worst.row.quantity} ({worst.row.want})"
+    words = f"passed: worst {ulp_text(worst.ulps)} ulp of the natural scale, {worst.row.quantity} ({worst.row.want})"
     return words if worst.limit is None else f"{words}; {worst.limit:g} accepted"
 
 
