@@ -22,14 +22,15 @@ def of_sequence(angles: str) -> CBackend:
     return CBackend(replace(random_stand(np.random.default_rng(3), 1, BARE, name="turned"), angles=angles))
 
 
+@pytest.mark.parametrize("theta", [0.7, 2.5, -0.7, -2.5])
 @pytest.mark.parametrize("angles", ["ship", "aircraft", "euler"])
-def test_target_inverts_the_generalized_form(angles: str) -> None:
-    """q' and q'' of `attitude` at some V, V* lead back to V, V*."""
+def test_target_inverts_the_generalized_form(angles: str, theta: float) -> None:
+    """q' and q'' of `attitude` at some V, V* lead back to V, V*; on both sides of the singularities."""
     c = of_sequence(angles)
     rng = np.random.default_rng(4)
     x = {"position": [1.0, 2.0, 3.0], "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}
     x |= {"phi": [0.3], "phi_dot": [10.0]}
-    at = [0.4, 0.7, -0.2]
+    at = [0.4, theta, -0.2]
     given = {"stand": c.library.default("default"), "x": x, "phi_ddot": [5.0]}
     found = c.call("attitude", given | {"angles": at})[1]["out"]
     quaternion = c.call("quaternion", {"angles": at})[1]["attitude"]

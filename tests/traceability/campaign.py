@@ -89,7 +89,7 @@ BY_NAME = {
     "sincos": ROUTINES[:1], "sqrt": ROUTINES[1:2], "atan2": ROUTINES[2:], "unwound": MOTION,
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
     "quaternion": TARGET, "target": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
-    "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "attitude": REFUSALS,
+    "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "attitude": (*REFUSALS, *TARGET),
     "coupled": MOTION, "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
 }  # fmt: skip
 BY_SUBJECT = {
