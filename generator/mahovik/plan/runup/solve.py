@@ -100,11 +100,13 @@ def out_of_reach(problem: Boundary, flight: Flight) -> bool:
 
 def _within(problem: Problems, own: Boundary, flight: Flight, bounds: Bounds) -> tuple[Boundary, Flight]:
     """Inside the bounds, or nearer to them: with more splines a flywheel while they are exceeded."""
+    tried = [(own, flight)]
     if shares(own, flight, bounds).excess > 0.0:
         flight = reduced(own, flight, bounds)
+        tried.append((own, flight))
     for splines in RICHER:
         if shares(own, flight, bounds).most <= 1.0:
-            break
+            return own, flight
         richer = problem(NODES, splines)
         added = own.family.basis[0] @ flight.c.T
         c = np.linalg.lstsq(richer.family.basis[0], added, rcond=None)[0].T
@@ -115,7 +117,8 @@ def _within(problem: Problems, own: Boundary, flight: Flight, bounds: Bounds) ->
         if there.size > _COARSE:
             break
         own, flight = richer, reduced(richer, there, bounds)
-    return own, flight
+        tried.append((own, flight))
+    return min(tried, key=lambda each: shares(*each, bounds).most)
 
 
 def _refined(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
