@@ -118,7 +118,7 @@ def _within(problem: Problems, own: Boundary, flight: Flight, bounds: Bounds) ->
             break
         own, flight = richer, reduced(richer, there, bounds)
         tried.append((own, flight))
-    return min(tried, key=lambda each: shares(*each, bounds).most)
+    return min(tried, key=lambda each: shares(each[0], each[1], bounds).most)
 
 
 def _refined(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:

@@ -18,16 +18,13 @@ from mahovik.verify.programme.finding import Finding, Tolerance, judged
 from mahovik.verify.programme.limits import EXCEEDED, bound_findings
 from mahovik.verify.programme.rest import rest_near
 from mahovik.verify.programme.scale import Scale
-from mahovik.verify.programme.simulation import simulate
+from mahovik.verify.programme.simulation import simulate_rows
 
 STEP_ERROR = 1e-8
 """Of the amplitude, a step: what is asked of the end is coarser than of a programme."""
 
 STEPS = 24
-"""A period at least; the end is then right to 1e-6 of the amplitude after ten periods."""
-
-SHOWN = 32
-"""Times a period at which deviation and torque are looked at."""
+"""A period at least, and one a row."""
 
 
 def findings(
@@ -78,13 +75,12 @@ def _motion(
     required = motion.at(np.zeros(1), programme.bias)
     q, V = required.q[0], twist(stand, required.q[0], required.q_dot[0])
     mean = motion.mean + programme.bias
-    periods = given.duration / programme.span
-    t = np.linspace(0.0, given.duration, int(SHOWN * np.ceil(periods)) + 1)
+    t = given.samples.t
     longest = min(programme.span, given.duration) / STEPS
     try:
         rest = rest_near(stand, given.samples.phi[0 if up else -1], mean, scale.K0)
         start = np.concatenate([rest.q, np.zeros(6)]) if up else np.concatenate([q, V])
-        y = simulate(stand, given.at, start, t, scale, longest, STEP_ERROR)
+        y = simulate_rows(stand, given.at, start, t, scale, longest, STEP_ERROR)
         if up:
             x, V_left = y[-1, :6] - q, y[-1, 6:] - V
         else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
@@ -71,12 +72,26 @@ def simulate(
     left.terminal = True  # type: ignore[attr-defined]
     events = left if np.isfinite(furthest) else None
     span = (t[0], t[-1])
-    found = solve_ivp(rates, span, start, "DOP853", t, events=events, rtol=RTOL, atol=atol, max_step=longest)
+    first = float(min(longest, t[-1] - t[0]))
+    found = solve_ivp(
+        rates, span, start, "DOP853", t, events=events, rtol=RTOL, atol=atol, max_step=longest, first_step=first
+    )
     if found.status == 1:
         raise StateError(f"{furthest:g} amplitudes from the required motion at t = {found.t_events[0][0]:.6g} s")
     if not found.success or not np.all(np.isfinite(found.y)):
         raise StateError(f"the simulation stops at t = {found.t[-1] if len(found.t) else 0.0:.6g} s: {found.message}")
     return np.asarray(found.y.T)
+
+
+def simulate_rows(
+    stand: Stand, angles: Course, start: Array, rows: Array, scale: Scale, longest: float, error: float = STEP_ERROR
+) -> Array:
+    """y = (q, V) (M, 12) at the rows (M, s) of a table; no step goes over a row, where the third derivative jumps."""
+    states = [start]
+    for begin, end in pairwise(rows):
+        between = np.array([begin, end])
+        states.append(simulate(stand, angles, states[-1], between, scale, min(longest, end - begin), error)[-1])
+    return np.array(states)
 
 
 def finding(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, limit: float) -> Finding:
