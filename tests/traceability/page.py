@@ -31,13 +31,7 @@ derivation; (13) is not emitted.
 """
 
 
-NOT_YET = (
-    *("rate", "rate_driven", "advance", "finish", "step", "step_driven"),
-    *("damp_slope", "orthogonalise", "solve_gram", "allocate", "inverse", "inverse_fast", "sense", "measure"),
-    *("quaternion", "target", "products", "attitude", "frame_of_axes"),
-    *("check_inertia", "check_body", "check_dry_body", "check_added_mass", "translation_block", "check_parameters"),
-    *("place_point", "prepare"),
-)
+NOT_YET: tuple[str, ...] = ()
 """Functions whose mutants have not been run yet; `make traceability` examines them, and then they go from here."""
 
 
