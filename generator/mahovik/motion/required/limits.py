@@ -64,8 +64,15 @@ def objective(top: Section, stand: Stand) -> Objective:
 
 
 def contradictions(top: Section, given: Bounds, winding: Winding, period: float | None) -> None:
-    """Note bounds that exclude each other, or the winding; `period` (s) of a periodic motion."""
+    """Note bounds that exclude each other, or the winding; `period` (s) of a periodic motion. A key, a line."""
     section = Section(top.problems, {}, ("bounds",))
+    said: set[str] = set()
+
+    def refuse(key: str, words: str) -> None:
+        if key not in said:
+            section.refuse(key, words)
+        said.add(key)
+
     N = len(given.speed or given.speed_min or given.start_phi_dot or ())
     turns: tuple[int | None, ...] = (None,) * N
     if period is not None and winding != "any":
@@ -74,7 +81,7 @@ def contradictions(top: Section, given: Bounds, winding: Winding, period: float 
         most = given.speed[s] if given.speed else math.inf
         least = given.speed_min[s] if given.speed_min else 0.0
         if least > most:
-            section.refuse("speed_min", f"[{s}]: {least:g} rad/s is above speed, {most:g} rad/s")
+            refuse("speed_min", f"[{s}]: {least:g} rad/s is above speed, {most:g} rad/s")
             continue
         if given.start_phi_dot and not least <= abs(given.start_phi_dot[s]) <= most:
             speed = given.start_phi_dot[s]
@@ -84,13 +91,11 @@ def contradictions(top: Section, given: Bounds, winding: Winding, period: float 
             continue
         mean = 2 * math.pi * abs(n) / period
         if mean > most:
-            section.refuse("speed", f"[{s}]: {most:g} rad/s is below the mean speed of winding {n}, {mean:.6g} rad/s")
+            refuse("speed", f"[{s}]: {most:g} rad/s is below the mean speed of winding {n}, {mean:.6g} rad/s")
         if n == 0 and least > 0.0:
-            section.refuse("speed_min", f"[{s}]: {least:g} rad/s, but with winding 0 a flywheel turns back")
+            refuse("speed_min", f"[{s}]: {least:g} rad/s, but with winding 0 a flywheel turns back")
         elif mean < least and winding != "spin":  # which may be more than a turn a period
-            section.refuse(
-                "speed_min", f"[{s}]: {least:g} rad/s is above the mean speed of winding {n}, {mean:.6g} rad/s"
-            )
+            refuse("speed_min", f"[{s}]: {least:g} rad/s is above the mean speed of winding {n}, {mean:.6g} rad/s")
 
 
 def _each(section: Section, key: str, N: int, dimension: Dimension) -> Each:
