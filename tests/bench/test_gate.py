@@ -17,6 +17,7 @@ def valgrind() -> None:
     require("valgrind", "valgrind")
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("valgrind")
 def test_a_planted_rise_is_stopped() -> None:
     found = costs((2,))

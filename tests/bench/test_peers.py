@@ -34,7 +34,7 @@ def contestants(program: str) -> list[Contestant]:
     return [Contestant(peer, peer.recipe.build(), case(2)) for peer in peers]
 
 
-@pytest.mark.parametrize("program", ["own", "casadi_peer", "mujoco_peer"])
+@pytest.mark.parametrize("program", [pytest.param("own", marks=pytest.mark.slow), "casadi_peer", "mujoco_peer"])
 def test_results_agree(program: str) -> None:
     if program == "mujoco_peer":
         pytest.importorskip("mujoco")

@@ -76,6 +76,7 @@ def test_a_good_log(log: Path) -> None:
     assert "not checked" not in result.output
 
 
+@pytest.mark.slow
 def test_float(tmp_path: Path) -> None:
     result = run("judge-log", rewritten(tmp_path / "log", board("float", tmp_path)), DEMO3)
     assert result.exit_code == 0

@@ -103,7 +103,8 @@ def test_cost_and_replay_refuse_fast_c(folders: dict[str, Path], tmp_path: Path)
     assert "its C is for speed (--fast), its bits are not reproducible" in said
 
 
-@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.slow), "interpreter"])
+@pytest.mark.slow
+@pytest.mark.parametrize("backend", ["c", "interpreter"])
 def test_replay_finds_the_lanes_that_flew(backend: str, tmp_path: Path) -> None:
     flown = Recorder("demo3", "double", tmp_path, lanes=2)
     flown.fly(10)

@@ -22,7 +22,7 @@ WORLDS = (
 )
 
 
-@pytest.mark.parametrize("name", ["auv6", "bench8"])
+@pytest.mark.parametrize("name", ["auv6", pytest.param("bench8", marks=pytest.mark.slow)])
 def test_two_processes_write_the_same_bytes(name, tmp_path):
     # by relative paths of different lengths: no path may be in the text
     found = []

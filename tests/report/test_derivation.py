@@ -122,6 +122,7 @@ def test_article_compiles_without_overfull_lines(example: Stand, tmp_path: Path)
     assert "Overfull" not in done.stdout
 
 
+@pytest.mark.slow
 def test_same_stand_same_bytes() -> None:
     """From run to run."""
     example = stand("demo3")
@@ -144,6 +145,7 @@ def test_no_flywheels() -> None:
     assert "it is a rigid body" in latex(example)
 
 
+@pytest.mark.slow
 def test_names_are_escaped() -> None:
     """An underscore in LaTeX; nothing of a name can be markup in HTML."""
     example = stand("demo3")

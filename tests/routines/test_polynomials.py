@@ -48,6 +48,7 @@ def test_polynomial_keeps_the_error_it_claims(problem, precision):
     assert 0.9 * claimed < found <= claimed
 
 
+@pytest.mark.slow
 @EACH
 @PROBLEMS
 def test_coefficients_are_those_the_tool_derives(problem, precision):

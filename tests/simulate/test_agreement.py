@@ -84,7 +84,9 @@ def worst(a: Run, b: Run) -> float:
 
 
 @pytest.mark.parametrize(
-    ("text", "dt"), [(LAWS, 1e-4), (TORQUES, 1e-4), (MIXED, 5e-5)], ids=["laws", "torques", "mixed"]
+    ("text", "dt"),
+    [pytest.param(LAWS, 1e-4, marks=pytest.mark.slow), (TORQUES, 1e-4), (MIXED, 5e-5)],
+    ids=["laws", "torques", "mixed"],
 )
 def test_c_agrees_with_scipy(text: str, dt: float) -> None:
     """Inputs that vary within a step count as constant there: an error of dt squared."""
@@ -105,6 +107,7 @@ ORDERS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_order_of_the_error_in_dt(name: str) -> None:
     """Of the step's own order for constant inputs; inputs that vary count as constant in a step, of order two."""

@@ -36,7 +36,7 @@ def apart(a: Run, b: Run, quantity: str) -> float:
     return float(max(np.abs(a[name] - b[name]).max() for name in a.names if name.startswith(quantity)))
 
 
-@pytest.mark.parametrize("torque", [0.3, 3.0, 20.0])
+@pytest.mark.parametrize("torque", [3.0, *(pytest.param(x, marks=pytest.mark.slow) for x in (0.3, 20.0))])
 def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
     """The figures of docs/simulation.md. Torques of 20 N m settle to 0.03 N m, so both are asked of them."""
     judge = simulate(case(run_up(torque)), "scipy")

@@ -7,8 +7,10 @@ REASONS: dict[tuple[str, str], str] = {
     "resolve; `sincos`, the same text, is held to 0.9 ulp in `tests/routines/test_sincos.py`",
     ("orthogonalise", "loop one turn short: for (int sweep"): "the last sweep is a reserve: these matrices are "
     "orthogonal to rounding before it",
-    ("frame_of_axes", "number times 1.5: if (!(zero2 > 1.0e-30))"): "a limit of what is refused: the square of a length "
-    "between 1e-15 and 1.2e-15 m, which no test has",
+    (
+        "frame_of_axes",
+        "number times 1.5: if (!(zero2 > 1.0e-30))",
+    ): "a limit of what is refused: the square of a length between 1e-15 and 1.2e-15 m, which no test has",
     ("translation_block", "and / or exchanged: if (!(A[0] > 0.0"): "a second fence: added masses that are not positive "
     "semidefinite have been refused by `check_added_mass` before",
     ("check_parameters", "term dropped: size = parameters"): "the size only scales a tolerance",

@@ -161,6 +161,7 @@ def test_simple_jitter_carries_the_wheels_in_its_hub() -> None:
     assert hub(stand)[0] == pytest.approx(total - sum(s.mass for s in stand.flywheels), rel=1e-15)
 
 
+@pytest.mark.slow
 def test_the_command_compares_or_says_in_a_line_why_not(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compare, "verify_judges", partial(verify_judges, until=UNTIL))
     found = json.loads(run("verify", DEMO3, "--judges", "--states", "3", "--json").stdout)

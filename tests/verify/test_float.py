@@ -37,12 +37,13 @@ def test_a_stand_with_everything_passes_in_float() -> None:
     assert all(row.second is None or row.second < DOUBLE.derivations for row in found.rows)
 
 
-@pytest.mark.parametrize("number", [0, 3, 5])
+@pytest.mark.parametrize("number", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in (3, 5))])
 def test_random_stands_of_none_and_more_flywheels(number: int) -> None:
     *_, stand = random_stands(number + 1)
     assert verify_c(stand, count=9, real="float", against=None).passed
 
 
+@pytest.mark.slow
 @settings(max_examples=3, deadline=None)
 @given(stands(max_flywheels=4))
 def test_any_stand_gives_the_bits_of_the_interpreter(stand: Stand) -> None:
@@ -84,6 +85,7 @@ def test_float_is_of_the_generated_c_alone() -> None:
     assert "--real float: of the generated C" in refused("verify", DEMO3, "--real", "float", "--judges")
 
 
+@pytest.mark.slow
 def test_the_command() -> None:
     result = run("verify", DEMO3, "--real", "float", "--states", "6")
     assert result.exit_code == 0

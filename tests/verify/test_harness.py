@@ -60,7 +60,9 @@ def test_a_stand_with_everything_passes_as_c() -> None:
     assert kinds["bad inputs refused, outputs untouched"] > 500
 
 
-@pytest.mark.parametrize("count", [0, 1, 64])
+@pytest.mark.parametrize(
+    "count", [0, pytest.param(1, marks=pytest.mark.slow), pytest.param(64, marks=pytest.mark.slow)]
+)
 def test_any_number_of_flywheels(count: int) -> None:
     wheel = load(path("bench8")).flywheels[0]
     wheels = tuple(replace(wheel, name=f"w{k}", position=(0.01 * k, 0.2, -0.1)) for k in range(count))

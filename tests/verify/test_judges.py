@@ -29,7 +29,11 @@ STANDS = {name: stripped(load(path(name))) for name in ("bench8", "sat4", "remus
 }
 
 
-@pytest.mark.parametrize("name", STANDS)
+QUICK = ("random, 0", "random, 1")
+"""Those of `make test`; all of them in `make test-slow`."""
+
+
+@pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in STANDS])
 def test_they_agree_on_everything(name: str) -> None:
     stand = STANDS[name]
     found = verify_judges(stand, count=14, names=tuple(JUDGES))
@@ -55,6 +59,7 @@ def test_what_they_have_not_is_refused_by_name() -> None:
     assert "mass" in refused_stand(replace(DEMO, carrier=massless(DEMO.carrier), flywheels=()))
 
 
+@pytest.mark.slow
 def test_bare_judges_the_rest_and_names_what_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compare, "verify_judges", partial(verify_judges, until=0.1))
     result = run("verify", BENCH8, "--judges", "--bare", "--states", "3")
@@ -90,6 +95,7 @@ def test_a_judge_that_is_not_installed_is_one_line_with_the_command(monkeypatch:
     assert "pip install pin mujoco" in line
 
 
+@pytest.mark.slow
 def test_the_command_prints_their_table(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compare, "verify_judges", partial(verify_judges, until=0.1))
     result = run("verify", DEMO3, "--judges", "--states", "4", "--json")
@@ -102,7 +108,10 @@ def test_the_command_prints_their_table(monkeypatch: pytest.MonkeyPatch) -> None
     assert "not with" in refused("verify", DEMO3, "--judges", "--with", "cat")
 
 
-@pytest.mark.parametrize("change", ["inertia", "center_of_mass", "position", "axes"])
+@pytest.mark.parametrize(
+    "change",
+    ["center_of_mass", *(pytest.param(each, marks=pytest.mark.slow) for each in ("inertia", "position", "axes"))],
+)
 def test_a_wrong_model_is_caught_by_both(change: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """One number of the last flywheel, in what the judges are given, wrong in the ninth digit."""
 

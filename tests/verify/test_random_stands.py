@@ -22,7 +22,15 @@ def test_the_counts_that_matter_are_there() -> None:
     assert any(s.mount != "carrier" for stand in STANDS for s in stand.flywheels)
 
 
-@pytest.mark.parametrize("stand", STANDS, ids=lambda stand: f"{stand.name}, {len(stand.flywheels)}")
+QUICK = 2
+"""So many of the first in `make test`; all of them in `make test-slow`."""
+
+
+@pytest.mark.parametrize(
+    "stand",
+    [*STANDS[:QUICK], *(pytest.param(stand, marks=pytest.mark.slow) for stand in STANDS[QUICK:])],
+    ids=lambda stand: f"{stand.name}, {len(stand.flywheels)}",
+)
 def test_three_ways_agree(stand: Stand) -> None:
     found = verify_random(stand, STATES)
     assert found.passed, conclusion(found)
