@@ -36,7 +36,6 @@ help:
 	@echo "make traceability  mutants of every function, and the tests that notice them: docs/traceability.md; a quarter hour"
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
 	@echo "make programme-picture  plans bench8's motion and draws it: docs/programme.svg"
-	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md; an hour or two"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md, run-ups too; hours"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"

@@ -170,6 +170,9 @@ def test_a_programme_of_another_stand_or_motion_is_refused() -> None:
         export_programme(stand(), replace(spin(), span=0.04), motion())
     with pytest.raises(CheckError, match="does not give the motion"):
         export_programme(stand(), swaying(), motion())
+    beside = replace(spin(), course=Fourier(spin().course.mean, np.full((1, 2), 1e-5), np.zeros((1, 2))))
+    with pytest.raises(CheckError, match="does not give the motion"):
+        export_programme(stand(), beside, motion())
 
 
 def test_what_means_nothing_is_refused() -> None:

@@ -125,12 +125,14 @@ def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
     for arguments, words in (
         ([programme, "-o", tmp_path / "a.pdf"], ".svg or .png"),
         ([programme, *WITH[:2], "-o", tmp_path / "a.svg"], "go together"),
-        ([programme, *other, "-o", tmp_path / "a.svg"], "programme of another stand"),
         ([tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
         ([tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
     ):
         found = plot(*arguments)
         assert found.exit_code == 2 and words in found.output, found.output
+    assert not (tmp_path / "a.svg").exists()
+    found = plot(programme, *other, "-o", tmp_path / "a.svg")
+    assert found.exit_code == 1 and "programme of another stand" in found.output
     assert not (tmp_path / "a.svg").exists()
 
 

@@ -51,12 +51,17 @@ def plan(
     folder = Path(output).absolute().parent
     if not folder.is_dir():
         raise UsageError(f"{output}: there is no folder {folder.name!r} to write to")
+    paths = [
+        Path(output).with_suffix(f".{k}{Path(output).suffix}") if k > 1 else Path(output) for k in range(1, keep + 1)
+    ]
+    for path in paths:
+        if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
+            raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
     with _progress() as tell:
         found = plan_motion(stand, motion, Wishes(seed, seconds, chosen, keep), tell)
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
-    for number, programme in enumerate(found.programmes, 1):
-        path = Path(output) if number == 1 else Path(output).with_suffix(f".{number}{Path(output).suffix}")
+    for path, programme in zip(paths, found.programmes, strict=False):
         save_programme(programme, path)
         _report(programme, path)
     _end(found)
@@ -87,7 +92,7 @@ def _progress() -> Iterator[Callable[[Progress], None] | None]:
         return
     from rich.console import Console
 
-    with Console(stderr=True).status("preflight") as status:
+    with Console(stderr=True).status("searching") as status:
         yield lambda state: status.update(
             f"{state.starts} starts tried, best residual {state.best:.2g}, {len(state.found)} found"
         )
@@ -133,12 +138,14 @@ def _end(found: Plan) -> None:
     if found.effort:
         spread = found.effort["objective_spread"]
         tried = ", ".join(f"{number} {kind}" for kind, number in found.effort["windings_tried"].items())
-        click.echo(f"{found.effort['starts']} starts ({tried}), {found.effort['found']} programmes found", nl=False)
+        within = f"{found.effort['found']} programmes found inside the bounds"
+        click.echo(f"{found.effort['starts']} starts ({tried or 'none'}), {within}", nl=False)
         click.echo(f", objective {min(spread):.4g} to {max(spread):.4g}" if spread else "")
         if found.effort["cut_by_time"]:
             click.echo("warning: --time cut the search: another run may find more", err=True)
     if found.interrupted:
-        click.echo("interrupted: this is the best so far", err=True)
+        best = "this is the best so far" if found.programmes else "nothing was found yet, nothing is written"
+        click.echo(f"interrupted: {best}", err=True)
         raise SystemExit(INTERRUPTED)
     if found.status != "OK":
         raise SystemExit(1)

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from mahovik.cli.arguments import load_stand
-from mahovik.errors import UsageError
+from mahovik.errors import CheckError, UsageError
 
 
 @click.command()
@@ -48,6 +48,6 @@ def plot(file: str, output: str, stand_file: str | None, motion_file: str | None
 
         for whose in (stand_finding(stand, programme), motion_finding(motion, programme)):
             if not whose.passed:
-                raise UsageError(f"{file}: {whose.words}")
+                raise CheckError(f"{file}: {whose.words}")
     title = f"{programme.stand}: {programme.motion}"
     write(target, draw(title, panels(programme, stand, motion), target.suffix))

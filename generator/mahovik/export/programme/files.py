@@ -20,6 +20,7 @@ from mahovik.motion.programme import Programme, RunUpTable
 from mahovik.motion.required import RequiredMotion
 from mahovik.stand.model import Stand
 from mahovik.stand.structure import structure
+from mahovik.verify.programme.finding import tolerance_for
 from mahovik.verify.programme.identity import motion_finding, stand_finding
 
 LIMITS = {"double": 1e-6, "float": 1e-3}
@@ -28,8 +29,8 @@ LIMITS = {"double": 1e-6, "float": 1e-3}
 NODES = {"double": 256, "float": 64}
 """Nodes of a period that a quintic table has unless told otherwise."""
 
-WRONG = 1e-2
-"""Relative residual of a programme above which it is not one of this motion."""
+WRONG = 10.0
+"""Times what `verify-programme` accepts of the residual, or the limit if that is more: above, it is no programme."""
 
 LEAST, MOST_NODES = 32, 1 << 14
 """Nodes a period, and in all, that a run-up has at least and at most."""
@@ -74,10 +75,11 @@ def export_programme(
     first = _course(programme, layout, prescribed, kind, count)
     found = [_finished(layout, first, prescribed)]
     given = found[0][1].given
-    if given is not None and given > WRONG:
+    accepted = max(WRONG * tolerance_for(stand, None).residual, most)
+    if given is not None and given > accepted:
         raise CheckError(
             f"{source}: its relative residual is {given:.2e}, so it does not give the motion {programme.motion} (below "
-            f"{WRONG:g} it would): `mahovik verify-programme` says more; nothing was written"
+            f"{accepted:g} it would): `mahovik verify-programme` says more; nothing was written"
         )
     if found[0][1].judged > most:
         raise CheckError(_too_coarse(source, first, found[0][1], most, real))

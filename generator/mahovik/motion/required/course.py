@@ -80,11 +80,14 @@ class Sampled:
 
     @cached_property
     def harmonics(self) -> tuple[int, ...]:
-        """Those above 1e-9 of the largest, metres and radians each by their own; none of a finite course."""
+        """Those above 1e-9 of the largest, metres and radians each by their own; none of a finite course.
+
+        Below half the number of samples: beyond it are images that the spline makes of lower ones.
+        """
         if not self.periodic:
             return ()
         M = 16 * len(self.t)
-        amplitudes = np.abs(np.fft.rfft(self.at(self.span * np.arange(M) / M).q, axis=0))[1:]
+        amplitudes = np.abs(np.fft.rfft(self.at(self.span * np.arange(M) / M).q, axis=0))[1 : (len(self.t) + 1) // 2]
         there = np.zeros(len(amplitudes), dtype=bool)
         for kind in (amplitudes[:, :3], amplitudes[:, 3:]):
             there |= np.any(kind > _PRESENT * kind.max(), axis=1) if kind.any() else False

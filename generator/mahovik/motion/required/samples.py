@@ -18,6 +18,9 @@ A harmonic sampled 8 times a period misses by 0.03, 6 times by 0.2; a step misse
 MOVING = 0.02
 """Of the greatest speed (acceleration): what is rest, at the ends of a finite motion."""
 
+GAP = 3.0
+"""Longest steps that a periodic table may leave to the end of its period."""
+
 _SMALL = 1e-6
 """Of the largest range of its kind: a coordinate that moves less is noise, or still."""
 
@@ -44,6 +47,12 @@ def _times(given: Sampled) -> tuple[str, str] | None:
         if t[-1] - t[0] > given.span * (1 - 1e-9):
             last = f"t[{len(t) - 1}]"
             return last, f"{t[-1]:.9g} s is a period of {given.span:g} s after the first or more; t = T is left out"
+        open_, longest = t[0] + given.span - t[-1], float(steps.max())
+        if open_ > GAP * longest:
+            return "t", (
+                f"covers {t[0]:.9g} to {t[-1]:.9g} s, and nothing the {open_:.3g} s to the end of the period, "
+                f"{given.span:g} s: is it the period of these samples?"
+            )
         return None
     if t[0] != 0.0 or abs(t[-1] - given.span) > 1e-9 * given.span:
         return "t", f"covers {t[0]:.9g} to {t[-1]:.9g} s, expected 0 to the duration, {given.span:g} s"

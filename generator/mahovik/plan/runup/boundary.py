@@ -147,9 +147,12 @@ def boundary(
     nodes: int = NODES,
     splines: int = SPLINES,
 ) -> Boundary:
-    """The problem of a programme for a motion; `nodes` a period of its fastest part."""
+    """The problem of a programme for a motion; about `nodes` a period of its fastest part.
+
+    Blocks are a power of two in number: then tables in C, whose nodes are, can have the same.
+    """
     fastest = max([1, *motion.harmonics, *(abs(n) for n in programme.winding)])
-    B = int(np.ceil(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
+    B = 2 ** round(np.log2(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
     t = np.linspace(0.0, duration, INTERVALS * B + 1)
     still = np.zeros((1, 6))
     chart = Chart.about(mechanics, Required((motion.mean + programme.bias)[None], still, still))
