@@ -148,7 +148,7 @@ def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
     text = [
         f"{asked.stands} stands a row, seeds from {asked.first}; tables of the first {asked.verify} of a row are put "
         "through the independent verification. A stand without a programme is left out. Found counts run-ups and "
-        "run-downs that keep their bounds; seconds are for both.",
+        "run-downs that keep their bounds; seconds are for both, without the verification.",
         "",
         "| flywheels | windings, duration | found | median, s | longest, s | O1 strays, mm: median, most "
         "| E1 turns, mrad: median, most | largest terminal error |",

@@ -52,3 +52,12 @@ def test_stands_and_motions_are_the_same_for_the_same_seed(tool: ModuleType) -> 
     assert all(0.5 <= wheel.mass <= 1.2 for wheel in stand.flywheels)
     assert motion.harmonics == (1,)
     assert abs(motion.course.cos[:, 5]).max() == 0.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [0, 3], ids=["6 rock", "8 spin"])
+def test_a_small_sample_of_the_campaign(tool: ModuleType, number: int) -> None:
+    """A stand of a row has a programme that the verification accepts; too great a motion is refused, and not found."""
+    found = tool.outcome(tool.ROWS[number], 31, 60.0, verify=True)
+    assert (found.status, found.wrong) == ("OK", "")
+    assert tool.beyond(31 + number, 5.0) == (True, False)
