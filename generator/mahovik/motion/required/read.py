@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -218,7 +218,7 @@ def _winding(top: Section, N: int, periodic: bool) -> Winding | None:
         return "any"
     if isinstance(raw, str):
         if raw in WINDINGS:
-            return raw  # type: ignore[return-value]
+            return cast("Winding", raw)
         top.refuse("winding", f'unknown {show(raw)}, did you mean "{nearest(raw, list(WINDINGS))}"?')
         return None
     if not isinstance(raw, list) or len(raw) != N:

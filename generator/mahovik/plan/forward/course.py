@@ -79,4 +79,4 @@ def along(chart: Chart, given: Drive, y: Array, phi_ddot: Array) -> Linear:
 
 def pushes(given: Drive, found: Linear) -> tuple[Array, Array, Array]:
     """What changes of phi, phi', phi'' of each flywheel add to V* (M, 6, N each), the carrier's state as it is."""
-    return tuple(given.inverse @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))  # type: ignore[return-value]
+    return given.inverse @ found.by_phi, given.inverse @ found.by_phi_dot, given.inverse @ found.by_phi_ddot

@@ -20,7 +20,7 @@ from mahovik.plan.residual.spatial import (
     motor_cross,
     transfer,
 )
-from mahovik.stand.model import Damping, Leg, Stand
+from mahovik.stand.model import Carrier, Damping, Instrument, Leg, Stand
 
 SHORTEST_LEG = 1e-9
 """m; a shorter leg has no direction."""
@@ -43,8 +43,8 @@ class Housing:
     @staticmethod
     def of(stand: Stand) -> Housing:
         """Carrier and instruments of a stand."""
-        placed = [(stand.carrier, np.eye(6))]
-        placed += [(p, transfer(p.position, fixed_axes(p.angles))) for p in stand.instruments]  # type: ignore[misc]
+        placed: list[tuple[Carrier | Instrument, Array]] = [(stand.carrier, np.eye(6))]
+        placed += [(p, transfer(p.position, fixed_axes(p.angles))) for p in stand.instruments]
         K, heavy, damped = np.zeros((6, 6)), np.zeros((6, 3)), []
         for body, L in placed:
             K += L @ inertia(body) @ L.T

@@ -69,7 +69,7 @@ def simulate(
         away = np.abs(y[:6] - start[:6])
         return float(furthest - max(away[:3].max() / m, away[3:].max() / rad))
 
-    left.terminal = True  # type: ignore[attr-defined]
+    left.terminal = True  # type: ignore[attr-defined]  # how SciPy is told that the event ends the run
     events = left if np.isfinite(furthest) else None
     span = (t[0], t[-1])
     first = float(min(longest, t[-1] - t[0]))
