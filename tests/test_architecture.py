@@ -22,6 +22,7 @@ STAGES = (
     ("report",),
     ("export",),
     ("study",),
+    ("control",),
     ("plan",),
     ("simulate",),
     ("verify",),

@@ -1,1 +1,1 @@
-"""Following a programme on a real stand: mismatch, plant, sampled loop, trim; how well it follows and what limits it."""
+"""Following a programme on a real stand: gains, stability, mismatch, sampled loop, trim; what limits it."""
