@@ -71,7 +71,14 @@ class Controller:
         return 0 if self._trim is None else int(self._trim.rounds)
 
     def step(
-        self, phase: float, q: Array | None, phi_ref: Array, phi_dot_ref: Array, tau_ff: Array, phi: Array, phi_dot: Array
+        self,
+        phase: float,
+        q: Array | None,
+        phi_ref: Array,
+        phi_dot_ref: Array,
+        tau_ff: Array,
+        phi: Array,
+        phi_dot: Array,
     ) -> Array:
         """Torques (N, N m) of a sample. Raises StateError where the C refuses what it is given.
 

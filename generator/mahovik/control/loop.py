@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -25,11 +25,12 @@ from mahovik.control.wanted import Wanted
 from mahovik.errors import StateError
 from mahovik.motion.servo import Servo
 from mahovik.plan.array import Array
+from mahovik.plan.forward import equilibrium
 from mahovik.plan.residual import Mechanics
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 
-STARTS = ("settled", "programme")
+STARTS = ("settled", "programme", "rest")
 
 LOST = math.pi
 """rad: a flywheel so far from its programme is lost: another turn is nearer."""
@@ -45,7 +46,8 @@ class Case:
     wanted   the stand of the file, its programme and motion: all that firmware and generator know
     real     the stand as it is
     design   of the trim; None: no trim
-    start    "settled": the periodic motion of the real stand, flywheels on the programme; "programme": the required state
+    start    "settled": the periodic motion of the real stand, flywheels on the programme; "programme": the required
+             state; "rest": its rest, and first the programme's run-up
     """
 
     wanted: Wanted
@@ -57,8 +59,16 @@ class Case:
     backend: str = "c"
 
     @property
-    def samples(self) -> int:
-        """Steps of the run."""
+    def first(self) -> int:
+        """Number of the first sample: the programme begins at 0, a run-up before it."""
+        table = self.wanted.programme.runup
+        if self.start != "rest" or table is None:
+            return 0
+        return -math.ceil(table.duration / self.servo.period * (1.0 - 1e-12))
+
+    @property
+    def last(self) -> int:
+        """Number of the last sample."""
         return math.ceil(self.periods * self.wanted.motion.span / self.servo.period * (1.0 - 1e-12))
 
 
@@ -70,17 +80,18 @@ def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> R
     """
     start = starting_state(case)
     own = plant(case.real, start, case.backend)
-    record = Record.empty(case.wanted, case.samples, case.servo.period, start)
-    loop = _Loop(case, own, record)
+    record = Record.empty(case.wanted, case.first, case.last, case.servo.period, start)
+    loop, n = _Loop(case, own, record), case.first
     try:
-        for n in range(case.samples + 1):
+        for n in range(case.first, case.last + 1):
             loop.sample(n)
             if progress is not None and n % 100 == 0:
                 progress(n * case.servo.period)
     except StateError as error:
-        record.end(n, str(error))
+        record.end(n - case.first, str(error))
     except KeyboardInterrupt:
-        record.end(n, f"stopped at t = {n * case.servo.period:.6g} s of {case.samples * case.servo.period:.6g} s")
+        T = case.servo.period
+        record.end(n - case.first, f"stopped at t = {n * T:.6g} s of {case.last * T:.6g} s")
         record.interrupted = True
     record.rounds, record.limited = loop.controller.rounds, loop.controller.limited
     return record
@@ -92,8 +103,13 @@ def starting_state(case: Case) -> State:
     count = nodes(wanted.motion, wanted.programme)
     mechanics = Mechanics.of(case.real)
     orbit = along_required(mechanics, wanted.motion, wanted.programme, count)
-    y = settled(mechanics, wanted.motion, wanted.programme, count) if case.start == "settled" else orbit.y[0]
-    angles = wanted.programme.at(np.zeros(1))
+    angles = wanted.angles(np.array([case.first * case.servo.period]))
+    if case.start == "rest":
+        y = equilibrium(orbit.chart, angles.phi[0]).y
+    elif case.start == "programme":
+        y = orbit.y[0]
+    else:
+        y = settled(mechanics, wanted.motion, wanted.programme, count)
     return state_of(case.real, orbit.chart, y, angles.phi[0], angles.phi_dot[0])
 
 
@@ -110,9 +126,11 @@ class _Loop:
         self._whole = math.floor(late + 1e-9)
         self._part = max(0.0, late - self._whole) * case.servo.period
         self._waiting: deque[Array] = deque()
-        self._history = _History(own, max(float(self._encoders.latency.max(initial=0.0)), case.servo.period))
+        self._history = _History(
+            own, case.first * case.servo.period, max(float(self._encoders.latency.max(initial=0.0)), case.servo.period)
+        )
         self._before: Array | None = None
-        self._chunk = -1
+        self._chunk: int | None = None
 
     def sample(self, n: int) -> None:
         """Measures, commands, records the sample n, and goes on to the next."""
@@ -122,8 +140,8 @@ class _Loop:
         phi, phi_dot = self._measured(t)
         required = self._required[i]
         q = coordinates(case.real.angles, own.position[None], own.attitude[None], required[None])[0]
-        phase = (t / self._wanted.motion.span) % 1.0
-        measured = q if self.controller.trims else None
+        phase = math.fmod(t / self._wanted.motion.span, 1.0) if t >= 0.0 else 0.0
+        measured = q if self.controller.trims and n >= 0 else None
         command = self.controller.step(phase, measured, self._phi[i], self._phi_dot[i], self._tau[i], phi, phi_dot)
         corrections = self.controller.corrections
         apart = self._apart(i, own.phi, phase, corrections)
@@ -131,8 +149,8 @@ class _Loop:
         if not abs(apart[worst]) < LOST:
             name = case.real.flywheels[worst].name
             raise StateError(f"at t = {t:.6g} s the loop is lost: {name} is half a turn from its programme")
-        self._record.put(n, t, own, q, required, apart, command, corrections)
-        if n < case.samples:
+        self._record.put(n - case.first, t, own, q, required, apart, command, corrections)
+        if n < case.last:
             self._go_on(t, command)
 
     def _go_on(self, t: float, command: Array) -> None:
@@ -161,11 +179,11 @@ class _Loop:
             phi, phi_dot = np.empty((len(t), len(late))), np.empty((len(t), len(late)))
             for each in np.unique(late):
                 own = late == each
-                phi[:, own] = wanted.programme.at(t - each).phi[:, own]
-                phi_dot[:, own] = wanted.programme.at(t - each - half).phi_dot[:, own]
-            self._phi, self._phi_dot, self._true = phi, phi_dot, wanted.programme.at(t).phi
+                phi[:, own] = wanted.angles(t - each).phi[:, own]
+                phi_dot[:, own] = wanted.angles(t - each - half).phi_dot[:, own]
+            self._phi, self._phi_dot, self._true = phi, phi_dot, wanted.angles(t).phi
             self._tau = wanted.torques(t + self._servo.latency + T / 2.0)
-            self._required = wanted.motion.at(t, wanted.programme.bias).q
+            self._required = wanted.required(t)
         return i
 
     def _measured(self, t: float) -> tuple[Array, Array]:
@@ -190,10 +208,10 @@ class _Loop:
 class _History:
     """Angles of the last moments, by cubic Hermite; before the first, speeds are taken as even."""
 
-    def __init__(self, own: Plant, span: float) -> None:
+    def __init__(self, own: Plant, begin: float, span: float) -> None:
         self._plant, self._span = own, span
         self._rows: deque[tuple[float, Array, Array]] = deque()
-        self.add(0.0)
+        self.add(begin)
 
     def add(self, t: float) -> None:
         self._rows.append((t, self._plant.phi.copy(), self._plant.phi_dot.copy()))
@@ -234,22 +252,16 @@ def step_error(case: Case, record: Record, periods: int = 2) -> float:
     if case.backend != "c" or count < 1:
         return 0.0
     finer = plant(case.real, record.start, case.backend, finer=2)
-    replayed = Record.empty(case.wanted, count, case.servo.period, record.start)
+    apart = 0.0
     late = case.servo.latency / case.servo.period
     whole = math.floor(late + 1e-9)
     part = max(0.0, late - whole) * case.servo.period
     for n in range(count + 1):
-        t = n * case.servo.period
-        required = record.required[n]
-        q = coordinates(case.real.angles, finer.position[None], finer.attitude[None], required[None])[0]
-        replayed.put(n, t, finer, q, required, record.apart[n], record.command[n], record.corrections[n])
+        t = record.t[n]
+        q = coordinates(case.real.angles, finer.position[None], finer.attitude[None], record.required[n][None])[0]
+        apart = max(apart, float(np.abs(q - record.q[n]).max()))
         old, new = (record.command[max(0, n - whole - k)] for k in (1, 0))
         if part > 1e-12 * case.servo.period:
             finer.advance(old, t, t + part)
         finer.advance(new, t + part, t + case.servo.period)
-    return float(np.abs(replayed.q - record.q[: count + 1]).max())
-
-
-def without_trim(case: Case) -> Case:
-    """The case with the trim switched off."""
-    return replace(case, design=None, servo=replace(case.servo, trim=None))
+    return apart

@@ -49,11 +49,12 @@ class Record:
     limited: int = 0
 
     @staticmethod
-    def empty(wanted: Wanted, samples: int, period: float, start: State) -> Record:
-        """For so many samples after the first."""
-        M, N = samples + 1, len(wanted.stand.flywheels)
+    def empty(wanted: Wanted, first: int, last: int, period: float, start: State) -> Record:
+        """For samples of these numbers."""
+        t = period * np.arange(first, last + 1)
+        M, N = len(t), len(wanted.stand.flywheels)
         widths = (3, 4, 6, N, N, N, 6, 6, N, N)
-        return Record(wanted, start, period * np.arange(M), *(np.zeros((M, w)) for w in widths), np.zeros((M, N, 1)))
+        return Record(wanted, start, t, *(np.zeros((M, w)) for w in widths), np.zeros((M, N, 1)))
 
     def put(
         self, n: int, t: float, own: Plant, q: Array, required: Array, apart: Array, command: Array, corrections: Array

@@ -101,7 +101,9 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     G = seen.reshape(len(unit), -1)
     moving = np.tile(k > 0, len(trim.coordinates))
     scaled = (G / unit[:, None])[moving]
-    spill = above.reshape(-1, G.shape[1]) / np.repeat(_units(mechanics)[list(trim.coordinates)], above.shape[1])[:, None]
+    spill = (
+        above.reshape(-1, G.shape[1]) / np.repeat(_units(mechanics)[list(trim.coordinates)], above.shape[1])[:, None]
+    )
     spill *= SPILL / np.linalg.norm(scaled, 2)
     norm = np.diag(np.tile(1.0 + k**2.0, mechanics.N)) + spill.T @ spill
     weight = np.linalg.inv(np.linalg.cholesky(norm)).T  # corrections weight z have the norm |z|
@@ -186,7 +188,11 @@ def _window(orbit: Orbit, trim: Trim, matrix: Array, G: Array, basis: Array) -> 
     """
     Phi, periods = orbit.monodromy, trim.settling + trim.averaging
     powers = (np.linalg.matrix_power(Phi, n) for n in range(trim.settling, periods))
-    Q = _terms(orbit, orbit.free, trim, trim.harmonics).reshape(matrix.shape[1], 12) @ sum(powers, np.zeros((12, 12))) / trim.averaging
+    Q = (
+        _terms(orbit, orbit.free, trim, trim.harmonics).reshape(matrix.shape[1], 12)
+        @ sum(powers, np.zeros((12, 12)))
+        / trim.averaging
+    )
     X = orbit.response(_basis(orbit, trim.harmonics))[0].reshape(12, -1) @ basis
     over, loss = np.linalg.matrix_power(Phi, periods), np.linalg.pinv(basis) @ matrix
     top = np.hstack([over, (np.eye(12) - over) @ X])
