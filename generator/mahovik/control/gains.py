@@ -89,8 +89,8 @@ def samples(servo: Servo, span: float, source: str = "servo") -> tuple[int, int]
     exact = Fraction(repr(span)) / Fraction(repr(servo.period))
     if exact < LEAST_SAMPLES:
         raise CheckError(
-            f"{source}: sample_period {servo.period:g} s: {float(exact):.3g} samples in a period of {span:g} s, expected "
-            f"at least {LEAST_SAMPLES}; nothing was written"
+            f"{source}: sample_period {servo.period:g} s: {float(exact):.3g} samples in a period of {span:g} s, "
+            f"expected at least {LEAST_SAMPLES}; nothing was written"
         )
     if exact.numerator > MOST_TICKS:
         exact = exact.limit_denominator(max(1, math.floor(MOST_TICKS / exact) - 1))
