@@ -73,6 +73,13 @@ def servo_files(
     return files | {f"{name}.json": printer.manifest(files, what)}
 
 
+def servo_program_text(
+    name: str, stand: Stand, program: Program, form: ServoForm, tables: ServoTables, **more: Any
+) -> str:
+    """A program of the template `name` that runs the servos of these tables."""
+    return _Printer(stand, program, form, tables).rendered(name, **more)
+
+
 class _Names(Names):
     """As the stand's, but for the word: its header has none."""
 

@@ -11,13 +11,14 @@ import numpy as np
 
 from mahovik.control.gains import gains, rotor_inertia, samples
 from mahovik.control.stability import Margins, check, delay
+from mahovik.control.trim import TrimDesign, design_trim, trim_members
 from mahovik.emit.generate import PRECISIONS
 from mahovik.emit.literal import real_literal
 from mahovik.emit.servo import ServoTables, servo_files
 from mahovik.errors import UsageError
 from mahovik.export.programme import Exported, export_programme
 from mahovik.lower.layout import Layout
-from mahovik.lower.servo.form import ServoForm
+from mahovik.lower.servo.form import ServoForm, TrimForm
 from mahovik.lower.servo.golden import golden
 from mahovik.lower.servo.program import lower_servo
 from mahovik.motion.programme import Programme
@@ -67,12 +68,16 @@ def export_servo(
     found = check(stand, servo, sources[1])
     ticks, periods = samples(servo, programme.span, sources[1])
     layout = Layout(structure(stand), PRECISIONS[real])
-    trim, design = None, None
+    trim, design, lines = None, None, said(stand, servo, found, ticks, periods)
+    if servo.trim is not None and motion is not None:
+        made = design_trim(stand, motion, programme, servo.trim)
+        trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics)
+        design = trim_members(made, motion, programme, servo.period)
+        lines = (*lines, said_of_trim(made))
     tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0])
     form = ServoForm(layout.count, trim)
     program = lower_servo(layout, form)
     values = gains(stand, servo, programme.span)
-    lines = said(stand, servo, found, ticks, periods)
     tables = ServoTables(values, design, servo.period, ticks, periods, lines, _loop(layout, programme, motion, servo))
     files = servo_files(stand, program, form, tables, golden(program, form, values, design), servo.name)
     return ExportedServo(files, tabled, lines, program, form, tables, found, tables.loop)
@@ -93,10 +98,17 @@ def said(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -
         f"{found.phase:.0f} deg, {found.delay * 1e3:.2f} ms of further delay; on this carrier rotors are up to "
         f"{found.lightness:.3f} times as light",
     ]
-    if servo.trim is not None:
-        names = ", ".join(COORDINATES[i] for i in servo.trim.coordinates)
-        lines.append(f"trim: mean and {servo.trim.harmonics} harmonics by {names}; gain {servo.trim.gain:g}")
     return tuple(lines)
+
+
+def said_of_trim(made: TrimDesign) -> str:
+    """What the trim corrects, and how fast."""
+    trim = made.trim
+    names = ", ".join(COORDINATES[i] for i in trim.coordinates)
+    return (
+        f"trim: {trim.harmonics} harmonics of {names}, {made.rank} directions; a round of "
+        f"{trim.settling + trim.averaging} periods leaves {made.radius:.3f} of an error, by the nominal model"
+    )
 
 
 def _loop(layout: Layout, programme: Programme, motion: RequiredMotion | None, servo: Servo) -> dict[str, Any]:
