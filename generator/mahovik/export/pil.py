@@ -18,8 +18,13 @@ _COUNT = re.compile(r"(# )?(.+?) (\d+)")
 
 @dataclass(frozen=True)
 class Run:
-    """What a board printed. torques: a line a sample, the bits; followed: largest error of an angle in the last part, rad;
-    limited: samples with a torque cut; counts: the board's own, by what they count."""
+    """What a board printed.
+
+    torques    a line a sample: the bits
+    followed   largest error of an angle in the last quarter, rad
+    limited    samples with a torque cut
+    counts     the board's own, by what they count
+    """
 
     torques: tuple[str, ...]
     followed: float
@@ -33,9 +38,7 @@ def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, 
     Raises UsageError where the structures differ.
     """
     if identities(stand).structure != identities(real_stand).structure:
-        raise UsageError(
-            f'"{real_stand.name}" has another structure than "{stand.name}": their numbers only may differ'
-        )
+        raise UsageError(f'"{real_stand.name}" another structure than "{stand.name}", only numbers may differ')
     precision = made.program.precision
     generated, other = generate_all(stand, precision.name), generate_all(real_stand, precision.name)
     words = "as its file says" if real_stand == stand else "with other numbers than its file"
