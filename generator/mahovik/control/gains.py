@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.errors import CheckError
 from mahovik.motion.servo import Servo
 from mahovik.reference.bodies import fixed_bodies, spinning_bodies
 from mahovik.reference.mass import coupling, mass_matrix, spin_inertia
@@ -33,8 +34,10 @@ NONE = 1e9
 PHASES, SEED = 32, 1986
 """Angles of all flywheels at which `lightness` is looked for, drawn by seed."""
 
-MOST_TICKS = 100_000
-"""Samples of the shortest stretch of whole periods."""
+LEAST_SAMPLES = 4
+"""Of a period."""
+MOST_TICKS = 2**31 - 1
+"""What the clock of a programme can count."""
 
 
 @dataclass(frozen=True)
@@ -78,13 +81,20 @@ def lightness(stand: Stand) -> float:
     return largest
 
 
-def ticks(servo: Servo, span: float) -> tuple[int, int] | None:
-    """(ticks, periods): so many samples are so many periods of `span` s; None where no such numbers are small."""
-    exact = Fraction(str(span)) / Fraction(str(servo.period))
-    found = exact.limit_denominator(1000)
-    if found.numerator > MOST_TICKS or abs(found / exact - 1) > Fraction(1, 10**9) or found < 2:
-        return None
-    return found.numerator, found.denominator
+def samples(servo: Servo, span: float, source: str = "servo") -> tuple[int, int]:
+    """(ticks, periods): so many samples are so many periods of `span` s, by the decimal numbers of both files.
+
+    CheckError where there are fewer than LEAST_SAMPLES samples a period.
+    """
+    exact = Fraction(repr(span)) / Fraction(repr(servo.period))
+    if exact < LEAST_SAMPLES:
+        raise CheckError(
+            f"{source}: sample_period {servo.period:g} s: {float(exact):.3g} samples in a period of {span:g} s, "
+            f"expected at least {LEAST_SAMPLES}; nothing was written"
+        )
+    if exact.numerator > MOST_TICKS:
+        exact = exact.limit_denominator(max(1, math.floor(MOST_TICKS / exact) - 1))
+    return exact.numerator, exact.denominator
 
 
 def gains(stand: Stand, servo: Servo, span: float | None = None) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from mahovik import __version__
@@ -37,6 +37,7 @@ class ServoTables:
     period           between samples, s
     ticks, periods   so many samples are so many periods of the programme; None where no programme is known
     lines            what was computed, a line each
+    loop             what the example and its page have besides
     """
 
     gains: Mapping[str, Any]
@@ -45,6 +46,7 @@ class ServoTables:
     ticks: int | None = None
     periods: int | None = None
     lines: tuple[str, ...] = ()
+    loop: Mapping[str, Any] = field(default_factory=dict)
 
 
 def servo_code(stand: Stand, program: Program, form: ServoForm, tables: ServoTables) -> dict[str, str]:
@@ -69,6 +71,13 @@ def servo_files(
         f"{name}.md": printer.page(),
     }
     return files | {f"{name}.json": printer.manifest(files, what)}
+
+
+def servo_program_text(
+    name: str, stand: Stand, program: Program, form: ServoForm, tables: ServoTables, **more: Any
+) -> str:
+    """A program of the template `name` that runs the servos of these tables."""
+    return _Printer(stand, program, form, tables).rendered(name, **more)
 
 
 class _Names(Names):
@@ -172,6 +181,7 @@ class _Printer:
             periods=tables.periods,
             lines=tables.lines,
             facts=[text for line in tables.lines for text in paragraph(line, " *   ", " *     ")],
+            **tables.loop,
             **more,
         )
 

@@ -12,15 +12,15 @@ REAL, INT = Kind.REAL, Kind.INT
 
 @dataclass(frozen=True)
 class TrimForm:
-    """Coordinates of the carrier that are measured, and the highest harmonic that is corrected, 1 or more."""
+    """Which of x, y, z, psi, theta, phi of the carrier are measured, by number, and the highest harmonic, 1 or more."""
 
-    coordinates: int
+    coordinates: tuple[int, ...]
     harmonics: int
 
     @cached_property
     def measured(self) -> NamedCount:
         """Coordinates."""
-        return NamedCount("TRIM_COORDINATES", self.coordinates, "measured coordinates of the carrier")
+        return NamedCount("TRIM_COORDINATES", len(self.coordinates), "measured coordinates of the carrier")
 
     @cached_property
     def terms(self) -> NamedCount:

@@ -24,7 +24,7 @@ LISTED = 3
 SWEEP = 200
 """Samples of a run, all of which are in its hash."""
 
-LARGEST = {"phi_ref": 4.0, "phi_dot_ref": 64.0, "tau_ff": 4.0, "angle_error": 0.25, "speed_error": 2.0, "q": 2.0**-7}
+LARGEST = {"phi_ref": 4.0, "phi_dot_ref": 64.0, "tau_ff": 4.0, "angle_error": 0.25, "speed_error": 2.0, "pose": 2.0**-7}
 """Magnitudes of what is drawn: powers of two, so that scaling is exact."""
 
 SETTLING, WINDOW = 3, 20
@@ -106,11 +106,13 @@ def _trim(interpreter: Interpreter, precision: Precision, form: ServoForm, desig
     state = interpreter.run("trim_reset", {})[1]["state"]
     filled = interpreter.filled(form.design, {**design, "settling": SETTLING, "window": WINDOW})
     for _ in range(SWEEP):
+        phase, pose = drawn.phase(), drawn.reals(6, LARGEST["pose"])
+        given = {"position": pose[:3], "attitude": [1.0, *pose[3:]]}
         inputs = {
             "design": filled,
             "state": state,
-            "phase": drawn.phase(),
-            "q": drawn.reals(int(form.trim.measured), LARGEST["q"]),
+            "phase": phase,
+            "q": interpreter.run("trim_coordinates", given)[1]["q"],
             "phi": drawn.reals(n, LARGEST["phi_ref"]),
             "phi_dot": drawn.reals(n, LARGEST["phi_dot_ref"]),
             "tau": drawn.reals(n, LARGEST["tau_ff"]),

@@ -187,7 +187,7 @@ def _trim(top: Section) -> Trim | None:
         harmonics=_whole(section, "harmonics", 1, 1, MOST_HARMONICS),
         gain=_between(section, "gain", 0.5, 1.0),
         coordinates=_coordinates(section),
-        settling=_whole(section, "settling", 10, 0, 10**6),
+        settling=_whole(section, "settling", 20, 0, 10**6),
         averaging=_whole(section, "averaging", 1, 1, 10**6),
         limit=_limit(section),
     )
