@@ -28,7 +28,7 @@ MEASURED = 10
 SETTLING = 30
 """Periods before them, where nothing else is asked for and no trim runs."""
 
-LEFT, MOST_ROUNDS = 1e-3, 60
+LEFT, MOST_ROUNDS = 1e-2, 60
 """A trim runs until this part of the error is left, or so often."""
 
 

@@ -37,7 +37,7 @@ class Controller:
     def __init__(self, wanted: Wanted, servo: Servo, design: TrimDesign | None) -> None:
         stand, N = wanted.stand, len(wanted.stand.flywheels)
         members = None if design is None else trim_members(design, wanted.motion, wanted.programme, servo.period)
-        trim = None if design is None else (len(design.trim.coordinates), design.trim.harmonics)
+        trim = None if design is None else (design.trim.coordinates, design.trim.harmonics)
         self._library = library = _compiled(stand, trim)
         ffi, name = library.ffi, stand.name
         self._prefix, self._feedforward = name, servo.feedforward
@@ -104,8 +104,8 @@ class Controller:
 
 
 @lru_cache(maxsize=4)
-def _compiled(stand: Stand, trim: tuple[int, int] | None) -> Library:
-    """The C of servos for a stand; `trim`: measured coordinates and harmonics. Raises ToolchainError."""
+def _compiled(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library:
+    """The C of servos for a stand; `trim`: measured coordinates, harmonics. Raises ToolchainError."""
     made = generate_all(stand, "double")
     form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim))
     tables = ServoTables(_zeros(form.gains), None if trim is None else _zeros(form.design), 1.0)
