@@ -1,4 +1,4 @@
-"""`mahovik simulate --programme`: a programme followed by sampled servos on a stand that is not quite that of the file."""
+"""`mahovik simulate --programme`: a programme followed by sampled servos, on a stand not quite that of the file."""
 
 from __future__ import annotations
 
@@ -241,8 +241,8 @@ def _print(
     flywheels = [s.name for s in case.wanted.stand.flywheels]
     furthest, strongest = int(np.argmax(found.apart)), int(np.argmax(np.abs(record.tau).max(axis=0)))
     click.echo(
-        f"error of the carrier {100 * found.share:.3g} % of its amplitude (rms {100 * found.share_rms:.3g} %), about its "
-        f"mean, over the last {found.periods} of {case.periods} periods; mismatch {mismatch}, seed {seed}"
+        f"error of the carrier {100 * found.share:.3g} % of its amplitude (rms {100 * found.share_rms:.3g} %), about "
+        f"its mean, over the last {found.periods} of {case.periods} periods; mismatch {mismatch}, seed {seed}"
     )
     click.echo(
         f"flywheels: at most {1e3 * found.apart[furthest]:.3g} mrad from the programme ({flywheels[furthest]}); "
@@ -251,8 +251,8 @@ def _print(
     )
     if case.design is not None:
         click.echo(
-            f"trim: {record.rounds} rounds; an error falls to {case.design.radius:.3g} a round; the settled trim converges "
-            f"while its model is less than {100 * case.design.margin:.2g} % wrong"
+            f"trim: {record.rounds} rounds; an error falls to {case.design.radius:.3g} a round; the settled trim "
+            f"converges while its model is less than {100 * case.design.margin:.2g} % wrong"
         )
     if limits:
         causes = table("what limits it", "alone>", "without it>", "", title=None)

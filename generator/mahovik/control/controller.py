@@ -95,7 +95,7 @@ class Controller:
                 rows[2] = 0.0
         status = self._check(self._servo_step(self._gains, self._servo, *self._places))
         self.limited += bool(status & _LIMITED)
-        return rows[5].copy()
+        return np.array(rows[5])
 
     def _check(self, status: int) -> int:
         if status < 0:

@@ -174,7 +174,7 @@ class _Loop:
         if chunk != self._chunk:
             self._chunk = chunk
             T, wanted = self._servo.period, self._wanted
-            t = T * np.arange(chunk * _CHUNK, (chunk + 1) * _CHUNK)
+            t: Array = T * np.arange(chunk * _CHUNK, (chunk + 1) * _CHUNK, dtype=np.float64)
             late, half = self._encoders.latency, 0.0 if self._ideal else T / 2.0
             phi, phi_dot = np.empty((len(t), len(late))), np.empty((len(t), len(late)))
             for each in np.unique(late):

@@ -51,10 +51,16 @@ class Record:
     @staticmethod
     def empty(wanted: Wanted, first: int, last: int, period: float, start: State) -> Record:
         """For samples of these numbers."""
-        t = period * np.arange(first, last + 1)
+        t: Array = period * np.arange(first, last + 1, dtype=np.float64)
         M, N = len(t), len(wanted.stand.flywheels)
-        widths = (3, 4, 6, N, N, N, 6, 6, N, N)
-        return Record(wanted, start, t, *(np.zeros((M, w)) for w in widths), np.zeros((M, N, 1)))
+
+        def rows(width: int) -> Array:
+            return np.zeros((M, width))
+
+        return Record(
+            wanted, start, t, rows(3), rows(4), rows(6), rows(N), rows(N), rows(N), rows(6), rows(6), rows(N), rows(N),
+            np.zeros((M, N, 1)),
+        )  # fmt: skip
 
     def put(
         self, n: int, t: float, own: Plant, q: Array, required: Array, apart: Array, command: Array, corrections: Array
@@ -70,10 +76,9 @@ class Record:
 
     def end(self, rows: int, why: str) -> None:
         """Keeps the first rows alone."""
-        for name in (
-            "t", "position", "attitude", "V", "phi", "phi_dot", "tau", "q", "required", "apart", "command", "corrections",
-        ):  # fmt: skip
-            setattr(self, name, getattr(self, name)[:rows])
+        for name, value in vars(self).items():
+            if isinstance(value, np.ndarray):
+                setattr(self, name, value[:rows])
         self.stopped = why
 
     def run(self) -> Run:

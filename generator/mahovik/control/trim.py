@@ -47,8 +47,8 @@ class TrimDesign:
 
     trim       what is wanted
     span       period of the programme, s
-    response   G (C T, N T), T = 2 H + 1: mean, cos 1, sin 1, cos 2, ... of each measured coordinate in turn (m, rad) by the
-               mean, cos 1, sin 1, ... of each flywheel in turn (rad)
+    response   G (C T, N T), T = 2 H + 1: mean, cos 1, sin 1, cos 2, ... of each measured coordinate in turn (m, rad)
+               by the mean, cos 1, sin 1, ... of each flywheel in turn (rad)
     matrix     g G^+ (N T, C T): what corrections lose by the error; zero by its means, which nobody corrects
     unit       (C T): a metre, or what is as much in each row, by the inertia
     theta      (N): f^T Theta_s f, kg m2: torque of a correction's acceleration
@@ -157,7 +157,7 @@ def _basis(orbit: Orbit, H: int) -> Array:
 def _averages(H: int, M: int) -> Array:
     """(T, M): mean, cos, sin, cos 2, ... of M even samples of a period."""
     a = 2.0 * np.pi * np.outer(np.arange(1, H + 1), np.arange(M)) / M
-    found = np.full((2 * H + 1, M), 1.0 / M)
+    found: Array = np.full((2 * H + 1, M), 1.0 / M, dtype=np.float64)
     found[1::2], found[2::2] = 2.0 / M * np.cos(a), 2.0 / M * np.sin(a)
     return found
 
@@ -171,7 +171,7 @@ def _terms(orbit: Orbit, states: Array, trim: Trim, harmonics: int) -> Array:
     """(C, T, n): mean, cos, sin ... of the measured coordinates for states (M + 1, 12, ...) of a period."""
     flat = states[:-1, :6].reshape(len(states) - 1, 6, -1)
     q = (orbit.coordinates()[:-1] @ flat)[:, list(trim.coordinates)]
-    return np.einsum("tm,mcn->ctn", _averages(harmonics, len(q)), q)
+    return np.asarray(np.einsum("tm,mcn->ctn", _averages(harmonics, len(q)), q))
 
 
 def _units(mechanics: Mechanics) -> Array:

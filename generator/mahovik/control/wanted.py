@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from mahovik.errors import UsageError
@@ -61,7 +62,7 @@ class Wanted:
         return q
 
     def torques(self, t: Array) -> Array:
-        """Drive torques (M, N; N m) of the nominal stand at times t (M, s): at the required motion, or on the run-up."""
+        """Drive torques (M, N; N m) of the nominal stand at times t (M, s), at the required motion or on the run-up."""
         coefficients, k = self._coefficients
         turns = np.outer((t / self.motion.span) % 1.0, k)
         found = np.real(np.exp(2j * np.pi * turns) @ coefficients)
@@ -87,7 +88,7 @@ class Wanted:
         return lambda times: spline(np.maximum(times, -table.duration))
 
     @cached_property
-    def _coefficients(self) -> tuple[Array, Array]:
+    def _coefficients(self) -> tuple[NDArray[np.complex128], Array]:
         """Harmonics of the drive torques, complex (H, N): mean first; and their numbers (H)."""
         t = self.motion.span * np.arange(TORQUES) / TORQUES
         at = prescribe(Mechanics.of(self.stand), self.motion.at(t), self.programme.bias)
@@ -95,7 +96,7 @@ class Wanted:
         found[1:] *= 2.0
         size = np.abs(found).max(axis=1)
         last = int(np.flatnonzero(size > _TAIL * size.max(initial=1e-300)).max(initial=0))
-        return found[: last + 1], np.arange(last + 1.0)
+        return found[: last + 1], np.arange(0.0, last + 1.0)
 
 
 def tabulated(programme: Programme, rows: int) -> Programme:
