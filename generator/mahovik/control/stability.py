@@ -50,7 +50,8 @@ class Loop:
         z = np.exp(1j * omega * self.period)
         n = len(self.B)
         right = np.broadcast_to(self.B[:, None], (len(z), n, 1))
-        return -(np.linalg.solve(z[:, None, None] * np.eye(n) - self.A, right)[..., 0] @ self.C)
+        states = np.linalg.solve(z[:, None, None] * np.eye(n) - self.A, right)[..., 0]
+        return np.asarray(-states @ self.C, dtype=np.complex128)
 
 
 @dataclass(frozen=True)
