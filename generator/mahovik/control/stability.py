@@ -49,7 +49,9 @@ class Loop:
         """-C (z - A)^-1 B at z = exp(i omega T): the loop's gain, whose place -1 is to be kept away from."""
         z = np.exp(1j * omega * self.period)
         n = len(self.B)
-        return -np.array([self.C @ np.linalg.solve(each * np.eye(n) - self.A, self.B) for each in z])
+        right = np.broadcast_to(self.B[:, None], (len(z), n, 1))
+        states = np.linalg.solve(z[:, None, None] * np.eye(n) - self.A, right)[..., 0]
+        return np.asarray(-states @ self.C, dtype=np.complex128)
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,7 @@ def loop(each: Law, period: float, late: float, light: float, difference: bool) 
     filtered = each.filter * slip
     filtered[3] += 1.0 - each.filter
     A[3] = filtered
-    A[2, 2] = 1.0 if each.integral else 0.0  # without an integral nothing is kept
+    A[2, 2] = 1.0 if each.integral else 0.0  # without an integral nothing moves this state
     A[2, 0] = -each.integral * period
     C += each.speed * filtered
     C[0] -= each.angle
@@ -123,13 +125,16 @@ def loop(each: Law, period: float, late: float, light: float, difference: bool) 
 def margins(stand: Stand, servo: Servo, bandwidth: float | None = None, light: float | None = None) -> Margins:
     """Of the servos of a stand, the worst over lightness 1 to that of the stand; with another bandwidth (rad/s)."""
     most = lightness(stand) if light is None else light
-    each, late = law(servo, bandwidth), delay(stand, servo)
-    loops = [
-        loop(each, servo.period, late, float(g), servo.encoder == "stand") for g in np.geomspace(1.0, most, _GAINS)
-    ]
-    ends = [_margins(one) for one in (loops[0], loops[-1])]
-    gain, less, phase, more = (min(values) for values in zip(*ends, strict=True))
+    loops = _loops(stand, servo, bandwidth, most)
+    found = [(*_ends(one), *_phase(one)) for one in (loops[0], loops[-1])]
+    gain, less, phase, more = (min(values) for values in zip(*found, strict=True))
     return Margins(max(one.radius() for one in loops), gain, less, phase, more, most)
+
+
+def _loops(stand: Stand, servo: Servo, bandwidth: float | None, most: float) -> list[Loop]:
+    """From lightness 1 to the most."""
+    each, late, encoders = law(servo, bandwidth), delay(stand, servo), servo.encoder == "stand"
+    return [loop(each, servo.period, late, float(light), encoders) for light in np.geomspace(1.0, most, _GAINS)]
 
 
 def check(stand: Stand, servo: Servo, source: str) -> Margins:
@@ -157,15 +162,24 @@ def check(stand: Stand, servo: Servo, source: str) -> Margins:
 
 def highest_bandwidth(stand: Stand, servo: Servo, light: float) -> float | None:
     """The highest accepted bandwidth below the servo's, rad/s, by halving and bisection; None where there is none."""
+
+    def enough(bandwidth: float) -> bool:
+        loops = _loops(stand, servo, bandwidth, light)
+        factors = np.geomspace(1.0 / GAIN, GAIN, _GAINS)
+        ends = (loops[0], loops[-1])
+        return all(one.radius(float(f)) < 1.0 for one in ends for f in factors) and all(
+            _phase(one)[0] >= PHASE for one in ends
+        )
+
     high = servo.bandwidth
     low = high / 2
-    while not margins(stand, servo, low, light).accepted:
+    while not enough(low):
         high, low = low, low / 2
-        if low < servo.bandwidth * 2.0**-20:
+        if low < servo.bandwidth * 2.0**-8:
             return None
-    while high / low > 1.001:
+    while high / low > 1.002:
         middle = math.sqrt(high * low)
-        if margins(stand, servo, middle, light).accepted:
+        if enough(middle):
             low = middle
         else:
             high = middle
@@ -192,8 +206,8 @@ def _ends(one: Loop) -> tuple[float, float]:
     return found[0], found[1]
 
 
-def _margins(one: Loop) -> tuple[float, float, float, float]:
-    """Gain up, gain down, phase (degrees), delay (s) of one stable loop; the latter two by its frequency response."""
+def _phase(one: Loop) -> tuple[float, float]:
+    """Margins of phase (degrees) and delay (s) of one stable loop, by its frequency response."""
     omega = np.geomspace(1e-5, 1.0, _POINTS) * np.pi / one.period
     L = one.response(omega)
     size, angle = np.abs(L), np.unwrap(np.angle(L))
@@ -204,7 +218,7 @@ def _margins(one: Loop) -> tuple[float, float, float, float]:
         crossing = float(omega[i] * (omega[i + 1] / omega[i]) ** share)
         left = (at + 2 * np.pi) % (2 * np.pi) - np.pi  # from -180 degrees, within half a turn
         phase, more = min(phase, math.degrees(left)), min(more, left / crossing)
-    return (*_ends(one), phase, more)
+    return phase, more
 
 
 def _down(value: float) -> str:

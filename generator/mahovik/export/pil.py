@@ -38,7 +38,7 @@ def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, 
     Raises UsageError where the structures differ.
     """
     if identities(stand).structure != identities(real_stand).structure:
-        raise UsageError(f'"{real_stand.name}" another structure than "{stand.name}", only numbers may differ')
+        raise UsageError(f'"{real_stand.name}": another structure than "{stand.name}", only numbers may differ')
     precision = made.program.precision
     generated, other = generate_all(stand, precision.name), generate_all(real_stand, precision.name)
     words = "as its file says" if real_stand == stand else "with other numbers than its file"

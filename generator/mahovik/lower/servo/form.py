@@ -17,6 +17,11 @@ class TrimForm:
     coordinates: tuple[int, ...]
     harmonics: int
 
+    @property
+    def angles(self) -> bool:
+        """Are angles of the carrier among them?"""
+        return max(self.coordinates) >= 3
+
     @cached_property
     def measured(self) -> NamedCount:
         """Coordinates."""

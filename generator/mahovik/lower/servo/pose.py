@@ -25,7 +25,7 @@ def coordinates(lib: Library, form: ServoForm) -> Function:
     norm = body.let("norm2", a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3])
     lib.guard(body, Not(both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))), "RANGE")
     chosen = form.trim.coordinates
-    if max(chosen) >= 3:
+    if form.trim.angles:
         C = body.local("C", (9,), comment="row by row")
         body.call(lib["rotation"], a, C)
         angles = _angles(lib, lib.layout.structure.angles, C)

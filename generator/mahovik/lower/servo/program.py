@@ -19,6 +19,7 @@ def lower_servo(layout: Layout, form: ServoForm) -> Program:
     precision = layout.precision
     if form.trim is not None:
         lib.add(routines.sincos(precision))
+    if form.trim is not None and form.trim.angles:
         lib.add(routines.square_root(precision))
         lib.add(routines.atan2(precision))
         lib.add(rotation.rotation())
