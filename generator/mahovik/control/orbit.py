@@ -120,13 +120,13 @@ def settled(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, 
             break
         ends = found.y[-1] - found.y[0]
         if np.abs(ends).max() < 1e-10:
-            return start
+            return np.asarray(start)
         monodromy = found.near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))[-1]
         step = np.linalg.lstsq(np.eye(12) - monodromy, ends, rcond=_SINGULAR)[0]
         left = ends - (np.eye(12) - monodromy) @ step
         start, guess = start + step, found.y + step
         if np.abs(step).max() < 1e-9 or np.abs(left).max() > 0.5 * np.abs(ends).max():
-            return start  # what is left is drift along free directions
+            return np.asarray(start)  # what is left is drift along free directions
     raise CheckError(
         f"{mechanics.stand.name}: with this mismatch no periodic motion is near the required one; take less mismatch, "
         "or begin on the programme: --start programme"

@@ -5,7 +5,8 @@ the harmonics E of the carrier, E = G c + E_0, once it has settled. After each w
 
     c <- c - g G^+ E,
 
-G^+ of least norm (corrections of harmonic k weigh 1 + k^2, as in plan/levenberg), in directions that G reaches. With
+G^+ of least norm (corrections of harmonic k weigh 1 + k^2, as in plan/levenberg, and what they do to the harmonics
+next above weighs as well), in directions that G reaches. With
 the real stand's G' instead of G and a carrier that has settled, errors in those directions go as (1 - g G' G^+)^n, so
 every g up to 1 converges where |(G' - G) G^+| < 1. A carrier that has not settled is taken into account exactly: the
 state at the beginning of a window and c form a linear system from window to window, whose spectral radius decides.
@@ -33,6 +34,9 @@ from mahovik.stand.model import Stand
 QUICK = 8.0
 """Time constants of the corrections' smoothing that the settling has."""
 
+BEYOND, SPILL = 2, 30.0
+"""So many harmonics above those that are corrected shall not suffer: weight of what they get, of G's norm, in G^+."""
+
 REACHED = 1e-3
 """Part of the largest singular value of G, scaled, below which a direction counts as out of reach."""
 
@@ -43,8 +47,8 @@ class TrimDesign:
 
     trim       what is wanted
     span       period of the programme, s
-    response   G (C T, N T), T = 2 H + 1: mean, cos 1, sin 1, cos 2, ... of each measured coordinate in turn (m, rad) by the
-               mean, cos 1, sin 1, ... of each flywheel in turn (rad)
+    response   G (C T, N T), T = 2 H + 1: mean, cos 1, sin 1, cos 2, ... of each measured coordinate in turn (m, rad)
+               by the mean, cos 1, sin 1, ... of each flywheel in turn (rad)
     matrix     g G^+ (N T, C T): what corrections lose by the error; zero by its means, which nobody corrects
     unit       (C T): a metre, or what is as much in each row, by the inertia
     theta      (N): f^T Theta_s f, kg m2: torque of a correction's acceleration
@@ -90,17 +94,25 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     if not programme.periodic:
         raise UsageError("trim: the programme is finite, expected a periodic one; leave [trim] out")
     H, mechanics = trim.harmonics, Mechanics.of(stand)
-    orbit = along_required(mechanics, motion, programme, nodes(motion, programme, H))
+    orbit = along_required(mechanics, motion, programme, nodes(motion, programme, H + BEYOND))
     k = np.array([0, *np.repeat(np.arange(1, H + 1), 2)])  # harmonic of each term
+    seen, above = np.split(_split(orbit, trim), [len(k)], axis=1)
     unit = np.repeat(_units(mechanics)[list(trim.coordinates)], len(k))
-    G = _terms(orbit, orbit.response(_basis(orbit, H)), trim)
+    G = seen.reshape(len(unit), -1)
     moving = np.tile(k > 0, len(trim.coordinates))
-    weight = np.tile(1.0 / np.sqrt(1.0 + k**2), mechanics.N)
-    U, sigma, Vt = np.linalg.svd((G / unit[:, None])[moving] * weight, full_matrices=False)
+    scaled = (G / unit[:, None])[moving]
+    spill = (
+        above.reshape(-1, G.shape[1]) / np.repeat(_units(mechanics)[list(trim.coordinates)], above.shape[1])[:, None]
+    )
+    spill *= SPILL / np.linalg.norm(scaled, 2)
+    norm = np.diag(np.tile(1.0 + k**2.0, mechanics.N)) + spill.T @ spill
+    weight = np.linalg.inv(np.linalg.cholesky(norm)).T  # corrections weight z have the norm |z|
+    U, sigma, Vt = np.linalg.svd(scaled @ weight, full_matrices=False)
     kept = sigma > REACHED * sigma[0]
+    basis = weight @ Vt[kept].T
     matrix = np.zeros((len(weight), len(unit)))
-    matrix[:, moving] = trim.gain * weight[:, None] * (Vt[kept].T / sigma[kept]) @ U[:, kept].T / unit[moving]
-    window = _window(orbit, trim, matrix, G, (Vt[kept] * weight).T)
+    matrix[:, moving] = trim.gain * (basis / sigma[kept]) @ U[:, kept].T / unit[moving]
+    window = _window(orbit, trim, matrix, G, basis)
     found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window)
     if not found.radius < 1.0:
         raise UsageError(
@@ -145,17 +157,21 @@ def _basis(orbit: Orbit, H: int) -> Array:
 def _averages(H: int, M: int) -> Array:
     """(T, M): mean, cos, sin, cos 2, ... of M even samples of a period."""
     a = 2.0 * np.pi * np.outer(np.arange(1, H + 1), np.arange(M)) / M
-    found = np.full((2 * H + 1, M), 1.0 / M)
+    found: Array = np.full((2 * H + 1, M), 1.0 / M, dtype=np.float64)
     found[1::2], found[2::2] = 2.0 / M * np.cos(a), 2.0 / M * np.sin(a)
     return found
 
 
-def _terms(orbit: Orbit, states: Array, trim: Trim) -> Array:
-    """(C T, n): mean, cos, sin ... of the measured coordinates for states (M + 1, 12, ...) of a period."""
+def _split(orbit: Orbit, trim: Trim) -> Array:
+    """(C, T + 2 BEYOND, N T): terms of the measured coordinates, and those above, by all corrections."""
+    return _terms(orbit, orbit.response(_basis(orbit, trim.harmonics)), trim, trim.harmonics + BEYOND)
+
+
+def _terms(orbit: Orbit, states: Array, trim: Trim, harmonics: int) -> Array:
+    """(C, T, n): mean, cos, sin ... of the measured coordinates for states (M + 1, 12, ...) of a period."""
     flat = states[:-1, :6].reshape(len(states) - 1, 6, -1)
     q = (orbit.coordinates()[:-1] @ flat)[:, list(trim.coordinates)]
-    found = np.einsum("tm,mcn->ctn", _averages(trim.harmonics, len(q)), q)
-    return found.reshape(-1, found.shape[2])
+    return np.asarray(np.einsum("tm,mcn->ctn", _averages(harmonics, len(q)), q))
 
 
 def _units(mechanics: Mechanics) -> Array:
@@ -172,7 +188,11 @@ def _window(orbit: Orbit, trim: Trim, matrix: Array, G: Array, basis: Array) -> 
     """
     Phi, periods = orbit.monodromy, trim.settling + trim.averaging
     powers = (np.linalg.matrix_power(Phi, n) for n in range(trim.settling, periods))
-    Q = _terms(orbit, orbit.free, trim) @ sum(powers, np.zeros((12, 12))) / trim.averaging
+    Q = (
+        _terms(orbit, orbit.free, trim, trim.harmonics).reshape(matrix.shape[1], 12)
+        @ sum(powers, np.zeros((12, 12)))
+        / trim.averaging
+    )
     X = orbit.response(_basis(orbit, trim.harmonics))[0].reshape(12, -1) @ basis
     over, loss = np.linalg.matrix_power(Phi, periods), np.linalg.pinv(basis) @ matrix
     top = np.hstack([over, (np.eye(12) - over) @ X])

@@ -68,7 +68,9 @@ class PlantByC:
                 self._drive[s] = drive(motor, float(command[s]), float(before[s] + 0.5 * h * self._rate[s]))
             status = self._step(*arguments)
             if status < 0:
-                raise StateError(f"at t = {begin:.6g} s a step ends with {STATUS_NAMES[status]}: the motion leaves its ranges")
+                raise StateError(
+                    f"at t = {begin:.6g} s a step ends with {STATUS_NAMES[status]}: the motion leaves its ranges"
+                )
             self._rate = (self.phi_dot - before) / h
             turned, expected = self._wrapped - phase, 0.5 * h * (before + self.phi_dot)
             self.phi = self.phi + turned + 2.0 * np.pi * np.round((expected - turned) / (2.0 * np.pi))

@@ -57,5 +57,7 @@ class PlantByReference:
         )
         V_dot, phi_ddot = coupled(reference.pieces(self.stand, state), self._torques(command, y[13 + N :]))
         p, q, r = y[10:13]
-        turning = 0.5 * np.array([-a * p - b * q - c * r, w * p + b * r - c * q, w * q + c * p - a * r, w * r + a * q - b * p])
+        turning = 0.5 * np.array(
+            [-a * p - b * q - c * r, w * p + b * r - c * q, w * q + c * p - a * r, w * r + a * q - b * p]
+        )
         return np.concatenate([quaternion_rotation(w, a, b, c) @ y[7:10], turning, V_dot, y[13 + N :], phi_ddot])
