@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -102,7 +101,6 @@ def test_a_trim_that_does_not_converge_is_told(given: list[str], tmp_path: Path)
 
 def test_a_finite_programme_is_refused(given: list[str], tmp_path: Path) -> None:
     text = json.loads((tmp_path / "P.json").read_text())
-    assert replace(shaker()[2], periodic=False).periodic is False
     text["duration"] = text.pop("period")
     (tmp_path / "P.json").write_text(json.dumps(text))
     assert "P.json" in refused(*given)

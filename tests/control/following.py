@@ -53,6 +53,6 @@ def design() -> TrimDesign:
 def run(share: float, trim: bool) -> Record:
     """Seed 2, from the settled motion; with a trim after ROUNDS corrections."""
     own = servo(trim)
-    periods = ROUNDS * 21 + 10 if trim else 20
+    periods = ROUNDS * 21 + 10 if trim else 12
     real = mismatched(shaker()[0], share, 2)
     return close_loop(Case(wanted(), real, own, periods, design() if trim else None))

@@ -40,7 +40,7 @@ def test_mismatch_disturbs_and_the_trim_takes_its_harmonics_away() -> None:
 
 def test_nothing_is_left_by_finer_steps() -> None:
     own = run(0.0, trim=False)
-    assert 0.0 < step_error(Case(wanted(), shaker()[0], servo(), 20), own) < 1e-9
+    assert 0.0 < step_error(Case(wanted(), shaker()[0], servo(), 12), own) < 1e-9
 
 
 def test_both_plants_go_the_same_way() -> None:

@@ -114,7 +114,7 @@ def loop(each: Law, period: float, late: float, light: float, difference: bool) 
     filtered = each.filter * slip
     filtered[3] += 1.0 - each.filter
     A[3] = filtered
-    A[2, 2] = 1.0 if each.integral else 0.0  # without an integral nothing moves this state
+    A[2, 2] = 1.0 if each.integral else 0.0  # without an integral nothing is kept
     A[2, 0] = -each.integral * period
     C += each.speed * filtered
     C[0] -= each.angle
