@@ -11,6 +11,7 @@ import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, process, refused, run
 from mahovik import __version__, stands
+from mahovik.cli import main
 from mahovik.stand import identities, load
 
 COMMANDS = ("new", "check", "derive", "generate", "verify", "eval")
@@ -23,6 +24,14 @@ def test_help_names_every_command_and_the_exit_statuses() -> None:
     assert "Exit status: 0 good" in result.output
     for command in COMMANDS:
         assert run(command, "--help").exit_code == 0
+
+
+def test_help_fits_on_a_screen() -> None:
+    lines = run("--help").output.splitlines()
+    assert len(lines) <= 50
+    assert all(len(line) <= 80 for line in lines)
+    for command in main.commands:
+        assert sum(line.startswith(f"  {command} ") and not line.endswith("...") for line in lines) == 1, command
 
 
 def test_help_imports_nothing_heavy() -> None:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from mahovik.plan.outcome import Progress
 
 
-@click.command()
+@click.command(short_help="Find a programme that moves the carrier as required.")
 @stand_argument
 @click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="What is required.")
 @click.option("-o", "output", metavar="P.json", type=click.Path(), required=True, help="The programme.")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from mahovik.verify.programme import Finding
 
 
-@click.command("verify-programme")
+@click.command("verify-programme", short_help="Judge a programme by the reference.")
 @stand_argument
 @click.argument("motion_file", metavar="M.json", type=click.Path())
 @click.argument("programme_file", metavar="P.json", type=click.Path())
