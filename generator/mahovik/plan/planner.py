@@ -13,7 +13,7 @@ from mahovik.motion.programme import Fourier, Programme
 from mahovik.motion.required import RequiredMotion
 from mahovik.plan.bounds import bounded
 from mahovik.plan.budget import Budget
-from mahovik.plan.certificate import certified, programme_of, wrong_items
+from mahovik.plan.certificate import certified, programme_of, without_refused_tables, wrong_items
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.finite import plan_finite
@@ -127,4 +127,4 @@ def _programme(
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
     programme = programme_of(stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
     programme = with_runup(stand, motion, programme, effort["seed"])
-    return certified(stand, motion, programme) if verify else programme
+    return without_refused_tables(certified(stand, motion, programme)) if verify else programme
