@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from mahovik.motion.programme import Fourier, Programme, Samples
 from mahovik.motion.required import RequiredMotion
 from mahovik.plan.array import Array
@@ -14,6 +16,9 @@ from mahovik.stand.model import Stand
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
 """What may stand beside a programme: key of the file, and how it is called."""
+
+ROUNDING = 1e-15
+"""m, rad: a shift of the mean below this is no shift."""
 
 
 def programme_of(
@@ -34,7 +39,7 @@ def programme_of(
         flywheels=tuple(s.name for s in stand.flywheels),
         periodic=motion.periodic,
         span=motion.span,
-        bias=bias,
+        bias=np.where(np.abs(bias) < ROUNDING, 0.0, bias),
         winding=winding,
         course=course,
         report=report,
