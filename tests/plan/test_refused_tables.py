@@ -10,11 +10,34 @@ import pytest
 from mahovik.motion.programme import Programme
 from mahovik.motion.required import Bounds, RequiredMotion
 from mahovik.plan import Wishes, plan_motion, planner
+from mahovik.plan.certificate import without_refused_tables, wrong_items
 from mahovik.stand.model import Stand
+from mahovik.verify.programme import Finding
 from plan.examples import example
 from plan.test_runup import planned
 
 
+def test_what_is_refused_is_left_out_and_nothing_else() -> None:
+    """A run-down that ends elsewhere, or that cannot be followed; bounds are no refusal; the programme's items stay."""
+    items = [
+        Finding("residual", 1e-8, 1e-6, True, "of (12)"),
+        Finding("run-up end", 1e-7, 1e-5, True, "carrier"),
+        Finding("run-up bound speed", 1.2, 1.0, False, "left"),
+        Finding("run-down rest", 0.0, 1e-6, True, "flywheels"),
+        Finding("run-down end", np.inf, 1e-5, False, "no equilibrium to start from"),
+    ]
+    made = planned()
+    report = {**made.report, "verified": False, "verification": [each.as_item() for each in items]}
+    left = without_refused_tables(replace(made, report=report))
+    assert left.runup is made.runup and left.rundown is None
+    reason = "refused by the verification: run-down end not finite, at most 1e-05, no equilibrium to start from"
+    assert left.report["rundown"] == {"reason": f"run-down: one was found and {reason}"}
+    assert [each["name"] for each in left.report["verification"]] == ["residual", "run-up end", "run-up bound speed"]
+    assert left.report["verified"] is False and left.report["runup"] == made.report["runup"]
+    assert wrong_items(left) == ""
+
+
+@pytest.mark.slow
 def test_the_programme_stays_and_the_reason_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """A run-up that misses the programme's angles: OK_LIMIT, why, and the run-down is given all the same."""
 

@@ -87,7 +87,9 @@ def simulate_rows(
     """
     from scipy.integrate import DOP853
 
-    atol, rates = _absolute(scale, error), _remembered(_rates(stand, angles))
+    starts, steps = rows[:-1], np.diff(rows)
+    asked = np.append(starts[:, None] + DOP853.C[: DOP853.n_stages] * steps[:, None], (starts + steps)[:, None], axis=1)
+    atol, rates = _absolute(scale, error), _remembered(_rates(stand, _tabled(angles, asked.ravel())))
     states = [start]
     for begin, end in pairwise(rows.tolist()):
         step = min(longest, end - begin)
@@ -116,6 +118,17 @@ def _rates(stand: Stand, angles: Course) -> Callable[[float, Array], Array]:
         return rate(stand, y, phi[0], phi_dot[0], phi_ddot[0])
 
     return rates
+
+
+def _tabled(angles: Course, times: Array) -> Course:
+    """The same, where those at `times` (M, s) are evaluated all at once; at any other time one by one."""
+    found = {float(t): row for t, *row in zip(times, *(each[:, None] for each in angles(times)), strict=True)}
+
+    def tabled(t: Array) -> Angles:
+        row = found.get(float(t[0]))
+        return angles(t) if row is None else Angles(*row)
+
+    return tabled
 
 
 def _remembered(rates: Callable[[float, Array], Array]) -> Callable[[float, Array], Array]:
