@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import math
+import os
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -177,3 +180,16 @@ def test_every_problem_of_a_stand_is_one_line(tmp_path: Path) -> None:
     lines = refused("check", str(tmp_path / "bad.toml")).splitlines()
     assert len(lines) >= 4
     assert all(line.startswith("error: bad.toml: ") for line in lines)
+
+
+@pytest.mark.parametrize(("given", "used"), [(None, "1"), ("3", "3")])
+def test_linear_algebra_has_one_thread_unless_told_otherwise(given: str | None, used: str) -> None:
+    program = (
+        "import os, sys; sys.argv = ['mahovik', '--version']; from mahovik.__main__ import run\n"
+        "try: run()\n"
+        "except SystemExit: print([os.environ[f'{of}_NUM_THREADS'] for of in ('OMP', 'OPENBLAS', 'MKL')])"
+    )
+    environment = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    environment |= {} if given is None else {f"{of}_NUM_THREADS": given for of in ("OMP", "OPENBLAS", "MKL")}
+    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == str([used] * 3)
