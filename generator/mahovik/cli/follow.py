@@ -119,10 +119,12 @@ def _case(
     from mahovik.verify.programme.identity import motion_finding, stand_finding
 
     share = share_of(mismatch)
-    programme, motion = load_programme(programme_file), load_motion(motion_file, stand)
-    for whose in (stand_finding(stand, programme), motion_finding(motion, programme)):
-        if not whose.passed:
-            raise UsageError(f"{Path(programme_file).name}: {whose.words}")
+    programme = load_programme(programme_file)
+    if not (whose := stand_finding(stand, programme)).passed:
+        raise UsageError(f"{Path(programme_file).name}: {whose.words}")
+    motion = load_motion(motion_file, stand)
+    if not (whose := motion_finding(motion, programme)).passed:
+        raise UsageError(f"{Path(programme_file).name}: {whose.words}")
     servo = load_servo(servo_file, stand)
     if begin == "rest" and programme.runup is None:
         raise UsageError(
