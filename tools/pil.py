@@ -61,9 +61,10 @@ def found(board: str, real: str, given: argparse.Namespace) -> Found:
 
 def figures(results: list[Found], given: argparse.Namespace) -> str:
     """What ran, the table, how well it followed."""
+    rate = 1 / results[0].made.tables.period
     text = (
-        f"`{STAND}`, {given.samples:,} samples at {1 / results[0].made.tables.period:g} Hz. The stand that is played has "
-        f"other masses, inertias and places than its\nfile, by up to {given.mismatch:.3g} (seed {given.seed}); at -O2 by "
+        f"`{STAND}`, {given.samples:,} samples at {rate:g} Hz. The stand that is played has other masses, inertias and "
+        f"places than its\nfile, by up to {given.mismatch:.3g} (seed {given.seed}); at -O2 by "
         f"{version(TARGETS['m7'].compiler[0])}. The emulator counts instructions in steps of 40;\n"
         "stack over the call graph; code with what a function calls.\n\n"
     )
