@@ -2,7 +2,7 @@
 
 The torques of all samples must have the bits that they have on this machine. Costs of a sample beside them.
 
-python tools/pil.py --programme programme.json [--samples 2000] [--mismatch 0.01] [--seed 1] [--write]
+python tools/pil.py --programme programme.json [--samples 6000] [--mismatch 0.01] [--seed 1] [--write]
 """
 
 from __future__ import annotations
@@ -61,40 +61,40 @@ def found(board: str, real: str, given: argparse.Namespace) -> Found:
 
 def figures(results: list[Found], given: argparse.Namespace) -> str:
     """What ran, the table, how well it followed."""
+    rate = 1 / results[0].made.tables.period
     text = (
-        f"`{STAND}`, {given.samples:,} samples of {results[0].made.tables.period * 1e3:g} ms, every mass, inertia and place "
-        f"of the stand that is played wrong by up to {given.mismatch:.2g}\n(seed {given.seed}); at -O2 by "
-        f"{version(TARGETS['m7'].compiler[0])}. Instructions are the emulator's, counted in steps of 40; stack over the\n"
-        "call graph; code with what a function calls.\n\n"
+        f"`{STAND}`, {given.samples:,} samples at {rate:g} Hz. The stand that is played has other masses, inertias and "
+        f"places than its\nfile, by up to {given.mismatch:.3g} (seed {given.seed}); at -O2 by "
+        f"{version(TARGETS['m7'].compiler[0])}. The emulator counts instructions in steps of 40;\n"
+        "stack over the call graph; code with what a function calls.\n\n"
     )
-    head = [f"{TARGETS[f.board].title.split(',')[0]}, {f.real}" for f in results]
-    rows = []
-    for name in ROWS:
-        cells = []
-        for f in results:
-            symbol = f"{STAND}_{name}"
-            taken = f.programme if name == "programme_at" else f.servo
-            count = next(n for title, n in f.run.counts.items() if f" {name}" in title)
-            cells.append(
-                f"{count:,} instructions, {taken.stack_of(symbol):,} B stack, {taken.code_of(symbol):,} B code"
+    lines = [["processor", "function", "instructions", "stack, B", "code, B"], ["---", "---", "---:", "---:", "---:"]]
+    for f in results:
+        title = f"{TARGETS[f.board].title.split(',')[0]}, {f.real}"
+        for name in ROWS:
+            symbol, taken = f"{STAND}_{name}", f.programme if name == "programme_at" else f.servo
+            count = next(n for words, n in f.run.counts.items() if f" {name}" in words)
+            lines.append(
+                [title, f"`{name}`", f"{count:,}", f"{taken.stack_of(symbol):,}", f"{taken.code_of(symbol):,}"]
             )
-        rows.append([f"`{name}`", *cells])
-    rows.append(
-        ["a sample, at most", *(f"{f.run.counts['instructions of a sample, at most']:,} instructions" for f in results)]
-    )
-    rows.append(["const tables of the servo", *(f"{sum(f.servo.constants.values()):,} B" for f in results)])
-    rows.append(["bits of all torques as on the host", *("equal" if f.equal else "DIFFERENT" for f in results)])
-    worst = [f"{f.run.followed * 1e3:.2f} mrad" for f in results]
-    rows.append(["largest error of an angle, last quarter", *worst])
-    lines = [["", *head], ["---", *["---:"] * len(head)], *rows]
-    return text + "".join(f"| {' | '.join(line)} |\n" for line in lines)
+        counts = f.run.counts
+        most, stack = counts["instructions of a sample, at most"], counts["bytes of stack of a sample, at most"]
+        lines.append([title, "a whole sample, at most", f"{most:,}", f"{stack:,}", ""])
+    text += "".join(f"| {' | '.join(line)} |\n" for line in lines)
+    for f in results:
+        equal = "all torques have the bits of the host" if f.equal else "torques DIFFER from those of the host"
+        text += (
+            f"\n{f.board}, {f.real}: {equal}; the largest error of an angle in the last quarter is "
+            f"{f.run.followed * 1e3:.2f} mrad. Gains and trim are {sum(f.servo.constants.values()):,} B.\n"
+        )
+    return text
 
 
 def main() -> None:
     """Run the boards; write the page, or print. Exit status 1 where bits differ."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--programme", type=Path, required=True)
-    parser.add_argument("--samples", type=int, default=2000)
+    parser.add_argument("--samples", type=int, default=6000)
     parser.add_argument("--mismatch", type=float, default=0.01)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--write", action="store_true", help="into docs/servo.md")

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import math
+import os
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -11,6 +14,7 @@ import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, process, refused, run
 from mahovik import __version__, stands
+from mahovik.cli import main
 from mahovik.stand import identities, load
 
 COMMANDS = ("new", "check", "derive", "generate", "verify", "eval")
@@ -23,6 +27,14 @@ def test_help_names_every_command_and_the_exit_statuses() -> None:
     assert "Exit status: 0 good" in result.output
     for command in COMMANDS:
         assert run(command, "--help").exit_code == 0
+
+
+def test_help_fits_on_a_screen() -> None:
+    lines = run("--help").output.splitlines()
+    assert len(lines) <= 50
+    assert all(len(line) <= 80 for line in lines)
+    for command in main.commands:
+        assert sum(line.startswith(f"  {command} ") and not line.endswith("...") for line in lines) == 1, command
 
 
 def test_help_imports_nothing_heavy() -> None:
@@ -172,3 +184,17 @@ def test_every_problem_of_a_stand_is_one_line(tmp_path: Path) -> None:
     lines = refused("check", str(tmp_path / "bad.toml")).splitlines()
     assert len(lines) >= 4
     assert all(line.startswith("error: bad.toml: ") for line in lines)
+
+
+@pytest.mark.parametrize(("given", "used"), [(None, "1"), ("3", "3")])
+def test_linear_algebra_has_one_thread_unless_told_otherwise(given: str | None, used: str) -> None:
+    program = (
+        "import os, sys; sys.argv = ['mahovik', '--version']; from mahovik.__main__ import run\n"
+        "try: run()\n"
+        "except SystemExit: print([os.environ[f'{of}_NUM_THREADS'] for of in ('OMP', 'OPENBLAS', 'MKL')])"
+    )
+    environment = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    environment |= {} if given is None else {f"{of}_NUM_THREADS": given for of in ("OMP", "OPENBLAS", "MKL")}
+    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == str([used] * 3)

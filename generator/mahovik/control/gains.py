@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from mahovik.errors import CheckError
 from mahovik.motion.servo import Servo
-from mahovik.reference.bodies import fixed_bodies, spinning_bodies
+from mahovik.reference.bodies import bodies_of, spinning_bodies
 from mahovik.reference.mass import coupling, mass_matrix, spin_inertia
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State, rest_state
@@ -61,7 +61,7 @@ def law(servo: Servo, bandwidth: float | None = None) -> Law:
 
 def rotor_inertia(stand: Stand) -> Array:
     """J_s = f^T Theta_s f (N, kg m2) of each flywheel about its axis."""
-    return np.diag(spin_inertia(spinning_bodies(stand, rest_state(stand)))).copy()
+    return np.diag(spin_inertia(spinning_bodies(bodies_of(stand).mounted, rest_state(stand)))).copy()
 
 
 def lightness(stand: Stand) -> float:
@@ -71,12 +71,12 @@ def lightness(stand: Stand) -> float:
     All gains are in proportion to J, so these eigenvalues are what multiplies the loop's gain in its modes.
     """
     drawn = np.random.default_rng(SEED).uniform(-np.pi, np.pi, (PHASES, len(stand.flywheels)))
-    fixed, largest = fixed_bodies(stand), 1.0
+    bodies, largest = bodies_of(stand), 1.0
     for phi in drawn:
-        rotors = spinning_bodies(stand, _turned(stand, phi))
+        rotors = spinning_bodies(bodies.mounted, _turned(stand, phi))
         I, J = coupling(rotors), spin_inertia(rotors)
         root = np.sqrt(np.diag(J))
-        mobility = np.linalg.inv(J - I.T @ np.linalg.solve(mass_matrix(fixed, rotors), I))
+        mobility = np.linalg.inv(J - I.T @ np.linalg.solve(mass_matrix(bodies.fixed, rotors), I))
         largest = max(largest, float(np.linalg.eigvalsh(root[:, None] * mobility * root)[-1]))
     return largest
 

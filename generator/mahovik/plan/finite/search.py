@@ -114,6 +114,7 @@ class FiniteSearch:
     found: list[Solved] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
+    doing: str = "searching"
     interrupted: bool = False
     cut: bool = False
 
@@ -129,6 +130,9 @@ def search_finite(
         for _ in range(ROUNDS):
             if state.found or budget.exhausted:
                 break
+            state.doing = "searching"
+            if tell is not None:
+                tell(state)
             waves = np.zeros((DRAWN, N, _SCORED + 1))
             waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (DRAWN, N))
             if bounds.start_phi is not None:
@@ -140,6 +144,7 @@ def search_finite(
             residuals = crowd.residuals()
             state.starts += DRAWN
             state.best = min(state.best, float(residuals.min()))
+            state.doing = "improving"
             for k in np.argsort(residuals, kind="stable")[:REFINED]:
                 if tell is not None:
                     tell(state)
