@@ -90,8 +90,8 @@ def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programm
             causes.append(f"| {name} | {each.cause.name} | {alone} | {without} |")
     return (
         "Error of the carrier about its mean, largest over a period, as a share of the amplitude; mismatch "
-        f"{100 * share:g} %, seeds 1 to {seeds}; 1 kHz, latency a tenth of a sample, tables of {ROWS} nodes; trim after "
-        f"{ROUNDS} rounds. The last column: the largest distance of a flywheel from its programme.\n\n"
+        f"{100 * share:g} %, seeds 1 to {seeds}; 1 kHz, latency a tenth of a sample, tables of {ROWS} nodes; trim "
+        f"after {ROUNDS} rounds. The last column: the largest distance of a flywheel from its programme.\n\n"
         "| programme | median | worst | within 5 % | with trim: median | worst | within 1 % | flywheels |\n"
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n" + "\n".join(rows) + "\n\n"
         f"By the nominal model an error falls with the trim to: {'; '.join(designs)} is how wrong the model may be.\n\n"
