@@ -21,7 +21,7 @@ from mahovik.motion.servo import Servo
 from mahovik.plan.array import Array
 from mahovik.program.function import STATUS_VALUES
 from mahovik.stand.model import Stand
-from mahovik.toolchain.library import Library
+from mahovik.toolchain.library import Library, filled
 
 _NAMES = {value: name for name, value in STATUS_VALUES.items()}
 _LIMITED = STATUS_VALUES["LIMITED"]
@@ -119,6 +119,4 @@ def _compiled(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library
 
 
 def _zeros(struct: Any) -> dict[str, Any]:
-    from mahovik.toolchain.library import filled
-
     return {f.name: filled(f.type, f.shape, 0.0) for f in struct.fields}
