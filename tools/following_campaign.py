@@ -20,29 +20,15 @@ from mahovik.control.trim import TrimDesign, design_trim
 from mahovik.control.wanted import Wanted
 from mahovik.motion.programme import Programme
 from mahovik.motion.required import RequiredMotion, load_motion
-from mahovik.motion.servo import Servo, read_servo
+from mahovik.motion.servo import Servo, load_servo
 from mahovik.plan.planner import plan_motion
 from mahovik.plan.wishes import Wishes
 from mahovik.stand import load
 from mahovik.stand.model import Stand
-from mahovik.stands import path
+from mahovik.stands import path, servos
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "following.md"
 BEGIN, END = "<!-- campaign: tools/following_campaign.py --write -->", "<!-- end of campaign -->"
-
-SERVO = """\
-schema = 1
-sample_period = "1 ms"
-latency = "100 us"
-bandwidth = "40 Hz"
-integral = "2 Hz"
-
-[trim]
-harmonics = 3
-gain = 0.9
-settling = 20
-averaging = 20
-"""
 
 WINDINGS = ("spin", "rock")
 LIMIT, TRIMMED = 0.05, 0.01
@@ -88,7 +74,7 @@ def line(name: str, found: Sequence[Outcome]) -> str:
 
 def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programme], seeds: int, share: float) -> str:
     """The tables."""
-    servo = read_servo(SERVO, stand)
+    servo = load_servo(servos("bench8")[0], stand)
     assert servo.trim is not None
     rows, causes, designs = [], [], []
     for name, programme in programmes.items():
@@ -104,8 +90,8 @@ def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programm
             causes.append(f"| {name} | {each.cause.name} | {alone} | {without} |")
     return (
         "Error of the carrier about its mean, largest over a period, as a share of the amplitude; mismatch "
-        f"{100 * share:g} %, seeds 1 to {seeds}; 1 kHz, latency 0.1 ms, tables of {ROWS} nodes; trim after {ROUNDS} "
-        "rounds. The last column: the largest distance of a flywheel from its programme.\n\n"
+        f"{100 * share:g} %, seeds 1 to {seeds}; 1 kHz, latency a tenth of a sample, tables of {ROWS} nodes; trim "
+        f"after {ROUNDS} rounds. The last column: the largest distance of a flywheel from its programme.\n\n"
         "| programme | median | worst | within 5 % | with trim: median | worst | within 1 % | flywheels |\n"
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n" + "\n".join(rows) + "\n\n"
         f"By the nominal model an error falls with the trim to: {'; '.join(designs)} is how wrong the model may be.\n\n"

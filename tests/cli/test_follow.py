@@ -36,7 +36,8 @@ def test_table_columns_and_panels(given: list[str], tmp_path: Path) -> None:
     columns = read(output)
     assert len(columns["t [s]"]) == 1101
     assert abs(columns["z [m]"] - columns["required_z [m]"]).max() < 1e-7
-    assert [p.quantity.split(",")[0] for p in panels(columns)][:4] == ["O1", "attitude", "error of O1", "error of attitude"]
+    shown = [panel.quantity.split(",")[0] for panel in panels(columns)]
+    assert shown[:4] == ["O1", "attitude", "error of O1", "error of attitude"]
 
 
 @pytest.mark.slow

@@ -13,6 +13,8 @@ from mahovik.control.following import following
 from mahovik.control.loop import Case, close_loop, starting_state, step_error
 from mahovik.control.plant import plant
 from mahovik.errors import UsageError
+from mahovik.motion.programme import RunUpTable, Samples
+from mahovik.plan.runup.fade import fade
 from mahovik.stand.model import Encoder
 from verify.programme.programmes import shaker
 
@@ -64,6 +66,34 @@ def test_an_unstable_loop_is_told() -> None:
     assert record.stopped is not None
     assert len(record.t) < 80
     assert "lost" in record.stopped or "leaves" in record.stopped or "refuses" in record.stopped
+
+
+def test_a_run_up_is_followed_from_rest() -> None:
+    """Torques of the run-up are fed forward: flywheels stay on it, though the carrier is where it likes."""
+    stand, motion, programme = shaker()
+    t = np.linspace(0.0, 0.5, 201)
+    family = fade(programme, 0.5, t, up=True)
+    table = RunUpTable(0.5, Samples(t, *family.angles(np.zeros((2, family.P)))))
+    with_table = type(wanted()).of(stand, motion, replace(programme, runup=table), 64)
+    record = close_loop(Case(with_table, stand, servo(), 2, start="rest"))
+    assert record.stopped is None
+    assert record.t[0] == -0.5
+    assert not np.any(record.phi_dot[0])
+    assert np.abs(record.phi_dot[record.t > 0.0]).min() > 100.0
+    assert np.abs(record.apart).max() < 1e-4
+
+
+@pytest.mark.slow
+def test_encoders_cost_what_a_count_is() -> None:
+    """Finer counts, less noise; both follow."""
+    stand, motion, programme = shaker()
+    apart = []
+    for counts in (1000, 30000):
+        coded = replace(stand, flywheels=tuple(replace(s, encoder=Encoder(counts, 0.0, 5e-5)) for s in stand.flywheels))
+        own = Case(type(wanted()).of(coded, motion, programme, 64), coded, replace(servo(), encoder="stand"), 12)
+        apart.append(following(close_loop(own), 10).apart.max())
+    assert 1e-5 < apart[0] < 2 * np.pi / 1000
+    assert apart[1] < apart[0] / 10
 
 
 def test_encoders_count_and_keep_the_sign() -> None:

@@ -1,4 +1,4 @@
-"""Design of the trim: its model of the carrier against the periodic motion itself; what does not converge is refused."""
+"""Design of the trim: its model against the carrier's periodic motion itself; what does not converge is refused."""
 
 from __future__ import annotations
 
