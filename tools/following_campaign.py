@@ -83,7 +83,8 @@ def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programm
         found = [outcome(wanted, servo, design, share, seed) for seed in range(1, seeds + 1)]
         rows.append(line(f"{name}, winding {', '.join(map(str, programme.winding))}", found))
         print(rows[-1], flush=True)
-        designs.append(f"{name} {design.radius:.2g} a round, {100 * design.margin:.2g} %")
+        wrong = f"{100 * design.margin:.2g} % wrong"
+        designs.append(f"{name} {design.radius:.2g} of an error is left by a round, and it may be {wrong}")
         case = Case(wanted, mismatched(stand, share, 1), servo, SETTLING + MEASURED)
         for each in contributions(case):
             alone, without = ("lost" if x is None else f"{100 * x:.2g} %" for x in (each.alone, each.without))
@@ -94,7 +95,7 @@ def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programm
         f"after {ROUNDS} rounds. The last column: the largest distance of a flywheel from its programme.\n\n"
         "| programme | median | worst | within 5 % | with trim: median | worst | within 1 % | flywheels |\n"
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n" + "\n".join(rows) + "\n\n"
-        f"By the nominal model an error falls with the trim to: {'; '.join(designs)} is how wrong the model may be.\n\n"
+        f"By the nominal model of the trim: {'; '.join(designs)}.\n\n"
         "What limits it, seed 1, no trim: a run with each cause alone, and a run without it.\n\n"
         "| programme | cause | alone | without it |\n| --- | --- | ---: | ---: |\n" + "\n".join(causes) + "\n"
     )
