@@ -20,6 +20,8 @@ from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
 from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
+from mahovik.cli.linearize import linearize
+from mahovik.cli.modes import modes
 from mahovik.cli.new import new
 from mahovik.cli.plan import plan
 from mahovik.cli.plot import plot
@@ -33,6 +35,7 @@ SECTIONS = {
     "A stand": (new, check, derive, rest),
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion in time": (evaluate, simulate, replay),
+    "Vibration": (modes, linearize),
     "Programmes of the flywheels": (plan, verify_programme),
     "Around it": (plot, export, doctor),
 }

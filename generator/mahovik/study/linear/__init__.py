@@ -2,5 +2,6 @@
 
 from mahovik.study.linear.channels import Channel
 from mahovik.study.linear.model import LinearModel, linear_model
+from mahovik.study.linear.modes import Mode, Modes, modes
 
-__all__ = ["Channel", "LinearModel", "linear_model"]
+__all__ = ["Channel", "LinearModel", "Mode", "Modes", "linear_model", "modes"]

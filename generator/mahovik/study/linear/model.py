@@ -84,7 +84,7 @@ def linear_model(
     names = tuple(place.name for place in seen)
     nominal = replace(state, V_dot=tuple(V_dot.tolist()), tau=tuple(found.tau.tolist()))
     channels = (states(stand, locked), inputs(stand, locked), outputs(names))
-    return LinearModel(stand, nominal, names, locked, *channels, A, B, C, rate @ B[6:12])
+    return LinearModel(stand, nominal, names, locked, *channels, A + 0.0, B + 0.0, C + 0.0, rate @ B[6:12] + 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +116,7 @@ class _Equations:
             raise StateError(f"{stand.name}: the linear model is not finite at this state")
         return _Equations(still.V[0], V_dot, tau, mass, by_state)
 
-    def accelerations(self, free: int) -> tuple[Array, Array]:
+    def accelerations(self, free: int) -> list[Array]:
         """V* and phi'' (6 + free) by the states (12 + 2 free) and by the inputs (free + 6)."""
         N = len(self.tau)
         columns = [*range(12), *(range(12, 12 + 2 * N) if free else ())]
@@ -124,14 +124,13 @@ class _Equations:
         by_input[6:, :free], by_input[:6, free:] = np.eye(free), np.eye(6)
         right = np.hstack([self.by_state[: 6 + free, columns], by_input])
         solved = np.linalg.solve(self.mass[: 6 + free, : 6 + free], right)
-        return solved[:, : len(columns)], solved[:, len(columns) :]
+        return np.hsplit(solved, [len(columns)])
 
 
 def _arranged(by: ByCarrier, wheels: Linear, push_by_phi: Array) -> tuple[Array, Array]:
     """The full mass matrix (6 + N), and what R and -tau change by with pose, V, phi, phi' (6 + N, 12 + 2 N)."""
-    mass = np.block(
-        [[-by.by_twist_dot[0], -wheels.by_phi_ddot[0]], [by.tau_by_twist_dot[0], np.diag(wheels.tau_by_phi_ddot[0])]]
-    )
+    coupled = [by.tau_by_twist_dot[0], np.diag(wheels.tau_by_phi_ddot[0])]
+    mass = np.block([[-by.by_twist_dot[0], -wheels.by_phi_ddot[0]], coupled])
     carrier = [by.by_pose[0], by.by_twist[0], wheels.by_phi[0] + push_by_phi, wheels.by_phi_dot[0]]
     drives = [by.tau_by_pose[0], by.tau_by_twist[0], np.diag(wheels.tau_by_phi[0]), np.diag(wheels.tau_by_phi_dot[0])]
     return mass, np.vstack([np.hstack(carrier), -np.hstack(drives)])
