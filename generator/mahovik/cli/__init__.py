@@ -26,6 +26,7 @@ from mahovik.cli.new import new
 from mahovik.cli.plan import plan
 from mahovik.cli.plot import plot
 from mahovik.cli.replay import replay
+from mahovik.cli.response import response
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
 from mahovik.cli.verify import verify
@@ -35,7 +36,7 @@ SECTIONS = {
     "A stand": (new, check, derive, rest),
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion in time": (evaluate, simulate, replay),
-    "Vibration": (modes, linearize),
+    "Vibration": (modes, linearize, response),
     "Programmes of the flywheels": (plan, verify_programme),
     "Around it": (plot, export, doctor),
 }

@@ -12,7 +12,6 @@ from mahovik.errors import UsageError
 from mahovik.plan.residual.spatial import skew
 from mahovik.reference.points import point_transfers
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 
 Array = NDArray[np.float64]
 
@@ -26,16 +25,17 @@ class Place(NamedTuple):
 
 
 def places(stand: Stand, names: Sequence[str] | None = None) -> tuple[Place, ...]:
-    """The points and instruments named, in that order; None: all of the stand. Raises UsageError."""
+    """The points and instruments named, in that order; None: all of the stand. Raises UsageError.
+
+    The name of the carrier means O1 on the axes of E1.
+    """
     known = {name: Place(name, _origin(L), L[:3, :3]) for name, L in point_transfers(stand)}
     if names is None:
         return tuple(known.values())
+    known[stand.carrier.name] = Place(stand.carrier.name, np.zeros(3), np.eye(3))
     for i, name in enumerate(names):
         if name not in known:
-            hint = (
-                f', did you mean "{nearest(name, list(known))}"?' if known else ": the stand has no point or instrument"
-            )
-            raise UsageError(f'unknown point "{name}"{hint}')
+            raise UsageError(f'unknown point "{name}", expected one of {", ".join(known)}')
         if name in names[:i]:
             raise UsageError(f'point "{name}": given twice')
     return tuple(known[name] for name in names)

@@ -82,7 +82,7 @@ class Linearised:
         A[0, :n, n:], A[0, n:, :n] = -self.push.mean(axis=0), self.seen
         A[1:, range(n, n + f), range(n, n + f)] = 1.0
         try:
-            found = np.linalg.inv(A)
+            found = np.asarray(np.linalg.inv(A), dtype=np.complex128)
         except np.linalg.LinAlgError:
             return None
         return found if np.all(np.isfinite(found)) else None

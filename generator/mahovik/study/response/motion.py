@@ -40,7 +40,9 @@ def point_motion(place: Place, y: Array, V_dot: Array) -> PointMotion:
     displacement = y[:, :3] + turned.apply(origin) - origin
     velocity = v + np.cross(omega, origin)
     acceleration = V_dot[:, :3] + np.cross(omega, velocity) + np.cross(V_dot[:, 3:], origin)
-    return PointMotion(displacement @ place.axes, turned.apply(velocity) @ place.axes, turned.apply(acceleration) @ place.axes)
+    return PointMotion(
+        displacement @ place.axes, turned.apply(velocity) @ place.axes, turned.apply(acceleration) @ place.axes
+    )
 
 
 def rms(amplitudes: Spectrum, frequencies: Array, band: tuple[float, float] | None = None) -> Array:

@@ -15,11 +15,11 @@ from mahovik.plan.forward import Drive
 from mahovik.reference.rotation import carrier_rotation
 from mahovik.stand.model import Stand
 from mahovik.study.linear.points import Place, places
-from mahovik.study.rest import rest
 from mahovik.study.response.collocation import Linearised, derivative, resampled
 from mahovik.study.response.motion import PointMotion, point_motion
 from mahovik.study.response.scene import FREE, Scene
 from mahovik.study.response.speeds import Turning, common_period
+from mahovik.study.rest import rest
 
 Array = NDArray[np.float64]
 
@@ -29,8 +29,14 @@ PER_TURN = 4
 MOST = 8192
 """Harmonics of the common period."""
 
-TAIL = 1e-10
-"""Part of the largest harmonic of the acceleration that the highest third may hold; else there are twice as many."""
+TAIL, KINKED_TAIL = 1e-10, 1e-9
+"""Part of the largest harmonic of V* that the highest third may hold; else there are twice as many.
+
+Damping with magnitudes has kinks: harmonics fall as the third power of their number only.
+"""
+
+COARSE = 1e-6
+"""What that part may be where more harmonics do not help, or there are too many: beyond it nothing is returned."""
 
 ROUNDING = 1e-14
 """m/s2, rad/s2: harmonics below it are none."""
@@ -56,6 +62,7 @@ class Periodic:
     hold         (6; N, N m): constant wrench on the carrier in E1 that keeps its mean place along free directions;
                  zero to rounding where momentum is conserved
     multiplier   largest modulus of the multipliers of the linear equations along the course
+    tail         part of the largest harmonic of V* that the highest third holds: what more harmonics could change
     natural      (Hz): frequencies of the linear equations, mean over the period, ascending, free ones left out
     """
 
@@ -66,6 +73,7 @@ class Periodic:
     points: dict[str, PointMotion]
     hold: Array
     multiplier: float
+    tail: float
     natural: Array
 
     @property
@@ -111,7 +119,7 @@ def _still(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Arra
     J = scene.jacobian(given, y, V_dot)
     growing = float(np.linalg.eigvals(J[0]).real.max()) > np.sqrt(FREE)
     motions = {place.name: point_motion(place, y, V_dot) for place in seen}
-    return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), np.inf if growing else 1.0, natural(J))
+    return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), np.inf if growing else 1.0, 0.0, natural(J))
 
 
 class _Search:
@@ -122,11 +130,14 @@ class _Search:
         f = scene.free.shape[1]
         self.y, self.h = np.zeros((1, 12)), np.zeros(f)
         H = max(8, PER_TURN * max(map(abs, turning.turns)))
+        enough = KINKED_TAIL if _kinked(scene.stand) else TAIL
+        before = np.inf
         while True:
             self._solve(H)
-            if self._resolved():
+            self.tail = self._tail()
+            if self.tail <= enough or (self.tail <= COARSE and (self.tail > before / 2 or 2 * H > MOST)):
                 return
-            H *= 2
+            before, H = self.tail, 2 * H
             if H > MOST:
                 raise CheckError(f"{self._what()}: its harmonics do not fall off within {MOST} of the period")
 
@@ -164,12 +175,12 @@ class _Search:
                 return
         raise CheckError(f"{self._what()}: an undamped resonance, or the carrier is thrown about")
 
-    def _resolved(self) -> bool:
-        """Is nothing to speak of in the highest third of the harmonics of V*?"""
+    def _tail(self) -> float:
+        """Part of the largest harmonic of V* that the highest third holds; 0 where it is rounding."""
         sizes = np.abs(np.fft.rfft(self.V_dot(), axis=0)) / len(self.y)
-        lever = np.repeat([1.0, self._lever()], 3)
-        each = (sizes * lever).max(axis=1)
-        return bool(each[2 * len(each) // 3 :].max() <= max(TAIL * each.max(), ROUNDING))
+        each = (sizes * np.repeat([1.0, self._lever()], 3)).max(axis=1)
+        last = float(each[2 * len(each) // 3 :].max())
+        return 0.0 if last <= ROUNDING else last / float(each.max())
 
     def _lever(self) -> float:
         """m: radius of gyration, to compare turns with shifts."""
@@ -187,7 +198,14 @@ class _Search:
         motions = {place.name: point_motion(place, self.y, V_dot) for place in seen}
         multiplier = largest_multiplier(self.J, self.turning.period)
         hold = self.scene.wrench @ self.h
-        return Periodic(self.scene, self.turning, self.y, V_dot, motions, hold, multiplier, natural(self.J))
+        return Periodic(self.scene, self.turning, self.y, V_dot, motions, hold, multiplier, self.tail, natural(self.J))
+
+
+def _kinked(stand: Stand) -> bool:
+    """Does some damping depend on magnitudes?"""
+    laws = [body.damping for body in stand.bodies if body.damping is not None]
+    absolute = any(factor.absolute for law in laws for term in law.terms for factor in term.of)
+    return absolute or any(law.quadratic is not None for law in laws)
 
 
 def largest_multiplier(J: Array, period: float) -> float:
