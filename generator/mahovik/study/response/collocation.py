@@ -93,3 +93,18 @@ def resampled(y: Array, M: int) -> Array:
     spectrum = np.fft.rfft(y, axis=0)
     H = min(len(spectrum), M // 2 + 1)
     return np.asarray(np.fft.irfft(spectrum[:H], M, axis=0) * (M / len(y)))
+
+
+def odd_length(least: int) -> int:
+    """The next number of nodes without factors but 3, 5, 7: odd, and fast to transform."""
+    M = least | 1
+    while _rest(M) > 1:
+        M += 2
+    return M
+
+
+def _rest(M: int) -> int:
+    for factor in (3, 5, 7):
+        while M % factor == 0:
+            M //= factor
+    return M

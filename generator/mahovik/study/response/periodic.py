@@ -15,7 +15,7 @@ from mahovik.plan.forward import Drive
 from mahovik.reference.rotation import carrier_rotation
 from mahovik.stand.model import Stand
 from mahovik.study.linear.points import Place, places
-from mahovik.study.response.collocation import Linearised, derivative, resampled
+from mahovik.study.response.collocation import Linearised, derivative, odd_length, resampled
 from mahovik.study.response.motion import PointMotion, point_motion
 from mahovik.study.response.scene import FREE, Scene
 from mahovik.study.response.speeds import Turning, common_period
@@ -29,7 +29,7 @@ PER_TURN = 4
 MOST = 8192
 """Harmonics of the common period."""
 
-TAIL, KINKED_TAIL = 1e-10, 1e-9
+TAIL, KINKED_TAIL = 1e-10, 1e-7
 """Part of the largest harmonic of V* that the highest third may hold; else there are twice as many.
 
 Damping with magnitudes has kinks: harmonics fall as the third power of their number only.
@@ -154,7 +154,7 @@ class _Search:
 
     def _solve(self, H: int) -> None:
         """The course with H harmonics. Raises CheckError."""
-        M = 2 * H + 1
+        M = odd_length(2 * H + 1)
         scene, base = self.scene, self.turning.base
         self.given = given = self._given(M)
         y, h, push = resampled(self.y, M), self.h, scene.push(given)
