@@ -37,6 +37,8 @@ help:
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
 	@echo "make programme-picture  plans bench8's motion and draws it: docs/programme.svg"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md, run-ups too; hours"
+	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/linear.md, docs/response.md"
+	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
@@ -138,6 +140,13 @@ traceability: setup
 
 traceability-page: setup
 	$(BIN)/python tools/traceability.py --page
+
+linear-campaign: setup
+	$(BIN)/python tools/linear_campaign.py --write
+
+response-picture: setup
+	$(BIN)/mahovik response generator/mahovik/stands/bench8.toml --at carrier \
+	  --speed w1=0..600rpm --speed w2=-0.5*w1 --steps 61 -o docs/response.svg
 
 programme-picture: setup
 	mkdir -p build/demo
