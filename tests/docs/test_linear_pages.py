@@ -1,4 +1,4 @@
-"""docs/linear.md and docs/response.md hold what tools/linear_campaign.py --write says, and it keeps what they promise."""
+"""docs/linear.md and docs/response.md hold what tools/linear_campaign.py --write says; their numbers are the code's."""
 
 from __future__ import annotations
 

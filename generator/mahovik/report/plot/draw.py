@@ -70,6 +70,8 @@ def _panel(axes: Any, panel: Panel) -> None:
         axes.set_ylim(-panel.least, panel.least)
     if panel.log:
         axes.set_yscale("log")
+    if panel.span is not None:
+        axes.set_xlim(*panel.span)
     if panel.top is not None:
         axes.set_ylim(0.0, panel.top)
     if panel.note:

@@ -41,7 +41,8 @@ class Panel:
     """Lines in one frame. `quantity` stands above with its unit; `log`: by powers of ten.
 
     `least`: the ordinate reaches at least so far up and down: rounding is no picture. `note`: above, at the right.
-    `abscissa`: below, where it is not time; `height`: in those of other panels; `top`: the ordinate ends there.
+    `abscissa`: below, where it is not time; `height`: in those of other panels; `span`: first and last abscissa;
+    `top`: the ordinate ends there.
     """
 
     quantity: str
@@ -52,6 +53,7 @@ class Panel:
     dots: Dots | None = None
     abscissa: str = ""
     height: float = 1.0
+    span: tuple[float, float] | None = None
     top: float | None = None
 
 

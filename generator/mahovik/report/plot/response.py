@@ -43,6 +43,11 @@ def _swept(found: Sweep) -> str:
     return "speed, rpm" if asked.swept is None else f"speed of {asked.names[asked.swept]}, rpm"
 
 
+def _span(found: Sweep) -> tuple[float, float]:
+    """Of the speeds, rpm."""
+    return RPM * float(found.values.min()), RPM * float(found.values.max())
+
+
 def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top: float, floor: float) -> Panel:
     """Natural frequencies over speed, lines of orders, and by colour the amplitude of every harmonic."""
     speed = RPM * found.values
@@ -56,7 +61,7 @@ def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top
     note = "red: natural frequencies; dashed: orders"
     return Panel(
         f"Campbell diagram of {found.point}: frequency, Hz", tuple(drawn), note=note, dots=dots,
-        abscissa=_swept(found), height=1.8, top=top,
+        abscissa=_swept(found), height=1.8, span=_span(found), top=top,
     )  # fmt: skip
 
 
@@ -77,7 +82,7 @@ def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
         within = np.linalg.norm(found.rms(found.band), axis=1)
         drawn.append(Line(f"RMS {low:g}..{high:g} Hz", speed, _above(within, floor), None, dashed=True))
     quantity = f"{found.quantity} of {found.point}, {found.unit}: amplitude of orders, RMS"
-    return Panel(quantity, tuple(drawn), log=True, abscissa=_swept(found), height=1.3)
+    return Panel(quantity, tuple(drawn), log=True, abscissa=_swept(found), height=1.3, span=_span(found))
 
 
 def _above(values: Array, floor: float) -> Array:
@@ -87,7 +92,7 @@ def _above(values: Array, floor: float) -> Array:
 
 def _waterfall(found: Sweep, steps: list[Step], top: float, floor: float) -> Panel:
     """Spectra at their speeds: heights by powers of ten above the floor, all decades as high as two spectra apart."""
-    chosen = [steps[i] for i in np.unique(np.linspace(0, len(steps) - 1, CASCADE).round().astype(int))]
+    chosen = steps[:: -max(1, -(-len(steps) // CASCADE))][::-1]  # the fastest among them
     speeds = RPM * np.array([step.value for step in chosen])
     apart = float(np.ptp(speeds)) / max(len(chosen) - 1, 1) or 1.0
     drawn = []
@@ -98,16 +103,20 @@ def _waterfall(found: Sweep, steps: list[Step], top: float, floor: float) -> Pan
         peaks = np.stack([np.zeros_like(height), height, np.zeros_like(height)], axis=1).ravel()
         drawn.append(Line("", x, speed + np.concatenate([[0.0], peaks, [0.0]]), 0))
     note = f"heights: {DECADES:g} decades of {found.unit} are two spectra apart"
-    return Panel(f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", height=1.8)
+    return Panel(
+        f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", height=1.8, span=(0.0, top)
+    )
 
 
 def _spectrum(step: Step, what: str, floor: float) -> Panel:
     """Amplitudes at one speed, and natural frequencies."""
     _, y, value = _seen(step, floor)
-    x = np.repeat(y, 3)
-    sticks = np.stack([np.full_like(value, floor), value, np.full_like(value, floor)], axis=1).ravel()
+    top = 1.1 * float(y.max(initial=0.0))
+    x = np.concatenate([[0.0], np.repeat(y, 3), [top]])
+    peaks = np.stack([np.full_like(value, floor), value, np.full_like(value, floor)], axis=1).ravel()
+    sticks = np.concatenate([[floor], peaks, [floor]])
     drawn = [Line("amplitude", x, sticks, 0)]
-    for k, frequency in enumerate(step.natural[step.natural < 1.1 * y.max(initial=0.0)]):
+    for k, frequency in enumerate(step.natural[step.natural < top]):
         name = "natural frequency" if k == 0 else ""
         drawn.append(Line(name, np.full(2, frequency), np.array([floor, value.max()]), 1, dashed=True))
-    return Panel(what, tuple(drawn), log=True, abscissa="frequency, Hz", height=1.5)
+    return Panel(what, tuple(drawn), log=True, abscissa="frequency, Hz", height=1.5, span=(0.0, top))
