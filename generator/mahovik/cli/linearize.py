@@ -23,7 +23,9 @@ from mahovik.cli.nominal import at_option, nominal_state
 )
 @click.option("-o", "output", metavar="FILE.json|FILE.mat", type=click.Path(), required=True, help="The model.")
 def linearize(stand_file: str, at: str, points: str | None, flywheels: str, output: str) -> None:
-    """Make a stand linear about rest or a state: x' = A x + B u, y = C x + D u, by exact derivatives.
+    """Make a stand linear: A, B, C, D.
+
+    About rest or a state, by exact derivatives: x' = A x + B u, y = C x + D u.
 
     States: pose, V, angles and speeds of the flywheels. Inputs: drive torques, a wrench on the carrier. Outputs:
     displacement, velocity and acceleration of points. Names and units are in the file.

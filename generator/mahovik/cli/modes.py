@@ -33,7 +33,9 @@ ALIGNED = 1.0
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def modes(stand_file: str, at: str, flywheels: str, as_json: bool) -> None:
-    """Natural frequencies, damping ratios and shapes of small motions about rest or a state.
+    """Find natural frequencies, damping and shapes.
+
+    Of small motions about rest or a state.
 
     A shape is a motion of the carrier (O1 along the axes of E1, turns about them) and of free flywheels; its largest
     number is 1, in m or rad. Free directions come first.

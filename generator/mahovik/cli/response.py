@@ -59,7 +59,9 @@ def response(
     output: str | None,
     as_json: bool,
 ) -> None:
-    """Periodic steady state under flywheels at constant speeds: orders, RMS, Campbell diagram, waterfall.
+    """Find the steady vibration at constant speeds.
+
+    Periodic steady states under turning flywheels: orders, RMS, Campbell diagram, waterfall.
 
     Exact solutions of the whole equations, not of linear ones. Speeds must be in whole ratios: their common period is
     that of the motion. Ctrl-C keeps the speeds that are done.
