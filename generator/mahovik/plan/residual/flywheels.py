@@ -1,8 +1,8 @@
 """Flywheels as short Fourier polynomials of their phases, in E1: the one place that knows their masses and mountings.
 
 Theta(phi) = T0 + T1 cos phi + T2 sin phi + T3 cos 2 phi + T4 sin 2 phi, five constant matrices; likewise I_s and the
-weight's moment. They are linear in every mass property: derivatives by design (positions, mountings, unbalance) will
-be tables of the same shape from `tables_of`, put through the same `Prescribed`.
+weight's moment. They are linear in every mass property: derivatives by design (positions, mountings, unbalance) are
+tables of the same shape, `by_design`, of `turned` and `weighed`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 
 from mahovik.plan.array import Array
 from mahovik.plan.residual.spatial import afloat, both, flywheel_transfer, heaviness, inertia
-from mahovik.stand.model import Damping, Flywheel, Stand
+from mahovik.stand.model import Damping, Stand
 
 _STILL = both(np.diag([1.0, 0.0, 0.0]))  # diag(C1, C1)(phi) = _STILL + _COS cos phi + _SIN sin phi
 _COS = both(np.diag([0.0, 1.0, 1.0]))
@@ -54,8 +54,8 @@ def tables_of(stand: Stand) -> Tables:
     """The tables of a stand's flywheels."""
     wheels = stand.flywheels
     Lm = np.array([flywheel_transfer(stand, s) for s in wheels]).reshape(-1, 6, 6)
-    Theta = np.array([_turned(inertia(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 6)
-    weight = np.array([_weight(s, Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 3)
+    Theta = np.array([turned(inertia(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 6)
+    weight = np.array([weighed(*afloat(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 3)
     return Tables(
         Theta=np.swapaxes(Theta, 0, 1),
         weight=np.swapaxes(weight, 0, 1),
@@ -68,7 +68,7 @@ def tables_of(stand: Stand) -> Tables:
     )
 
 
-def _turned(Theta: Array, Lm: Array) -> Array:
+def turned(Theta: Array, Lm: Array) -> Array:
     """Harmonics (5, 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T."""
     parts = [Lm @ R for R in (_STILL, _COS, _SIN)]
     still, cos, sin = ([a @ Theta @ b.T for b in parts] for a in parts)
@@ -83,9 +83,8 @@ def _turned(Theta: Array, Lm: Array) -> Array:
     )
 
 
-def _weight(wheel: Flywheel, Lm: Array) -> Array:
-    """Harmonics (5, 6, 3) of the wrench by gravity."""
-    mass, moment = afloat(wheel)
+def weighed(mass: float, moment: Array, Lm: Array) -> Array:
+    """Harmonics (5, 6, 3) of the wrench by gravity on a mass (kg) with a first moment (3, kg m) in its own frame."""
     C = Lm[:3, :3]
     harmonics = np.zeros((5, 6, 3))
     for h, (share, R) in enumerate(((mass, _STILL), (0.0, _COS), (0.0, _SIN))):
