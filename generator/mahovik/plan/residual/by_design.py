@@ -17,7 +17,7 @@ from mahovik.plan.residual.evaluate import flywheel_wrenches
 from mahovik.plan.residual.flywheels import Tables, f, slope, turned, waves, weighed
 from mahovik.plan.residual.kinematics import Coordinates, Twists, twists
 from mahovik.plan.residual.prescribed import Mechanics, Prescribed, Shifted, harmonics_at
-from mahovik.plan.residual.spatial import afloat, both, flywheel_transfer, mount_axes, skew, transfer, turn
+from mahovik.plan.residual.spatial import both, flywheel_transfer, mount_axes, skew, spatial_inertia, transfer, turn
 from mahovik.stand.model import Flywheel, Stand
 
 PARAMETERS = (
@@ -67,10 +67,10 @@ def table_rates(stand: Stand, tables: Tables) -> TableRates:
         weight[:, s, :PLACING] = X @ load + load @ np.swapaxes(X[:, :3, :3], 1, 2)
         spin[s, :PLACING] = -np.einsum("i,kij->kj", tables.spin[s], X)
         coupling[:, s, :PLACING] = np.einsum("kij,hj->hki", X, tables.coupling[:, s])
-        for k, (dTheta, share, moment) in enumerate(mass_rates(wheel), start=PLACING):
-            Theta[:, s, k] = turned(dTheta, tables.Lm[s])
-            weight[:, s, k] = weighed(share, moment, tables.Lm[s])
-            coupling[:, s, k] = Theta[:, s, k] @ tables.spin[s]
+        mass, moment, J = mass_rates(wheel)
+        Theta[:, s, PLACING:] = turned(spatial_inertia(mass, moment, J), tables.Lm[s])
+        weight[:, s, PLACING:] = weighed(mass, moment, tables.Lm[s])
+        coupling[:, s, PLACING:] = Theta[:, s, PLACING:] @ tables.spin[s]
     return TableRates(Theta, coupling, weight, spin, motor)
 
 
@@ -92,26 +92,18 @@ def _place(Lm: Array) -> Array:
     return np.array([S[2, 1], S[0, 2], S[1, 0]])
 
 
-def mass_rates(wheel: Flywheel) -> list[tuple[Array, float, Array]]:
-    """Of each of MASSES: derivatives of Theta (6, 6), of the mass and first moment (3) that gravity acts on."""
+def mass_rates(wheel: Flywheel) -> tuple[Array, Array, Array]:
+    """Of each of MASSES: derivatives of mass (10), first moment (10, 3) and inertia about the origin (10, 3, 3)."""
     m, center = wheel.mass, np.array(wheel.center_of_mass)
-    about_center = wheel.inertia_about != "origin"
-    zero = np.zeros(3)
-    by_mass = _inertia_rate(1.0, center, -skew(center) @ skew(center) if about_center else np.zeros((3, 3)))
-    found = [(by_mass, 1.0, center)]
-    for e in np.eye(3):
-        J = -m * (skew(e) @ skew(center) + skew(center) @ skew(e)) if about_center else np.zeros((3, 3))
-        found.append((_inertia_rate(0.0, m * e, J), 0.0, m * e))
-    for i, j in _ENTRIES:
-        J = np.zeros((3, 3))
-        J[i, j] = J[j, i] = 1.0
-        found.append((_inertia_rate(0.0, zero, J), 0.0, zero))
-    return found
-
-
-def _inertia_rate(mass: float, moment: Array, J: Array) -> Array:
-    """[[m E, -<mu>], [<mu>, J]] of rates."""
-    return np.block([[mass * np.eye(3), -skew(moment)], [skew(moment), J]])
+    mass, moment, J = np.zeros(MASSES), np.zeros((MASSES, 3)), np.zeros((MASSES, 3, 3))
+    mass[0], moment[0], moment[1:4] = 1.0, center, m * np.eye(3)
+    if wheel.inertia_about != "origin":
+        across, each = skew(center), skew(np.eye(3))
+        J[0] = -across @ across
+        J[1:4] = -m * (each @ across + across @ each)
+    for k, (i, j) in enumerate(_ENTRIES, start=4):
+        J[k, i, j] = J[k, j, i] = 1.0
+    return mass, moment, J
 
 
 @dataclass(frozen=True, eq=False)

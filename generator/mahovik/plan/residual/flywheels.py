@@ -69,7 +69,7 @@ def tables_of(stand: Stand) -> Tables:
 
 
 def turned(Theta: Array, Lm: Array) -> Array:
-    """Harmonics (5, 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T."""
+    """Harmonics (5, ..., 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T, Theta (..., 6, 6)."""
     parts = [Lm @ R for R in (_STILL, _COS, _SIN)]
     still, cos, sin = ([a @ Theta @ b.T for b in parts] for a in parts)
     return np.array(
@@ -83,12 +83,12 @@ def turned(Theta: Array, Lm: Array) -> Array:
     )
 
 
-def weighed(mass: float, moment: Array, Lm: Array) -> Array:
-    """Harmonics (5, 6, 3) of the wrench by gravity on a mass (kg) with a first moment (3, kg m) in its own frame."""
+def weighed(mass: Array | float, moment: Array, Lm: Array) -> Array:
+    """Harmonics (5, ..., 6, 3) of the wrench by gravity on masses (..., kg) with first moments (..., 3; kg m)."""
     C = Lm[:3, :3]
-    harmonics = np.zeros((5, 6, 3))
-    for h, (share, R) in enumerate(((mass, _STILL), (0.0, _COS), (0.0, _SIN))):
-        harmonics[h] = Lm @ heaviness(share, R[:3, :3] @ moment) @ C.T
+    harmonics = np.zeros((5, *np.shape(mass), 6, 3))
+    for h, (share, R) in enumerate(((1.0, _STILL), (0.0, _COS), (0.0, _SIN))):
+        harmonics[h] = Lm @ heaviness(share * np.asarray(mass), moment @ R[:3, :3].T) @ C.T
     return harmonics
 
 

@@ -94,9 +94,15 @@ def inertia(body: Body) -> Array:
     J = np.array(body.inertia)
     if body.inertia_about != "origin":
         J = J - mu @ skew(np.array(body.center_of_mass))
-    Theta = np.zeros((6, 6))
-    Theta[:3, :3] = body.mass * np.eye(3)
-    Theta[:3, 3:], Theta[3:, :3], Theta[3:, 3:] = -mu, mu, J
+    return spatial_inertia(np.array(body.mass), first_moment(body), J)
+
+
+def spatial_inertia(mass: Array, moment: Array, J: Array) -> Array:
+    """[[m E, -<mu>], [<mu>, J]] (..., 6, 6) of mass (...), first moment (..., 3), inertia at the origin (..., 3, 3)."""
+    mu = skew(moment)
+    Theta = np.zeros((*mass.shape, 6, 6))
+    Theta[..., :3, :3] = mass[..., None, None] * np.eye(3)
+    Theta[..., :3, 3:], Theta[..., 3:, :3], Theta[..., 3:, 3:] = -mu, mu, J
     return Theta
 
 
@@ -108,8 +114,8 @@ def afloat(body: Body) -> tuple[float, Array]:
     return body.mass - displaced, first_moment(body) - displaced * np.array(body.buoyancy.center)
 
 
-def heaviness(mass: float, moment: Array) -> Array:
-    """Matrix (6, 3) that makes a wrench of gravity: (mass g; moment x g), `moment` (3, kg m)."""
-    H = np.zeros((6, 3))
-    H[:3], H[3:] = mass * np.eye(3), skew(moment)
+def heaviness(mass: Array | float, moment: Array) -> Array:
+    """Matrix (..., 6, 3) that makes a wrench of gravity: (mass g; moment x g), `moment` (..., 3; kg m)."""
+    H = np.zeros((*np.shape(mass), 6, 3))
+    H[..., :3, :], H[..., 3:, :] = np.asarray(mass)[..., None, None] * np.eye(3), skew(moment)
     return H
