@@ -84,8 +84,16 @@ class Space:
     @property
     def now(self) -> Array:
         """y (P) of the stand as it is, inside the bounds."""
-        x = np.array([numbers_of(s) for s in self.stand.flywheels]).ravel()
-        return self.inside((x - self.b)[list(self.owner)] if self.P else np.zeros(0))
+        return self.inside((self.before.ravel() - self.b)[list(self.owner)] if self.P else np.zeros(0))
+
+    @property
+    def before(self) -> Array:
+        """x (N, WIDTH) of the stand as it is."""
+        return np.array([numbers_of(s) for s in self.stand.flywheels]).reshape(-1, WIDTH)
+
+    def own_rates(self, y: Array, by_parameters: Array, s: int) -> Array:
+        """Derivatives (..., WIDTH) by the numbers of flywheel s of what has those (..., N, K) by its parameters."""
+        return np.asarray(by_parameters[..., s, :] @ rates(self.stand.flywheels[s], self.numbers(y)[s], True))
 
     def inside(self, y: Array) -> Array:
         """y (P) clipped to the bounds."""

@@ -111,7 +111,9 @@ class Task:
         """The design of z, with winding and held bias of `like`."""
         own = z * self.scales(like.H)
         P = self.space.P
-        start = Periodic(like.period, like.winding, np.zeros_like(like.waves), np.where(self.start.free, 0.0, like.bias))
+        start = Periodic(
+            like.period, like.winding, np.zeros_like(like.waves), np.where(self.start.free, 0.0, like.bias)
+        )
         return Design(self.space.inside(own[:P]), start.moved(own[P:], self.start.free))
 
     def box(self, H: int) -> tuple[Array, Array]:
