@@ -1,4 +1,4 @@
-"""Design: positions, mountings, unbalances of the flywheels chosen together with the programme, for a required motion."""
+"""Design: positions, mountings, unbalances of flywheels chosen together with the programme, for a required motion."""
 
 from mahovik.design.designer import Wishes, design_stand
 from mahovik.design.freedom import Freedom

@@ -45,7 +45,7 @@ def _without_each(task: Task) -> Iterator[tuple[str, RequiredMotion, Freedom]]:
     """Motion and freedom without one of the constraints each."""
     own, motion = task.freedom, task.motion
     for key, part in PARTS.items():
-        finite = np.isfinite(own.least[:, part]) & np.isfinite(own.most[:, part]) & own.free[:, part]
+        finite = np.isfinite(own.most[:, part] - own.least[:, part]) & own.free[:, part]
         if not finite.any():
             continue
         least, most = own.least.copy(), own.most.copy()

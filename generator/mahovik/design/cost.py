@@ -12,14 +12,14 @@ from mahovik.design.task import Design, Task, Weighing
 from mahovik.plan.budget import Budget
 from mahovik.plan.residual import prescribe, torques
 
-HEAVY = (30.0, 1e3, 1e4)
+HEAVY = (1e2, 1e4)
 """Weights of the residual beside the cost, in turn: each leaves less of it to be traded for cost."""
-STEPS, LAST = 60, 60
+STEPS, LAST = 40, 40
 """Evaluations with each of them, and of the return to least residual."""
 
 
 class Cost(NamedTuple):
-    """unbalance: of all flywheels, kg m; torque: largest drive torque at any time, N m; weighted: what is made least."""
+    """unbalance: of all flywheels, kg m; torque: largest drive torque, N m; weighted: what is made least."""
 
     unbalance: float
     torque: float

@@ -110,7 +110,7 @@ def nothing(found: Search, budget: Budget, effort: dict[str, Any]) -> Outcome:
         f"least relative residual with {tried}"
     )
     if found.nearest is None:
-        more = ("no start came near: other windings (`speed`), another seed, more flywheels may help",)
+        more: tuple[str, ...] = ("no start came near: other windings (`speed`), another seed, more flywheels may help",)
     elif found.refused and found.best <= found.nearest[0].freedom.quality:
         more = tuple(dict.fromkeys(found.refused))[:3]
     else:

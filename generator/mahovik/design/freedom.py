@@ -5,8 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from mahovik.plan.array import Array
 
+Mask = NDArray[np.bool_]
 Key = Literal["position", "angles", "unbalance", "unbalance_at", "mass", "inertia"]
 
 PARTS: dict[Key, slice] = {
@@ -81,7 +85,7 @@ class Freedom:
 
     least: Array
     most: Array
-    free: Array
+    free: Mask
     ties: tuple[Tie, ...] = ()
     limits: Limits = Limits()
     weights: Weights = Weights()

@@ -9,11 +9,10 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.design.freedom import MIRRORS, PARTS, WIDTH, Freedom, Key, Limits, Tie, Weights
-from mahovik.design.space import numbers_of
 from mahovik.design.limits import nearest_two
+from mahovik.design.space import numbers_of
 from mahovik.errors import DesignError
 from mahovik.motion.document import Section, text_of
-from mahovik.plan.array import Array
 from mahovik.stand.content import TABLE
 from mahovik.stand.model import Stand
 from mahovik.stand.names import nearest

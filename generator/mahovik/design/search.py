@@ -20,7 +20,7 @@ from mahovik.stand import loads
 from mahovik.stand.model import Stand
 from mahovik.stand.write import dumps
 
-STARTS, ENOUGH = 40, 3
+STARTS, ENOUGH = 40, 2
 """Starts of one number of flywheels; designs after which it looks for no more."""
 KINDS: tuple[Kind, ...] = ("spin", "spin", "mixed", "rock")
 """Windings of the starts, in turn, where the motion file leaves them open: few flywheels turn rather than rock."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,8 @@ HOPELESS = 0.5
 """Relative residual at constant speed (root mean square at the nodes) above which a start is given up."""
 FIRST, LATER = 40, 120
 """Evaluations of the first rung, and of each later one."""
+STALL = 1e-5
+"""A step that lessens the sum of squares by less than this part of it is the last; near an exact design none does."""
 _INSIDE = 1e-10
 """Of the range: how far inside its bounds a start begins, as the method needs."""
 
@@ -28,7 +31,7 @@ class Reached(NamedTuple):
     residual: float
 
 
-class _Over(Exception):
+class _OverError(Exception):
     """The budget is spent in the middle of a run."""
 
 
@@ -52,13 +55,11 @@ def descend(task: Task, start: Design, weighing: Weighing, steps: int, budget: B
 
     def slopes(z: Array) -> Array:
         if not budget.step():
-            raise _Over
+            raise _OverError
         return task.jacobian(task.unpack(z, like), weighing)
 
-    try:
-        least_squares(rows, z, slopes, (low, high), xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=steps)
-    except _Over:
-        pass
+    with contextlib.suppress(_OverError):
+        least_squares(rows, z, slopes, (low, high), ftol=STALL, xtol=1e-13, gtol=1e-15, max_nfev=steps)
     return task.unpack(best, like)
 
 

@@ -11,7 +11,7 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.design.freedom import NAMES, PARTS, WIDTH, Freedom, Tie
+from mahovik.design.freedom import NAMES, PARTS, WIDTH, Freedom, Mask, Tie
 from mahovik.errors import DesignError
 from mahovik.plan.array import Array
 from mahovik.plan.residual import PARAMETERS
@@ -32,7 +32,7 @@ class Space:
     """
 
     stand: Stand
-    free: Array
+    free: Mask
     A: Array
     b: Array
     least: Array

@@ -18,7 +18,7 @@ from mahovik.plan.array import Array
 from mahovik.plan.bounds import RHO, bias_hinges, bounded, hinges
 from mahovik.plan.fourier import Periodic
 from mahovik.plan.problem import Grid, Problem
-from mahovik.plan.residual import Mechanics, Norm, by_design
+from mahovik.plan.residual import Linear, Mechanics, Norm, Prescribed, by_design
 from mahovik.plan.rows import Rows
 from mahovik.stand.model import Stand
 
@@ -28,6 +28,14 @@ class Design(NamedTuple):
 
     y: Array
     motion: Periodic
+
+
+class Evaluated(NamedTuple):
+    """The problem of a design's stand, and (12) with its derivatives by the flywheels' motion at the nodes."""
+
+    problem: Problem
+    at: Prescribed
+    linear: Linear
 
 
 class Weighing(NamedTuple):
@@ -51,6 +59,7 @@ class Task:
     start: Problem
     torque: float
     _grids: dict[tuple[int, int, float], Grid] = field(default_factory=dict)
+    _latest: dict[bytes, Evaluated] = field(default_factory=dict)
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, freedom: Freedom) -> Task:
@@ -132,11 +141,11 @@ class Task:
 
     def _evaluated(self, design: Design, weighing: Weighing, differentiate: bool) -> tuple[Array, Array]:
         y, motion = design
-        problem, grid = self.problem(y), self.grid(motion.winding, motion.H)
+        grid = self.grid(motion.winding, motion.H)
+        problem, at, found = self._linear(design, grid)
         M, P, F = len(grid.t), self.space.P, int(self.start.free.sum())
         n = P + motion.waves.size + F
         angles = motion.at(grid.basis)
-        at, found = problem.linear(grid, motion)
         weight = weighing.residual / np.sqrt(M)
         parts, slopes = [weight * problem.norm.scaled(found.R).ravel()], []
         root = problem.norm.root / problem.norm.demand
@@ -163,6 +172,16 @@ class Task:
             slopes.append(np.hstack([np.zeros((F, n - F)), np.diag(by_bias[self.start.free] / RHO)]))
             slopes.append(np.hstack([lighter, np.zeros((len(light), n - P))]))
         return np.concatenate(parts), np.vstack(slopes) if differentiate else np.zeros((0, n))
+
+    def _linear(self, design: Design, grid: Grid) -> Evaluated:
+        """At a design; that of the latest is kept: rows are asked for first, then their derivatives."""
+        y, motion = design
+        key = b"".join(x.tobytes() for x in (y, motion.waves, motion.bias, motion.winding))
+        if key not in self._latest:
+            problem = self.problem(y)
+            self._latest.clear()
+            self._latest[key] = Evaluated(problem, *problem.linear(grid, motion))
+        return self._latest[key]
 
     def _kinds(self, problem: Problem, grid: Grid, motion: Periodic, torque: Rows, weighing: Weighing) -> list[Rows]:
         """Rows of each flywheel at each time: bounds of the motion file, torque in the cost."""
