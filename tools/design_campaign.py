@@ -127,18 +127,23 @@ def main() -> None:
     sys.exit(1 if few else 0)
 
 
+def _of(row: Row, lines: Sequence[str]) -> str:
+    """The line of a row, among those that were made or those that are on the page; "" where there is none."""
+    return next((each for each in lines if each.startswith(f"| {row.name} |")), "")
+
+
 def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
     """The table between the marks of the page."""
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    old, after = rest.split(END)
     text = [
         f"{asked.seeds} stands a row, seeds from {asked.first}; found within {SECONDS:g} s of the processor.",
         "",
         "| motion | flywheels | relative residual asked | found | verified as exact | median residual | worst "
         "| median, s | longest, s |",
         "|---|---|---|---|---|---|---|---|---|",
-        *lines,
+        *(made for row in ROWS if (made := _of(row, lines) or _of(row, old.splitlines()))),
     ]
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    after = rest.split(END)[1]
     PAGE.write_text("\n".join([before + BEGIN, *text, END + after]), encoding="utf-8", newline="\n")
 
 

@@ -81,16 +81,17 @@ def design_stand(
 def _designed(found: Search, asked: Wishes, budget: Budget, effort: dict[str, Any]) -> Outcome:
     """The cheapest, as it is written."""
     chosen = found.found[0]
-    stand, programme, exact = finished(chosen, chosen.task.motion, budget)
+    stand, programme, wrong = finished(chosen, chosen.task.motion, budget)
     over = tuple(programme.report["exceeded"])
     residual = float(programme.report["residual"])
     quality = chosen.task.freedom.quality
-    status: Status = "OK" if exact else "APPROXIMATE"
+    status: Status = "APPROXIMATE" if wrong else "OK"
     told: tuple[str, ...] = ()
-    if not exact:
+    if wrong:
         told = (
             f"the programme is not exact: its relative residual is {residual:.2g}, accepted up to {quality:g} "
-            "(`quality`); verify-programme refuses it, more flywheels or more freedom would make it exact",
+            "(`quality`); more flywheels or more freedom would make it exact",
+            f"verify-programme refuses it: {wrong}",
         )
     if over:
         status, told = "OK_LIMIT", (*told, *over)

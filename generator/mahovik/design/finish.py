@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.design.search import Candidate
+from mahovik.design.solve import EXACT
 from mahovik.design.space import angles_of
 from mahovik.motion.programme import Fourier, Programme
 from mahovik.motion.required import RequiredMotion
@@ -30,8 +31,8 @@ ROUNDING = 1e-13
 """Relative residual of a harmonic that is none."""
 
 
-def finished(chosen: Candidate, motion: RequiredMotion, budget: Budget) -> tuple[Stand, Programme, bool]:
-    """The stand, its programme with a report, and whether the programme is exact: the verification passes it."""
+def finished(chosen: Candidate, motion: RequiredMotion, budget: Budget) -> tuple[Stand, Programme, str]:
+    """The stand, its programme with a report, and what the verification has against it; empty: it is exact."""
     task, design = chosen.task, chosen.reached.design
     stand, course = phased(task.space.stand_of(design.y), design.motion, task.freedom.phase)
     problem = Problem.of(stand, motion)
@@ -52,7 +53,7 @@ def finished(chosen: Candidate, motion: RequiredMotion, budget: Budget) -> tuple
     fourier = Fourier(np.array(course.mean), np.array(course.cos), np.array(course.sin))
     winding = tuple(round(n) for n in course.winding)
     programme = certified(stand, motion, programme_of(stand, motion, course.bias, winding, fourier, report))
-    return stand, programme, not wrong_items(programme)
+    return stand, programme, wrong_items(programme)
 
 
 def made_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Periodic, tuple[str, ...]]:
@@ -62,6 +63,7 @@ def made_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Peri
         longer = ladder(problem, course, RUNGS, budget).motion
         if problem.relative(longer) < min(least, problem.tolerance):
             best, least = longer, problem.relative(longer)
+    best = plainest(problem, best, least)
     if not bounded(problem.motion.bounds):
         return best, ()
     improver = Improver.of(problem)
@@ -71,6 +73,15 @@ def made_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Peri
         if found is not None and found.accepted:
             return found.motion, ()
     return best, exceeded
+
+
+def plainest(problem: Problem, course: Periodic, residual: float) -> Periodic:
+    """With the fewest harmonics that do: constant speed where the others are rounding."""
+    for H in range(course.H):
+        fewer = course.with_harmonics(H)
+        if problem.relative(fewer) <= max(residual, EXACT):
+            return fewer
+    return course
 
 
 def _exceeded(problem: Problem, course: Periodic) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from mahovik.design.cost import Cost, cheapened, cost_of
+from mahovik.design.limits import limit_rows
 from mahovik.design.solve import Reached, refine
 from mahovik.design.task import Design, Task
 from mahovik.errors import StandError
@@ -100,11 +101,12 @@ def _one(task: Task, start: Design, budget: Budget, state: Search) -> None:
     if problem is not None:
         state.refused.append(problem)
         return
-    cheap = cheapened(task, reached, task.freedom.weights, budget)
-    if broken(task, cheap.design) or trouble(task.space.stand_of(cheap.design.y)) is not None:
-        cheap = reached
-    state.seen(task, cheap)
-    state.found.append(Candidate(task, cheap, cost_of(task, cheap.design, task.freedom.weights)))
+    weights = task.freedom.weights
+    state.found.append(Candidate(task, reached, cost_of(task, reached.design, weights)))  # before Ctrl-C may come
+    cheap = cheapened(task, reached, weights, budget)
+    if not broken(task, cheap.design) and trouble(task.space.stand_of(cheap.design.y)) is None:
+        state.seen(task, cheap)
+        state.found[-1] = Candidate(task, cheap, cost_of(task, cheap.design, weights))
 
 
 def drawn_start(task: Task, bias: Array, seed: int, k: int) -> Design:
@@ -127,8 +129,6 @@ def drawn_start(task: Task, bias: Array, seed: int, k: int) -> Design:
 
 def broken(task: Task, design: Design) -> bool:
     """Whether a limit of the whole is broken."""
-    from mahovik.design.limits import limit_rows
-
     return bool(limit_rows(task.freedom.limits, task.space, design.y)[0].max(initial=0.0) > 1e-6)
 
 

@@ -30,9 +30,14 @@ def _row(each: Change) -> tuple[str, ...]:
         before, after = (math.remainder(x, 2.0 * math.pi) for x in (before, after))
     margin = f"at {each.at}" if each.at else "-" if each.margin is None else f"{factor * each.margin:.4g}"
     return (
-        each.flywheel, each.name, unit, f"{factor * before:.4f}", f"{factor * after:.4f}", margin, each.step,
+        each.flywheel, each.name, unit, _plain(factor * before), _plain(factor * after), margin, each.step,
         f"{each.sensitivity:.2g}",
     )  # fmt: skip
+
+
+def _plain(x: float) -> str:
+    """Four decimals, no negative zero."""
+    return f"{round(x, 4) + 0.0:.4f}"
 
 
 def summary(found: Outcome) -> list[str]:
