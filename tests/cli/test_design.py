@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
@@ -34,7 +33,7 @@ def free_file(tmp_path: Path, most: str = "3") -> str:
 
 
 def test_stand_and_programme_are_written(tmp_path: Path) -> None:
-    """Both are read back, of each other; the table says what changed, JSON the same in SI; nothing else is left."""
+    """Both are read back, of each other; the table says what changed; nothing else is left in the folder."""
     out = tmp_path / "out.toml"
     given = ("design", SHAKER2, "--motion", MOTION, "--free", free_file(tmp_path), "-o", str(out))
     result = run(*given)
@@ -45,16 +44,10 @@ def test_stand_and_programme_are_written(tmp_path: Path) -> None:
     stand, programme = load(out), load_programme(out.with_suffix(".json"))
     assert programme.stand == stand.name
     assert programme.report["verified"] is True
-    checked = run("verify-programme", str(out), MOTION, str(out.with_suffix(".json")))
-    assert checked.exit_code == 0, checked.output
     assert out.read_text(encoding="utf-8").startswith(
         "# Designed by `mahovik design` from shaker2.toml for shaker2.motion"
     )
     assert sorted(p.name for p in tmp_path.iterdir()) == ["free.toml", "out.json", "out.toml"]
-    told = json.loads(run(*given, "--json").stdout)
-    assert told["status"] == "OK"
-    assert told["totals"]["after"]["unbalance"] == pytest.approx(2.079e-3, rel=1e-3)
-    assert {each["name"] for each in told["changes"]} == {"unbalance", "unbalance_at"}
 
 
 def test_what_no_design_can_do_writes_nothing(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from functools import cache
 
@@ -15,6 +16,7 @@ from mahovik.design.freedom import Weights
 from mahovik.design.pareto import Point, unbeaten
 from mahovik.design.read import read_freedom
 from mahovik.design.search import Search
+from mahovik.design.show import as_object, summary
 from mahovik.errors import DesignError
 from mahovik.plan.fourier import uniform
 from mahovik.plan.residual import Mechanics, Norm, prescribe, residual
@@ -41,10 +43,20 @@ def test_two_flywheels_for_one_axis() -> None:
     places = np.array([s.position for s in found.stand.flywheels])
     assert abs(places).max() <= 0.08
     # +-mu Omega^2 of each pair is the whole force that moves mass and suspension: nothing is wasted across
-    needed = abs(
-        (7.0 * (2 * np.pi * 20) ** 2 - 1105.398) * 3e-4 / (2 * np.pi * 20) ** 2 + 10j * 3e-4 / (2 * np.pi * 20)
-    )
+    Omega = 2 * np.pi * 20
+    needed = 3e-4 * abs(7.0 - 1105.398 / Omega**2 + 10j / Omega)
     assert found.totals["after"]["unbalance"] == pytest.approx(needed, rel=2e-3)
+
+
+def test_the_object_is_strict_json() -> None:
+    """In SI; every free number of every flywheel."""
+    told = json.loads(json.dumps(as_object(one_axis()), allow_nan=False))
+    assert told["status"] == "OK"
+    assert told["verified"] is True
+    assert told["totals"]["after"]["unbalance"] == pytest.approx(told["cost"]["unbalance"])
+    assert len(told["changes"]) == 2 * 7
+    assert told["changes"][0]["unit"] == "m"
+    assert summary(one_axis())[0].startswith("flywheels 2, total unbalance 4000 -> ")
 
 
 def test_sensitivities_are_those_of_stands_that_are_built_so() -> None:
@@ -101,6 +113,20 @@ def test_a_motion_that_no_design_can_do_is_refused() -> None:
         design_stand(replace(shaker(), suspension=None), motion_of, freedom())
 
 
+def test_interrupted_before_anything_was_found() -> None:
+    """Said so; nothing is given."""
+
+    def tell(state: Search) -> None:
+        raise KeyboardInterrupt
+
+    text = FREE.replace("harmonics = 1", "harmonics = 0\nnumber = [1, 2]")
+    found = design_stand(shaker(), motion_of, freedom(text), Wishes(), tell)
+    assert found.interrupted
+    assert (found.status, found.stand) == ("NO_DESIGN", None)
+    assert "1 starts, interrupted" in found.words[0]
+
+
+@pytest.mark.slow
 def test_the_fewest_flywheels_are_tried_first() -> None:
     """Ctrl-C after the first of two flywheels gives it; one alone cannot."""
     tried: list[int] = []

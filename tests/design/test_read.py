@@ -27,9 +27,7 @@ def test_keys_free_all_flywheels() -> None:
 
 def test_a_file_in_units() -> None:
     """Bounds in SI; later tables win; held is held."""
-    later = (
-        '[[free]]\nflywheels = ["right"]\nposition = { min = [0, 0, 0], max = ["1 mm", 0, 0] }\nunbalance_at = false\n'
-    )
+    later = '[[free]]\nflywheels = ["right"]\nposition = { min = [0, 0, 0], max = ["1 mm", 0, 0] }\n'
     found = read_freedom(FREE + later, shaker())
     assert tuple(found.most[0, :3]) == (0.08, 0.08, 0.08)
     assert tuple(found.most[1, :3]) == (0.001, 0.0, 0.0)
