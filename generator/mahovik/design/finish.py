@@ -13,11 +13,11 @@ from mahovik.design.space import angles_of
 from mahovik.motion.programme import Fourier, Programme
 from mahovik.motion.required import RequiredMotion
 from mahovik.plan.array import Array
-from mahovik.plan.bounds import bounded
+from mahovik.plan.bounds import bounded, exceeded
 from mahovik.plan.budget import Budget
 from mahovik.plan.certificate import certified, programme_of, wrong_items
 from mahovik.plan.choose import Improver
-from mahovik.plan.figures import figures
+from mahovik.plan.figures import figures, torques_on
 from mahovik.plan.fourier import Periodic
 from mahovik.plan.levenberg import ladder
 from mahovik.plan.problem import Problem
@@ -67,12 +67,12 @@ def made_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Peri
     if not bounded(problem.motion.bounds):
         return best, ()
     improver = Improver.of(problem)
-    exceeded = _exceeded(problem, best)
-    if (exceeded or least > problem.tolerance) and problem.N >= 6:
+    over = _exceeded(problem, best)
+    if (over or least > problem.tolerance) and problem.N >= 6:
         found = improver.polish(course, "given", budget)
         if found is not None and found.accepted:
             return found.motion, ()
-    return best, exceeded
+    return best, over
 
 
 def plainest(problem: Problem, course: Periodic, residual: float) -> Periodic:
@@ -86,9 +86,6 @@ def plainest(problem: Problem, course: Periodic, residual: float) -> Periodic:
 
 def _exceeded(problem: Problem, course: Periodic) -> tuple[str, ...]:
     """Bounds of the motion file that a motion of the flywheels exceeds, in words."""
-    from mahovik.plan.bounds import exceeded
-    from mahovik.plan.figures import torques_on
-
     grid = problem.grid(20 * (2 * course.H + 2), course.H, 0.5)
     angles = course.at(grid.basis)
     swing = angles.phi - course.mean - grid.t[:, None] * (2.0 * np.pi / course.period * course.winding)

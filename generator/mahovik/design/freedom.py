@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -97,8 +97,6 @@ class Freedom:
 
     def of_first(self, N: int) -> Freedom:
         """For the first N flywheels: ties of what is left of two or more."""
-        from dataclasses import replace
-
         ties = []
         for tie in self.ties:
             kept = tuple(s for s in tie.flywheels if s < N)

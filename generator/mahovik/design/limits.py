@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from mahovik.design.freedom import WIDTH, Limits
 from mahovik.design.space import Space
 from mahovik.plan.array import Array
-from mahovik.plan.residual.spatial import flywheel_transfer
-from mahovik.stand.model import Stand
+from mahovik.plan.residual.spatial import flywheel_transfer, place
+from mahovik.stand.model import MountingAngles, Stand
 
 MARGIN = 1e-9
 """Part of a limit that a design keeps from it, so that rounding does not break it."""
@@ -40,32 +42,22 @@ def limit_rows(limits: Limits, space: Space, y: Array) -> tuple[Array, Array]:
 
 def places_of(stand: Stand, x: Array) -> tuple[Array, Array]:
     """Places of the flywheels in E1 (N, 3), and axes of their mounts (N, 3, 3)."""
-    from dataclasses import replace
-
-    from mahovik.stand.model import MountingAngles
-
-    places, axes = [], []
-    for wheel, own in zip(stand.flywheels, x, strict=True):
-        still = MountingAngles(0.0, 0.0, 0.0)
-        at = flywheel_transfer(stand, replace(wheel, position=(0.0, 0.0, 0.0), mounting=still))
-        C, S = at[:3, :3], at[3:, :3] @ at[:3, :3].T
-        axes.append(C)
-        places.append(np.array([S[2, 1], S[0, 2], S[1, 0]]) + C @ own[:3])
-    return np.array(places).reshape(-1, 3), np.array(axes).reshape(-1, 3, 3)
+    still = MountingAngles(0.0, 0.0, 0.0)
+    mounts = [
+        flywheel_transfer(stand, replace(wheel, position=(0.0, 0.0, 0.0), mounting=still)) for wheel in stand.flywheels
+    ]
+    axes = np.array([L[:3, :3] for L in mounts]).reshape(-1, 3, 3)
+    places = np.array([place(L) + L[:3, :3] @ own[:3] for L, own in zip(mounts, x, strict=True)])
+    return places.reshape(-1, 3), axes
 
 
 def nearest_two(stand: Stand) -> tuple[float, str, str] | None:
     """Least distance between two flywheels (m), and their names; None of fewer than two."""
     wheels = stand.flywheels
-    places = [_O(flywheel_transfer(stand, s)) for s in wheels]
+    places = [place(flywheel_transfer(stand, s)) for s in wheels]
     pairs = [
         (float(np.linalg.norm(places[i] - places[j])), wheels[j].name, wheels[i].name)
         for i in range(len(wheels))
         for j in range(i)
     ]
     return min(pairs) if pairs else None
-
-
-def _O(Lm: Array) -> Array:
-    S = Lm[3:, :3] @ Lm[:3, :3].T
-    return np.array([S[2, 1], S[0, 2], S[1, 0]])

@@ -16,9 +16,9 @@ from mahovik.design.space import Space
 from mahovik.motion.required import RequiredMotion
 from mahovik.plan.array import Array
 from mahovik.plan.bounds import RHO, bias_hinges, bounded, hinges
-from mahovik.plan.fourier import Periodic
+from mahovik.plan.fourier import Periodic, uniform
 from mahovik.plan.problem import Grid, Problem
-from mahovik.plan.residual import Linear, Mechanics, Norm, Prescribed, by_design
+from mahovik.plan.residual import Linear, Mechanics, Norm, Prescribed, by_design, prescribe
 from mahovik.plan.rows import Rows
 from mahovik.stand.model import Stand
 
@@ -99,9 +99,6 @@ class Task:
 
     def norm(self, problem: Problem) -> Norm:
         """The norm that the planner takes for the stand of a design."""
-        from mahovik.plan.fourier import uniform
-        from mahovik.plan.residual import prescribe
-
         t = uniform(self.motion.span, max(256, 16 * max(self.motion.harmonics, default=1)))
         return Norm.of(prescribe(problem.mechanics, self.motion.at(t)), self.motion.span)
 

@@ -17,7 +17,16 @@ from mahovik.plan.residual.evaluate import flywheel_wrenches
 from mahovik.plan.residual.flywheels import Tables, f, slope, turned, waves, weighed
 from mahovik.plan.residual.kinematics import Coordinates, Twists, twists
 from mahovik.plan.residual.prescribed import Mechanics, Prescribed, Shifted, harmonics_at
-from mahovik.plan.residual.spatial import both, flywheel_transfer, mount_axes, skew, spatial_inertia, transfer, turn
+from mahovik.plan.residual.spatial import (
+    both,
+    flywheel_transfer,
+    mount_axes,
+    place,
+    skew,
+    spatial_inertia,
+    transfer,
+    turn,
+)
 from mahovik.stand.model import Flywheel, Stand
 
 PARAMETERS = (
@@ -77,19 +86,13 @@ def table_rates(stand: Stand, tables: Tables) -> TableRates:
 def motors(stand: Stand, wheel: Flywheel) -> Array:
     """X (6, 6, 6) in E1 about O1: of moves along the mount's axes (m), of turns about the flywheel's own (rad)."""
     Lm = flywheel_transfer(stand, wheel)
-    C, O = Lm[:3, :3], _place(Lm)
+    C, O = Lm[:3, :3], place(Lm)
     mount = C @ mount_axes(wheel).T  # of the mount's axes to E1
     X = np.zeros((PLACING, 6, 6))
     X[:3, 3:, :3] = skew(mount.T)
     T, back = transfer(O, np.eye(3)), transfer(-O, np.eye(3))
     X[3:] = T @ both(skew(C.T)) @ back
     return X
-
-
-def _place(Lm: Array) -> Array:
-    """O (3, m) of a transfer [[C, 0], [<O> C, C]]."""
-    S = Lm[3:, :3] @ Lm[:3, :3].T
-    return np.array([S[2, 1], S[0, 2], S[1, 0]])
 
 
 def mass_rates(wheel: Flywheel) -> tuple[Array, Array, Array]:

@@ -58,6 +58,12 @@ def transfer(O: Vec3 | Array, C: Array) -> Array:
     return L
 
 
+def place(L: Array) -> Array:
+    """O (3, m) of a transfer [[C, 0], [<O> C, C]]."""
+    S = L[3:, :3] @ L[:3, :3].T
+    return np.array([S[2, 1], S[0, 2], S[1, 0]])
+
+
 def fixed_axes(angles: Vec3) -> Array:
     """C (3, 3) of an instrument: C3(psi) C2(theta) C1(phi), whatever the carrier's sequence."""
     return attitude("ship", np.array(angles))
