@@ -115,7 +115,8 @@ class _Reader:
                 self._open(chosen, "unbalance_at")
         phase = self._flag("phase")
         speeds = self._speeds()
-        if not self.free.any() and not phase and speeds is None and "number" not in top:
+        choosing = phase or speeds is not None or "number" in top
+        if not self.free.any() and not choosing and not top.problems.lines:
             top.problems.add(f"nothing is free: free one of {', '.join((*PARTS, *CHOICES))}")
         return Freedom(
             self.least, self.most, self.free, self._ties(), self._limits(), self._weights(), phase, speeds, number,
@@ -227,7 +228,7 @@ class _Reader:
             chosen = self._flywheels(section)
             same = section.rows("same")
             for key in same:
-                if key not in PARTS:
+                if not isinstance(key, str) or key not in PARTS:
                     section.refuse("same", f'unknown key {show(key)}, did you mean "{nearest(str(key), list(PARTS))}"?')
             mirror = section.given.get("mirror")
             if mirror is not None and mirror not in MIRRORS:
@@ -243,7 +244,7 @@ class _Reader:
             elif len({self.stand.flywheels[s].mount for s in chosen}) > 1:
                 section.refuse("flywheels", "a group is of one mount, its places are in one frame")
             else:
-                keys = tuple(cast(Key, key) for key in same if key in PARTS)
+                keys = tuple(key for key in PARTS if key in same)
                 found.append(Tie(tuple(chosen), keys, mirror))
         return tuple(found)
 

@@ -24,7 +24,7 @@ from mahovik.stand.write import dumps
 STARTS, ENOUGH = 40, 2
 """Starts of one number of flywheels; designs after which it looks for no more."""
 KINDS: tuple[Kind, ...] = ("spin", "spin", "mixed", "rock")
-"""Windings of the starts, in turn, where the motion file leaves them open: few flywheels turn rather than rock."""
+"""Windings of the starts, in turn, where they are left open: few flywheels turn rather than rock."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,9 +64,10 @@ Tell = Callable[[Search], None]
 
 
 def search(tasks: Sequence[Task], seed: int, budget: Budget, tell: Tell | None = None, starts: int = STARTS) -> Search:
-    """Designs of the first task that has any, cheapest first; tasks have rising numbers of flywheels.
+    """Designs of the first task that has any; tasks have rising numbers of flywheels.
 
-    The same for the same tasks and seed unless time cut it. Ctrl-C ends it with what it has.
+    Exact ones stand before others, cheap ones before dear. The same for the same tasks and seed unless time cut it;
+    Ctrl-C ends it with what it has.
     """
     state = Search()
     try:
@@ -84,7 +85,7 @@ def search(tasks: Sequence[Task], seed: int, budget: Budget, tell: Tell | None =
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
-    state.found.sort(key=lambda each: each.cost.weighted)
+    state.found.sort(key=lambda each: (each.reached.residual > each.task.start.tolerance, each.cost.weighted))
     return state
 
 
@@ -117,7 +118,8 @@ def drawn_start(task: Task, bias: Array, seed: int, k: int) -> Design:
         y = task.space.now
     motion, N = task.motion, task.N
     if task.freedom.speeds is not None:
-        winding = rng.choice(np.array(task.freedom.speeds, dtype=np.float64), size=N)
+        turning = [n for n in task.freedom.speeds if n] if KINDS[k % len(KINDS)] == "spin" else []
+        winding = rng.choice(np.array(turning or task.freedom.speeds, dtype=np.float64), size=N)
     else:
         kind: Kind = "given" if isinstance(motion.winding, tuple) else KINDS[k % len(KINDS)]
         if isinstance(motion.winding, str) and motion.winding != "any":
