@@ -38,7 +38,9 @@ def design(
     pareto: int | None,
     as_json: bool,
 ) -> None:
-    """Design a stand: choose what is free, together with a programme, so that the carrier moves as required.
+    """Design a stand together with its programme.
+
+    What is free is chosen so that the carrier moves as required.
 
     FREE.toml names what is free, its bounds, groups, limits and the cost; KEYS frees it for all flywheels: position,
     angles, unbalance, unbalance_at, mass, inertia, phase, speed, number. Ctrl-C gives the best so far.
