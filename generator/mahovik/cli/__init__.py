@@ -12,6 +12,7 @@ from mahovik import __version__
 from mahovik.cli.check import check
 from mahovik.cli.cost import cost
 from mahovik.cli.derive import derive
+from mahovik.cli.design import design
 from mahovik.cli.doctor import doctor
 from mahovik.cli.evaluate import evaluate
 from mahovik.cli.evidence import evidence
@@ -20,10 +21,13 @@ from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
 from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
+from mahovik.cli.linearize import linearize
+from mahovik.cli.modes import modes
 from mahovik.cli.new import new
 from mahovik.cli.plan import plan
 from mahovik.cli.plot import plot
 from mahovik.cli.replay import replay
+from mahovik.cli.response import response
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
 from mahovik.cli.verify import verify
@@ -33,7 +37,8 @@ SECTIONS = {
     "A stand": (new, check, derive, rest),
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion in time": (evaluate, simulate, replay),
-    "Programmes of the flywheels": (plan, verify_programme),
+    "Vibration": (modes, linearize, response),
+    "Programmes of the flywheels": (plan, design, verify_programme),
     "Around it": (plot, export, doctor),
 }
 """Commands under the headings of `--help`, in the order in which one uses them."""
