@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -17,7 +17,8 @@ from mahovik.plan.certificate import certified, programme_of, wrong_items
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.finite import plan_finite
-from mahovik.plan.outcome import Plan, Status, Tell
+from mahovik.plan.ocp import plus_asked
+from mahovik.plan.outcome import Plan, Status, Tell, Ways
 from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
 from mahovik.plan.runup import shortcomings, with_runup
@@ -30,12 +31,13 @@ from mahovik.stand.model import Stand
 def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
     """A programme that makes the carrier of `stand` do `motion`, (12)-(13), or why there is none.
 
-    Ctrl-C while it searches gives the best so far.
+    Ctrl-C while it searches gives the best so far. UsageError: the method means nothing on this stand.
     """
     asked = wishes or Wishes()
+    plus = plus_asked(stand, asked)
     if asked.winding is not None:
         motion = replace(motion, winding=asked.winding)
-    budget = Budget(asked.steps, asked.seconds)
+    budget = Budget(asked.steps, asked.seconds_of_search)
     try:
         problem = Problem.of(stand, shortened(motion))
         first = preflight(problem)
@@ -44,10 +46,19 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
     if not motion.periodic:
-        return plan_finite(problem, first, asked, budget, tell)
+        return plan_finite(problem, first, asked, budget, tell, plus)
     improver = Improver.of(problem)
     found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
-    return _plan(problem, motion, first, found, choose(improver, found), budget, asked)
+    chosen = choose(improver, found)
+    if asked.method == "fourier" or not chosen or found.interrupted:
+        words = (not_found(found),) if not chosen else ()
+        return _plan(problem, motion, first, found, Ways([(each, {}) for each in chosen], words=words), budget, asked)
+    from mahovik.plan.ocp.plan import periodic_ocp
+
+    better = periodic_ocp(improver, chosen, asked, plus, budget, tell)
+    found.interrupted |= better.interrupted
+    budget.cut |= better.cut
+    return _plan(problem, motion, first, found, better, budget, asked)
 
 
 def _plan(
@@ -55,7 +66,7 @@ def _plan(
     motion: RequiredMotion,
     first: Preflight,
     found: Search,
-    chosen: Sequence[Candidate],
+    ways: Ways[Candidate],
     budget: Budget,
     asked: Wishes,
 ) -> Plan:
@@ -68,13 +79,13 @@ def _plan(
         "found": len(found.found),
         "best_residual": float(found.best),
         "cut_by_time": budget.cut,
-        "objective_spread": [each.objective for each in chosen],
+        "objective_spread": [each.objective for each, _ in ways.found],
     }
-    if not chosen:
-        return Plan("NO_PROGRAM", "SEARCH", (not_found(found),), tuple(first.warnings), (), effort, found.interrupted)
+    if not ways.found:
+        return Plan("NO_PROGRAM", ways.reason, tuple(ways.words), tuple(first.warnings), (), effort, found.interrupted)
     programmes, refused = [], []
-    for each in chosen:
-        programme = _programme(problem, motion, each, effort, asked.verify)
+    for each, told in ways.found:
+        programme = _programme(problem, motion, each, {"search": effort, **told}, asked.seed, asked.verify)
         wrong = wrong_items(programme)
         if wrong:
             refused.append(f"a programme was found and refused by the verification: {wrong}")
@@ -104,7 +115,7 @@ def not_found(found: Search) -> str:
 
 
 def _programme(
-    problem: Problem, motion: RequiredMotion, chosen: Candidate, effort: Mapping[str, Any], verify: bool
+    problem: Problem, motion: RequiredMotion, chosen: Candidate, told: Mapping[str, Any], seed: int, verify: bool
 ) -> Programme:
     """The programme with its report."""
     stand, own = problem.stand, repeated(chosen.motion, round(motion.span / problem.motion.span))
@@ -122,9 +133,9 @@ def _programme(
         "peak_torque": found.torque,
         "least_singular_value": found.sigma,
         "det_I_sign_changes": found.sign_changes,
-        "search": dict(effort),
+        **told,
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
     programme = programme_of(stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
-    programme = with_runup(stand, motion, programme, effort["seed"])
+    programme = with_runup(stand, motion, programme, seed)
     return certified(stand, motion, programme) if verify else programme

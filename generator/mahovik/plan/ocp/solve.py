@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -54,7 +53,6 @@ class Collocated:
     usable: bool
     words: str
     iterations: int
-    seconds: float
     interrupted: bool
     cut: bool
 
@@ -75,13 +73,11 @@ def solve(
     until: float | None = None,
 ) -> Collocated:
     """(13) from a start, inside `part` of the bounds. Ctrl-C, and the time `until`, end it with the best so far."""
-    begun, problem = time.perf_counter(), scaled.problem
+    problem = scaled.problem
     motion = problem.motion
     kinds = frozenset(kind for kind in ROWS if getattr(motion.bounds, kind) is not None)
     breaks = tuple(mesh.breaks.tolist())
-    own = transcription(
-        Structure(formulation, problem.N, breaks, mesh.degree, scaled.span, motion.periodic, kinds)
-    )
+    own = transcription(Structure(formulation, problem.N, breaks, mesh.degree, scaled.span, motion.periodic, kinds))
     angles = start.at(mesh.times * motion.span)
     nodes = Angles(*(x[mesh.at_nodes] for x in angles))
     of_nodes = scaled.of_nodes(mesh.nodes * motion.span, nodes, start.bias)
@@ -92,7 +88,7 @@ def solve(
     seen = own.watch.begin(rows_low, rows_high, tell, until)
     with interruptible(seen):
         found = own.solver(x0=first, p=given, lbx=low, ubx=high, lbg=rows_low, ubg=rows_high)
-    end = _ended(scaled, own.structure, start, found, own.solver.stats(), seen, time.perf_counter() - begun)
+    end = _ended(scaled, own.structure, start, found, own.solver.stats(), seen)
     return replace(end, residual=between(problem, end))
 
 
@@ -103,7 +99,6 @@ def _ended(
     found: dict[str, Any],
     status: dict[str, Any],
     seen: Seen,
-    seconds: float,
 ) -> Collocated:
     """The solution; without one, the best point seen."""
     solved, back, N = bool(status["success"]), np.argsort(scaled.order), own.N
@@ -121,7 +116,6 @@ def _ended(
         usable=solved or seen.best is not None,
         words=str(status["return_status"]).replace("_", " ").lower(),
         iterations=int(status["iter_count"]),
-        seconds=seconds,
         interrupted=seen.interrupted,
         cut=seen.cut,
     )

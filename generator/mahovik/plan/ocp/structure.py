@@ -82,7 +82,7 @@ class Structure:
     @property
     def size_of_y(self) -> int:
         """Of one node."""
-        return max(each.stop for each in self.of_y.values())
+        return max(int(each.stop) for each in self.of_y.values())
 
     @property
     def shapes(self) -> tuple[tuple[int, int], ...]:
@@ -150,9 +150,7 @@ class Structure:
         if "angle" in self.kinds:
             phi = csc_matrix(eye(N, 2 * N))
             nodes = csc_matrix(eye(mesh.columns))[mesh.at_nodes]
-            mean = coo_matrix(
-                (np.ones(N), (np.arange(N), np.arange(self.size - N, self.size))), shape=(N, self.size)
-            )
+            mean = coo_matrix((np.ones(N), (np.arange(N), np.arange(self.size - N, self.size))), shape=(N, self.size))
             found["angle"] = (self._by_x(kron(nodes, phi)) - kron(np.ones((M, 1)), mean), none[: N * M])
             found["mean"] = (self._by_x(kron(csc_matrix(mesh.weights[None, :] @ nodes), phi)) - mean, none[:N])
         return found

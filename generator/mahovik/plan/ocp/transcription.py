@@ -88,7 +88,7 @@ class _Builder:
         bends = self.node.bend.map("bends", "serial", M, [2], [])(taken, *given, pull, lam_f * weights.T)
         rows_of = ca.Function("rows", [z, p], [g])
         names = ["x", "p"], ["f", "grad_f_x"]
-        options = {
+        options: dict[str, Any] = {
             "grad_f": ca.Function("nlp_grad_f", [z, p], [f, gradient], *names),
             "jac_g": ca.Function("nlp_jac_g", [z, p], [g, A + ca.mtimes(B, Jy)], ["x", "p"], ["g", "jac_g_x"]),
             "hess_lag": ca.Function(
@@ -146,5 +146,6 @@ def _matrix(matrix: Any) -> Any:
     """A matrix of SciPy in CasADi."""
     columns = csc_matrix(matrix)
     columns.sort_indices()
-    sparsity = ca.Sparsity(*columns.shape, columns.indptr.tolist(), columns.indices.tolist())
+    rows, width = columns.shape
+    sparsity = ca.Sparsity(rows, width, columns.indptr.tolist(), columns.indices.tolist())
     return ca.DM(sparsity, columns.data)

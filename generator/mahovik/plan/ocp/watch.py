@@ -37,7 +37,7 @@ class Seen:
         return f"IPOPT: iteration {self.iterations}, objective {self.objective:.4g}, violation {self.violation:.1e}"
 
 
-class Watch(ca.Callback):  # type: ignore[misc]
+class Watch(ca.Callback):
     """Iteration callback of one programme; `begin` before every run."""
 
     def __init__(self, name: str, unknowns: int, rows: int, parameters: int) -> None:
