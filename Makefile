@@ -37,6 +37,7 @@ help:
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
 	@echo "make programme-picture  plans bench8's motion and draws it: docs/programme.svg"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md, run-ups too; hours"
+	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/planning-ocp.md; minutes"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
@@ -149,6 +150,9 @@ programme-picture: setup
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write
 	$(BIN)/python tools/runup_campaign.py --stands 10 --write
+
+ocp-campaign: setup
+	$(BIN)/python tools/ocp_campaign.py --write
 
 bench: $(BENCH_READY)
 	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench bench

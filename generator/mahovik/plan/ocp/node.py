@@ -149,7 +149,7 @@ class Node:
 
 
 def node_functions(N: int, partition: bool, torque: bool) -> Node:
-    """The functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y has tau as well."""
+    """The functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y has tau too."""
     layout, controls = Layout(N), N - 6 if partition else N
     z = ca.SX.sym("z", 2 * N + controls + 6)
     node = ca.SX.sym("node", sum(size(shape) for shape in layout.of_node.values()))

@@ -57,8 +57,8 @@ class Along:
     @staticmethod
     def of(own: Mechanics, t: Array, phi: Array, plus: Plus) -> Along:
         """At angles phi (M, N) at times t."""
-        columns = scaled_columns(own, phi)[:, :, list(plus)]
-        return Along(plus, t, np.asarray(np.linalg.det(columns)), np.linalg.svd(columns, compute_uv=False))
+        columns: Array = scaled_columns(own, phi)[:, :, list(plus)]
+        return Along(plus, t, np.asarray(np.linalg.det(columns)), np.asarray(np.linalg.svd(columns, compute_uv=False)))
 
     @property
     def least(self) -> float:
