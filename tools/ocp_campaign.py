@@ -98,8 +98,8 @@ def main() -> None:
 def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
     """The table between the marks of the page."""
     text = [
-        f"Stands of each N: {asked.stands}, seeds from {asked.first}. The partition with the least singular value of I+ "
-        "along the programme; seconds of the processor with search and verification; the largest relative residual "
+        f"Stands of each N: {asked.stands}, seeds from {asked.first}. The partition with the least singular value of "
+        "I+ along the programme; seconds of the processor with search and verification; the largest relative residual "
         "between the nodes as IPOPT left it, and of the programme; J of (13) over that of the Fourier programme it "
         "started from.",
         "",

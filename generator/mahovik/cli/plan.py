@@ -150,8 +150,9 @@ def _report(programme: Programme, path: Path) -> None:
 
 def _report_ocp(method: str, ocp: Any) -> None:
     """How (13) was solved, and where its partition holds."""
-    raw = "" if ocp["raw_residual"] is None else f", residual between the nodes {ocp['raw_residual']:.2g} before it"
-    click.echo(f"{method}: {ocp['ipopt']}, {ocp['iterations']} iterations, then refined{raw}")
+    raw = ocp["raw_residual"]
+    then = "" if raw is None else f", then refined; residual between the nodes {raw:.2g} before that"
+    click.echo(f"{method}: {ocp['ipopt']}, {ocp['iterations']} iterations{then}")
     click.echo(f"objective {ocp['objective_of_start']:.5g} of the start, {ocp['objective']:.5g} now")
     six = ocp["partition"]
     if six["regular"]:

@@ -141,28 +141,32 @@ class _Run(Generic[Kind]):
             until = time.monotonic() + max(0.0, self.asked.seconds - self.budget.elapsed)
         scaled = Scaled(self.problem, self.cost, order_of(along.plus, self.problem.N))
         best: tuple[Kind, Collocated] | None = None
-        iterations = 0
-        for part in PARTS:
-            start = self.task.start(warm)
-            run = solve(scaled, self.asked.method, self.task.mesh, start, part, self.tell, until)  # type: ignore[arg-type]
-            iterations += run.iterations
-            outcome.interrupted |= run.interrupted
-            outcome.cut |= run.cut
-            ended = run.interrupted or run.cut
-            if not run.usable or not (run.solved or ended):
-                self.say(outcome, f"IPOPT: {run.words}, after {run.iterations} iterations, with the start's programme")
-                break
-            became = self.task.exact(warm, run)
-            if self.task.good(became) and (best is None or self.task.kept(became)):
-                best = (became, run)
-            if ended or (best is not None and self.task.kept(best[0])):
-                break
+        tries: list[Collocated] = []
+        try:
+            for part in PARTS:
+                start = self.task.start(warm)
+                run = solve(scaled, self.asked.method, self.task.mesh, start, part, self.tell, until)  # type: ignore[arg-type]
+                tries.append(run)
+                outcome.interrupted |= run.interrupted
+                outcome.cut |= run.cut
+                ended = run.interrupted or run.cut
+                if not run.usable:
+                    break
+                became = self.task.exact(warm, run)
+                if self.task.good(became) and not (ended and self.worse(became, warm)):
+                    best = (became, run) if best is None or self.task.kept(became) else best
+                if ended or (best is not None and self.task.kept(best[0])):
+                    break
+        except KeyboardInterrupt:
+            outcome.interrupted = True
+        iterations = sum(each.iterations for each in tries)
         if best is None and (outcome.interrupted or outcome.cut):
             report = self.report(warm, warm, None, along, iterations)
             outcome.found.append((warm, report))
             return
         if best is None:
-            self.say(outcome, "what IPOPT calls solved is not exact between its nodes, and is not returned")
+            last = f"IPOPT ended with {tries[-1].words!r} after {tries[-1].iterations} iterations"
+            self.say(outcome, f"{last}; between its nodes that is no programme; --method fourier has one")
             return
         after = self.along(best[0], along.plus if self.asked.method == "ocp-partition" else plus)
         if self.asked.method == "ocp-partition" and after.crossings.size:
@@ -171,6 +175,11 @@ class _Run(Generic[Kind]):
             return
         report = self.report(warm, best[0], best[1], after, iterations)
         outcome.found.append((best[0], report))
+
+    def worse(self, became: Kind, warm: Kind) -> bool:
+        """Whether the start of a run that was cut is better than what it had come to."""
+        task = self.task
+        return task.kept(warm) and (not task.kept(became) or task.objective(became) > task.objective(warm))
 
     @staticmethod
     def say(outcome: Ways[Kind], words: str) -> None:
@@ -186,7 +195,7 @@ class _Run(Generic[Kind]):
                 "intervals": mesh.K,
                 "degree": mesh.degree,
                 "iterations": iterations,
-                "ipopt": "no point was feasible yet: the start is given" if run is None else run.words,
+                "ipopt": "no better point yet: the start is given" if run is None else run.words,
                 "objective_of_start": self.task.objective(warm),
                 "objective_at_nodes": None if run is None else run.objective,
                 "objective": self.task.objective(became),
