@@ -36,8 +36,11 @@ help:
 	@echo "make traceability  mutants of every function, and the tests that notice them: docs/traceability.md; a quarter hour"
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
 	@echo "make programme-picture  plans bench8's motion and draws it: docs/programme.svg"
+	@echo "make design-campaign  how often few flywheels are found for simple motions: docs/design.md; a quarter of an hour"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md, run-ups too; hours"
 	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/planning-ocp.md; minutes"
+	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/linear.md, docs/response.md"
+	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
@@ -140,12 +143,22 @@ traceability: setup
 traceability-page: setup
 	$(BIN)/python tools/traceability.py --page
 
+linear-campaign: setup
+	$(BIN)/python tools/linear_campaign.py --write
+
+response-picture: setup
+	$(BIN)/mahovik response generator/mahovik/stands/bench8.toml --at carrier \
+	  --speed w1=0..600rpm --speed w2=-0.5*w1 --steps 61 -o docs/response.svg
+
 programme-picture: setup
 	mkdir -p build/demo
 	$(BIN)/mahovik plan generator/mahovik/stands/bench8.toml \
 	  --motion generator/mahovik/stands/bench8.motion.json -o build/demo/programme.json
 	$(BIN)/mahovik plot build/demo/programme.json --stand generator/mahovik/stands/bench8.toml \
 	  --motion generator/mahovik/stands/bench8.motion.json -o docs/programme.svg
+
+design-campaign: setup
+	$(BIN)/python tools/design_campaign.py --write
 
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write

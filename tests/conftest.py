@@ -1,6 +1,6 @@
 """Hypothesis draws the same examples in every run of CI; elsewhere new ones, so that daily work searches on.
 
-Commands keep their formulas here, not in the folder of the user.
+Commands keep their formulas here, not in the folder of the user. Linear algebra has one thread, as in the command.
 """
 
 import os
@@ -8,6 +8,10 @@ from pathlib import Path
 
 from hypothesis import settings
 
+from mahovik.__main__ import ONE_THREAD
+
+for name in ONE_THREAD:  # before NumPy is loaded
+    os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(Path(__file__).resolve().parents[1] / ".pytest_cache" / "formulas")
 
 settings.register_profile("ci", derandomize=True, deadline=None)

@@ -1,10 +1,20 @@
 """`mahovik` and `python -m mahovik`: the command line."""
 
+import os
 import sys
+
+ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+"""Read by the linear algebra under NumPy when it is loaded."""
 
 
 def run() -> None:
-    """Runs it. Ctrl-C while it is still imported ends as everywhere else: one line, status 130."""
+    """Runs it. Ctrl-C while it is still imported ends as everywhere else: one line, status 130.
+
+    Linear algebra has one thread, unless the environment says otherwise: the matrices are small, and the number of
+    threads may change the order of sums, so that the same seed would not give the same programme on every machine.
+    """
+    for name in ONE_THREAD:
+        os.environ.setdefault(name, "1")
     try:
         from mahovik.cli import main
 

@@ -31,6 +31,7 @@ def test_a_programme_is_written_verified_and_told(tmp_path: Path) -> None:
     assert programme.winding == (0, 0, 0)
     assert programme.report["verified"] is True
     assert programme.report["residual"] < 1e-6
+    assert abs(complex(*programme.report["floquet"][0])) == programme.report["largest_multiplier"]
     assert set(programme.report["search"]) >= {"seed", "starts", "steps", "windings_tried", "objective_spread"}
     assert [path.name for path in sorted(tmp_path.iterdir())] == ["a.json"]
 

@@ -39,6 +39,15 @@ def test_a_wrong_one_is_refused_by_name(programme: str, tmp_path: Path) -> None:
     assert {each["name"] for each in found["findings"] if not each["passed"]} == {"winding", "residual", "simulation"}
 
 
+def test_all_multipliers_are_in_the_json(programme: str) -> None:
+    result = run("verify-programme", SHAKER, SPIN, programme, "--json")
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    (largest,) = (each["value"] for each in found["findings"] if each["name"] == "Floquet")
+    assert len(found["floquet"]) == 12
+    assert abs(complex(*found["floquet"][0])) == largest
+
+
 def test_a_programme_of_another_stand(programme: str, tmp_path: Path) -> None:
     text = Path(programme).read_text(encoding="utf-8").replace(shaker()[2].physics, "00000000")
     (tmp_path / "q.json").write_text(text, encoding="utf-8")
@@ -46,9 +55,19 @@ def test_a_programme_of_another_stand(programme: str, tmp_path: Path) -> None:
     assert result.exit_code == 1
     assert "programme of another stand: physics is 00000000" in result.stdout
     assert "REFUSED: stand" in result.stdout
+    other = json.loads(text) | {"flywheels": [f"flywheel_number_{k}" for k in range(2)]}
+    (tmp_path / "q.json").write_text(json.dumps(other), encoding="utf-8")
+    result = run("verify-programme", SHAKER, SPIN, str(tmp_path / "q.json"))
+    assert "flywheel_number_1" in result.stdout
+    assert max(map(len, result.stdout.splitlines())) <= 100
 
 
 def test_bad_files(programme: str, tmp_path: Path) -> None:
-    assert "p.json: unknown key" in refused("verify-programme", SHAKER, programme, programme)
+    swapped = refused("verify-programme", SHAKER, programme, SPIN)
+    assert swapped.splitlines() == [
+        "error: p.json: is a programme file; expected a motion file here: were the two swapped?"
+    ]
+    again = refused("export", "programme", SHAKER, SPIN)
+    assert "motion.json: is a motion file; expected a programme file here: were the two swapped?" in again
     assert "none.json: no such file" in refused("verify-programme", SHAKER, SPIN, str(tmp_path / "none.json"))
     assert "winding: expected 8 whole numbers" in refused("verify-programme", BENCH8, SPIN, programme)

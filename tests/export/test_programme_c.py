@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
+from math import pi
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from export.programmes import exported, self_tested, spin, written
+from mahovik.emit.names import Names
+from mahovik.lower.programme.form import RESERVED
 from mahovik.program.cost import cost
 from toolchain.tools import compile_c, require, require_32_bit, run
 
@@ -108,6 +112,48 @@ def test_the_page_has_an_example_that_compiles(tmp_path: Path) -> None:
         run("gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-c", tmp_path / "main.c", "-o", tmp_path / "main.o")
         for file in exported(name).files:
             assert file in page or file.endswith(".md")
+
+
+def test_the_page_hands_over_from_the_run_up(tmp_path: Path) -> None:
+    """The page's code, ticked: full speed at the first tick after the lap, a step of the run-up before it."""
+    source = written(exported("started"), tmp_path)
+    code = "".join(re.findall(r"```c\n(.*?)```", (tmp_path / "shaker2_programme.md").read_text(), re.DOTALL))
+    ticking = """
+#include <stdio.h>
+int main(void)
+{
+    shaker2_real phi[SHAKER2_N], phi_dot[SHAKER2_N], phi_ddot[SHAKER2_N];
+    int i;
+    if (begin() < 0 || begin_from_rest() < 0) { return 1; }
+    for (i = 0; i <= 4001; ++i) {
+        if (tick_from_rest(phi, phi_dot, phi_ddot) < 0) { return 2; }
+        if (i == 0 || i >= 3999) { printf("%.17g %.17g\\n", phi[0], phi_dot[0]); }
+    }
+    return 0;
+}
+"""
+    (tmp_path / "main.c").write_text(code + ticking)
+    flags = ("-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off")
+    run("gcc", *flags, tmp_path / "main.c", source, "-o", tmp_path / "ticking")
+    phi, phi_dot = zip(*(map(float, line.split()) for line in run(tmp_path / "ticking").splitlines()), strict=True)
+    full = 2 * pi / spin().span
+    assert phi_dot[0] == pytest.approx(0.0, abs=1e-9)
+    assert 0.999 * full < phi_dot[1] < full
+    assert phi_dot[2:] == pytest.approx((full, full), rel=1e-12)
+    assert phi[2] == pytest.approx(spin().at(np.zeros(1)).phi[0, 0], abs=1e-9)
+    assert (phi[2] - phi[1]) % (2 * pi) == pytest.approx(full * 0.2 / 4000, rel=1e-3)
+
+
+def test_names_of_the_header_are_no_flywheels() -> None:
+    """What the stand's header keeps free of flywheels is all that a programme's header defines in capitals."""
+    for name, kind in (("started", "quintic"), ("spin", "fourier"), ("finite", "quintic")):
+        header = exported(name, kind).files["shaker2_programme.h"]
+        found = re.findall(r"^(?:#define|enum \{) SHAKER2_(\w+)", header, re.MULTILINE)
+        assert found and set(found) <= RESERVED
+    assert Names("shaker2").enumerators(["programme_nodes", "left"], RESERVED) == [
+        "SHAKER2_PROGRAMME_NODES_0",
+        "SHAKER2_LEFT",
+    ]
 
 
 def test_nothing_of_this_machine_is_in_it() -> None:

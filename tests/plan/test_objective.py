@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from mahovik.errors import MotionError
+from mahovik.motion.required import Course
 from mahovik.plan.fourier import Angles
 from mahovik.plan.objective import KINDS, Cost
-from mahovik.plan.residual import linear, prescribe
+from mahovik.plan.residual import Prescribed, linear, prescribe
 from mahovik.plan.rows import Rows
 from mahovik.stand.random import EVERYTHING
 from plan.courses import Drawn, drawn
@@ -21,17 +22,17 @@ N = 3
 WEIGHTS = (0.5, 2.0, 1.0)
 
 
-def setting(kind: str) -> tuple[Cost, Drawn, object]:
+def setting(kind: str) -> tuple[Cost, Drawn, Prescribed]:
     """A cost with one kind weighted, on a stand with motors, and a drawn motion."""
     _, mechanics, motion = drawn(21, N, replace(EVERYTHING, motors=True))
     cost = Cost.of(mechanics, required(N, **{kind: WEIGHTS}).objective, OMEGA)
-    return cost, motion, prescribe(mechanics, motion)
+    return cost, motion, prescribe(mechanics, Course(*motion[:3]))
 
 
-def rows_at(cost: Cost, at: object, angles: tuple[object, ...]) -> Rows:
+def rows_at(cost: Cost, at: Prescribed, angles: Angles) -> Rows:
     """The one kind of rows, without derivatives by the bias."""
     mean_speed = np.array([OMEGA, -OMEGA, 0.0])
-    (found,) = cost.rows(Angles(*angles), mean_speed, Rows.torque(linear(at, *angles))).values()  # type: ignore[arg-type]
+    (found,) = cost.rows(angles, mean_speed, Rows.torque(linear(at, *angles))).values()
     return found
 
 
@@ -39,10 +40,11 @@ def rows_at(cost: Cost, at: object, angles: tuple[object, ...]) -> Rows:
 def test_rows_are_what_they_say(kind: str) -> None:
     """Each is its definition, times the square root of its weight: J is linear in the weights."""
     cost, motion, at = setting(kind)
-    found = rows_at(cost, at, motion[3:]).value / np.sqrt(WEIGHTS)
-    tau = linear(at, *motion[3:]).tau  # type: ignore[arg-type]
+    angles = Angles(*motion[3:])
+    found = rows_at(cost, at, angles).value / np.sqrt(WEIGHTS)
+    tau = linear(at, *angles).tau
     J = cost.spin_inertia
-    motors = [s.motor for s in at.mechanics.stand.flywheels]  # type: ignore[attr-defined]
+    motors = [s.motor for s in at.mechanics.stand.flywheels if s.motor is not None]
     speed = motion.phi_dot
     friction = np.array(
         [
@@ -65,12 +67,12 @@ def test_rows_are_what_they_say(kind: str) -> None:
 def test_derivatives_are_those_of_differences(kind: str) -> None:
     """By angle, speed and acceleration of the flywheel itself."""
     cost, motion, at = setting(kind)
-    found = rows_at(cost, at, motion[3:])
+    found = rows_at(cost, at, Angles(*motion[3:]))
     exact = (found.by_phi, found.by_phi_dot, found.by_phi_ddot)
     for argument, step in enumerate((1e-6, 1e-5, 1e-3)):
         ahead, behind = [list(motion[3:]) for _ in range(2)]
         ahead[argument], behind[argument] = motion[3 + argument] + step, motion[3 + argument] - step
-        difference = (rows_at(cost, at, tuple(ahead)).value - rows_at(cost, at, tuple(behind)).value) / (2 * step)
+        difference = (rows_at(cost, at, Angles(*ahead)).value - rows_at(cost, at, Angles(*behind)).value) / (2 * step)
         assert abs(exact[argument] - difference).max() <= 1e-6 * max(abs(difference).max(), 1e-6)
 
 
@@ -78,15 +80,15 @@ def test_value_is_the_sum_of_weighted_mean_squares() -> None:
     """Of constant accelerations: weight times square, summed over flywheels."""
     cost, motion, at = setting("acceleration")
     angles = Angles(motion.phi, motion.phi_dot, np.full_like(motion.phi, 2.0 * OMEGA**2))
-    torque = Rows.torque(linear(at, *angles))  # type: ignore[arg-type]
+    torque = Rows.torque(linear(at, *angles))
     assert cost.value(angles, np.zeros(N), torque) == pytest.approx({"acceleration": 4.0 * sum(WEIGHTS)}, rel=1e-12)
 
 
 def test_power_without_motor_constants_is_refused() -> None:
-    """One line a flywheel that has a weight; none for one without."""
+    """One line names all flywheels that have a weight, and none without."""
     _, mechanics, _ = drawn(21, N, replace(EVERYTHING, motors=False))
     with pytest.raises(MotionError) as refused:
         Cost.of(mechanics, required(N, power=(1.0, 0.0, 2.0)).objective, OMEGA)
-    assert len(refused.value.problems) == 2
-    assert "w3" in refused.value.problems[1] or mechanics.stand.flywheels[2].name in refused.value.problems[1]
-    assert "constant" in refused.value.problems[0]
+    (words,) = refused.value.problems
+    first, _, third = (s.name for s in mechanics.stand.flywheels)
+    assert f'flywheels "{first}", "{third}" have no motor with `constant`' in words

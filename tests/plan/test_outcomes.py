@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
+from mahovik.motion.required import Bounds, RequiredMotion
 from mahovik.motion.required.course import Harmonics
 from mahovik.plan import Wishes, plan_motion
 from mahovik.plan.shortened import shortened
@@ -64,9 +64,10 @@ def test_an_interrupted_search_gives_what_it_has(monkeypatch: pytest.MonkeyPatch
     assert "interrupted" in found.words[0]
 
 
-def _half(motion: object) -> Harmonics:
+def _half(motion: RequiredMotion) -> Harmonics:
     """Half the amplitude of a motion of harmonics."""
-    course = motion.course  # type: ignore[attr-defined]
+    course = motion.course
+    assert isinstance(course, Harmonics)
     return replace(course, cos=course.cos / 2, sin=course.sin / 2)
 
 

@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 from mahovik.errors import MotionError
+from mahovik.motion.programme import Fourier
 from mahovik.motion.required import Bounds
 from mahovik.plan import Plan, Wishes, plan_motion
+from mahovik.plan.certificate import programme_of
 from plan.examples import example
 
 N = 8
@@ -49,7 +51,8 @@ def test_several_are_kept_best_first_and_the_same_seed_gives_the_same() -> None:
     assert len(values) == 2 and values[0] < values[1]
     assert list(first.effort["objective_spread"])[:2] == values
     for one, two in zip(first.programmes, second.programmes, strict=True):
-        assert np.array_equal(one.course.cos, two.course.cos)  # type: ignore[union-attr]
+        assert isinstance(one.course, Fourier) and isinstance(two.course, Fourier)
+        assert np.array_equal(one.course.cos, two.course.cos)
         assert one.report["search"] == two.report["search"]
 
 
@@ -64,5 +67,15 @@ def test_the_end_of_the_steps_gives_the_best_so_far() -> None:
 def test_power_without_motors_is_refused() -> None:
     """bench8 has no motors."""
     _, motion = example("bench8")
-    with pytest.raises(MotionError, match="w1"):
+    with pytest.raises(MotionError, match=r'flywheels "w1", "w2", .*"w8" have no motor') as error:
         planned(QUICK, objective=replace(motion.objective, power=(1.0,) * N))
+    assert len(str(error.value).splitlines()) == 1
+
+
+def test_a_bias_of_rounding_is_zero() -> None:
+    """What the search leaves of a component that wants no shift."""
+    stand, motion = example("bench8")
+    none = np.zeros((0, N))
+    bias = np.array([-1e-19, 1e-4, -2e-12, 0.0, 3e-17, 1e-3])
+    found = programme_of(stand, motion, bias, (1,) * N, Fourier(np.zeros(N), none, none), {})
+    assert found.bias.tolist() == [0.0, 1e-4, -2e-12, 0.0, 0.0, 1e-3]

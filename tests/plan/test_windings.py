@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds, RequiredMotion
+from mahovik.motion.required import Bounds, RequiredMotion, Winding
 from mahovik.plan.windings import Kind, allowed, drawn, order
 from plan.problems import PERIOD, required
 
@@ -15,8 +15,8 @@ ONE = 2 * np.pi / PERIOD
 """rad/s: a turn a period."""
 
 
-def motion(bounds: Bounds, **changed: object) -> RequiredMotion:
-    return replace(required(3, bounds=bounds), **changed)  # type: ignore[arg-type]
+def motion(bounds: Bounds, winding: Winding = "any") -> RequiredMotion:
+    return replace(required(3, bounds=bounds), winding=winding)
 
 
 @pytest.mark.parametrize(

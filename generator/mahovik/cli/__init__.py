@@ -12,6 +12,8 @@ from mahovik import __version__
 from mahovik.cli.check import check
 from mahovik.cli.cost import cost
 from mahovik.cli.derive import derive
+from mahovik.cli.design import design
+from mahovik.cli.doctor import doctor
 from mahovik.cli.evaluate import evaluate
 from mahovik.cli.evidence import evidence
 from mahovik.cli.export import export
@@ -19,14 +21,27 @@ from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
 from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
+from mahovik.cli.linearize import linearize
+from mahovik.cli.modes import modes
 from mahovik.cli.new import new
 from mahovik.cli.plan import plan
 from mahovik.cli.plot import plot
 from mahovik.cli.replay import replay
+from mahovik.cli.response import response
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
 from mahovik.cli.verify import verify
 from mahovik.cli.verify_programme import verify_programme
+
+SECTIONS = {
+    "A stand": (new, check, derive, rest),
+    "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
+    "Motion in time": (evaluate, simulate, replay),
+    "Vibration": (modes, linearize, response),
+    "Programmes of the flywheels": (plan, design, verify_programme),
+    "Around it": (plot, export, doctor),
+}
+"""Commands under the headings of `--help`, in the order in which one uses them."""
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
@@ -34,37 +49,14 @@ from mahovik.cli.verify_programme import verify_programme
 def main() -> None:
     """Exact equations of motion of a carrier with unbalanced flywheels, as verified, dependency-free C.
 
-    A stand file goes in; readable C comes out, with the proof that it is right:
-
     \b
         mahovik new bench8               copy an example stand
-        mahovik check bench8.toml        masses, unbalance, warnings
         mahovik generate bench8.toml     C into ./bench8
         mahovik verify bench8.toml       that C against the literal reference
-        mahovik simulate bench8.toml --until 5 --regime R.toml -o run.csv
-        mahovik plan bench8.toml --motion bench8.motion.json -o P.json
 
     Exit status: 0 good, 1 a check failed or some states, 2 bad input or usage, 130 Ctrl-C.
     """
 
 
-for command in (
-    new,
-    check,
-    derive,
-    generate,
-    verify,
-    judge,
-    cost,
-    evidence,
-    evaluate,
-    rest,
-    simulate,
-    replay,
-    judge_log,
-    plan,
-    verify_programme,
-    plot,
-    export,
-):
-    main.add_command(command)
+for title, commands in SECTIONS.items():
+    main.add_section(title, commands)

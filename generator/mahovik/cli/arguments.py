@@ -38,12 +38,12 @@ def given(option: str) -> bool:
     return source not in (None, click.core.ParameterSource.DEFAULT)
 
 
-def console() -> Console:
-    """Colours and box lines on a terminal only; elsewhere no line is cut or folded."""
+def console(piped: int = 4000) -> Console:
+    """Colours and box lines on a terminal only; elsewhere no line is cut or folded before `piped` columns."""
     from rich.console import Console
 
     found = Console(highlight=False, soft_wrap=False)
-    return found if found.is_terminal else Console(highlight=False, width=4000)
+    return found if found.is_terminal else Console(highlight=False, width=piped)
 
 
 def table(*columns: str, title: str | None = None) -> Table:

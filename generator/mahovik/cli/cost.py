@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from mahovik.toolchain.targets import Target
 
 
-@click.command()
+@click.command(short_help="Measure the C of a stand on processors.")
 @stand_argument
 @click.option(
     "--real", type=click.Choice(["double", "float"]), help="Element type; default: the widest of each processor's FPU."

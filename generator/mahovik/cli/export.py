@@ -10,7 +10,7 @@ from mahovik.cli.arguments import load_stand, real_option, stand_argument
 from mahovik.cli.group import Commands
 
 
-@click.group(cls=Commands)
+@click.group(cls=Commands, short_help="Projects around the C, for other tools.")
 def export() -> None:
     """Projects around the C of a stand, for other tools and boards."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import click
@@ -32,6 +32,31 @@ def _formulas() -> Iterator[None]:
 
 class Commands(click.Group):
     """A group whose commands end in `error: ...` lines and an exit status; no traceback for a user's mistake."""
+
+    def __init__(self, *given: Any, **more: Any) -> None:
+        super().__init__(*given, **more)
+        self._sections: dict[str, list[str]] = {}
+
+    def add_section(self, title: str, commands: Iterable[click.Command]) -> None:
+        """Adds commands, which the help shows under this heading."""
+        for command in commands:
+            self.add_command(command)
+            assert command.name is not None
+            self._sections.setdefault(title, []).append(command.name)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Section by section, a line a command; no empty lines between, so that all is seen at once."""
+        if not self._sections:
+            super().format_commands(ctx, formatter)
+            return
+        width = max(len(name) for name in self.commands)
+        formatter.write_paragraph()
+        for title, names in self._sections.items():
+            formatter.write_heading(title)
+            formatter.indent()
+            limit = formatter.width - width - 6
+            formatter.write_dl([(n.ljust(width), self.commands[n].get_short_help_str(limit)) for n in names])
+            formatter.dedent()
 
     def make_context(self, *given: Any, **more: Any) -> click.Context:
         """As click's, which makes status 1 of Ctrl-C."""

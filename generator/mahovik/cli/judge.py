@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from mahovik.verify.report import Report
 
 
-@click.command()
+@click.command(short_help="Judge a program, and say what is wrong in it.")
 @stand_argument
 @click.option(
     "--with", "command", metavar="COMMAND", required=True, help="The program, which reads states; {stand}: the file."

@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from mahovik.plan.wishes import Method
 
 
-@click.command()
+@click.command(short_help="Find a programme that moves the carrier as required.")
 @stand_argument
 @click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="What is required.")
 @click.option("-o", "output", metavar="P.json", type=click.Path(), required=True, help="The programme.")
-@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Cuts the search.")
+@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="A cut-off.")
 @click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Of the starts.")
 @click.option("--winding", metavar="any|spin|rock|N,N,..", help="Turns a period; in place of the motion file's.")
 @click.option(
@@ -54,7 +54,8 @@ def plan(
     """Plan a programme: flywheel motions that make the carrier move exactly as required.
 
     What is out of reach is refused at once, with what is missing. What is found is verified by the literal reference.
-    Ctrl-C gives the best so far.
+    Ctrl-C gives the best so far. --time cuts the search; where run-ups come after it they have half of the time. The
+    verification of what is given is never cut.
 
     Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
@@ -105,7 +106,7 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
 
 @contextmanager
 def _progress() -> Iterator[Callable[[Progress], None] | None]:
-    """One line on standard error: what the search says of itself; nothing where that is no terminal."""
+    """One line on standard error: what it does, starts tried, best residual; nothing where that is no terminal."""
     if not sys.stderr.isatty():
         yield None
         return

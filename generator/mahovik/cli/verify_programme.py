@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from mahovik.verify.programme import Finding
 
 
-@click.command("verify-programme")
+@click.command("verify-programme", short_help="Judge a programme by the reference.")
 @stand_argument
 @click.argument("motion_file", metavar="M.json", type=click.Path())
 @click.argument("programme_file", metavar="P.json", type=click.Path())
@@ -60,7 +60,7 @@ def verify_programme(
 def _print(findings: Sequence[Finding]) -> None:
     from rich.text import Text
 
-    out = console()
+    out = console(piped=100)  # words about another stand would make every row as long; a program reads --json
     rows = table("item", "found>", "accepted>", "verdict", "of what")
     for each in findings:
         verdict = Text("FAILED", "red") if not each.passed else Text("warns", "yellow") if each.warns else Text("ok")

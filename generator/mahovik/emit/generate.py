@@ -20,6 +20,7 @@ from mahovik.errors import UsageError
 from mahovik.lower.layout import Layout
 from mahovik.lower.limits import limits
 from mahovik.lower.program import lower_layout
+from mahovik.lower.programme.form import RESERVED as OF_PROGRAMMES
 from mahovik.lower.values import Values
 from mahovik.program.apart import apart
 from mahovik.program.expression import BitCast
@@ -152,7 +153,7 @@ class _Printer:
         """Enumerators of flywheels and of run-time wrenches."""
         layout = self._layout
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
-        taken |= {"STRUCTURE", "PHYSICS", "LANES", "FAST", "H", "CODE", "CONST"} | RESERVED
+        taken |= {"STRUCTURE", "PHYSICS", "LANES", "FAST", "H", "CODE", "CONST"} | RESERVED | OF_PROGRAMMES
         found = []
         if layout.flywheels:
             names = list(layout.structure.flywheels)

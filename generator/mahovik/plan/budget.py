@@ -29,6 +29,16 @@ class Budget:
         self.taken += 1
         return True
 
+    def over(self) -> bool:
+        """Whether time has run out or Ctrl-C was pressed, where steps are not counted."""
+        if self.seconds is not None and self.elapsed > self.seconds:
+            self.cut = True
+        return self.cut or self.interrupted
+
+    def left(self, share: float = 1.0) -> float | None:
+        """This share of the seconds that are left; None: there is no end to them."""
+        return None if self.seconds is None else max(share * (self.seconds - self.elapsed), 0.0)
+
     @property
     def exhausted(self) -> bool:
         """Whether the search has to end."""

@@ -41,7 +41,7 @@ class Drives:
     @staticmethod
     def of(stand: Stand, wanted: tuple[float, ...]) -> Drives:
         """Those of a stand. MotionError: a flywheel with `wanted` above 0 has no motor constant or resistance."""
-        problems, columns = [], []
+        missing, columns = [], []
         for flywheel, weight in zip(stand.flywheels, wanted, strict=True):
             motor = flywheel.motor
             if motor is not None and motor.constant and motor.resistance is not None:
@@ -49,12 +49,15 @@ class Drives:
                 continue
             columns.append((1.0, 0.0, 0.0, 0.0, 1.0))
             if weight > 0.0:
-                problems.append(
-                    f'objective: power: flywheel "{flywheel.name}" has no motor with `constant` and `resistance`: '
-                    "give them in the stand file, or weight 0 for it"
-                )
-        if problems:
-            raise MotionError(problems)
+                missing.append(f'"{flywheel.name}"')
+        if missing:
+            which = f"flywheel {missing[0]} has" if len(missing) == 1 else f"flywheels {', '.join(missing)} have"
+            raise MotionError(
+                [
+                    f"objective: power: {which} no motor with `constant` and `resistance`: give them in the stand "
+                    "file, or weight 0"
+                ]
+            )
         return Drives(*np.array(columns).reshape(-1, 5).T)
 
     def friction(self, phi_dot: Array) -> tuple[Array, Array]:

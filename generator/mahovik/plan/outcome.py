@@ -13,7 +13,11 @@ Status = Literal["OK", "OK_LIMIT", "NO_PROGRAM", "SINGULAR_ATTITUDE"]
 
 
 class Progress(Protocol):
-    """What a search tells on its way."""
+    """What planning tells on its way."""
+
+    @property
+    def doing(self) -> str:
+        """What it does: searching, improving, run-up, run-down, verifying."""
 
     @property
     def words(self) -> str:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from mahovik.motion.programme import Fourier, Programme
 from mahovik.motion.required import RequiredMotion
 from mahovik.plan.bounds import bounded
 from mahovik.plan.budget import Budget
-from mahovik.plan.certificate import certified, programme_of, wrong_items
+from mahovik.plan.certificate import certified, programme_of, without_refused_tables, wrong_items
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.finite import plan_finite
@@ -37,6 +37,9 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
     plus = plus_asked(stand, asked)
     if asked.winding is not None:
         motion = replace(motion, winding=asked.winding)
+    whole = Budget(0, asked.seconds)
+    with_tables = motion.runup is not None and motion.periodic
+    asked = replace(asked, seconds=whole.left(SEARCH if with_tables else 1.0))
     budget = Budget(asked.steps, asked.seconds_of_search)
     try:
         problem = Problem.of(stand, shortened(motion))
@@ -49,16 +52,43 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
         return plan_finite(problem, first, asked, budget, tell, plus)
     improver = Improver.of(problem)
     found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
-    chosen = choose(improver, found)
-    if asked.method == "fourier" or not chosen or found.interrupted:
-        words = (not_found(found),) if not chosen else ()
-        return _plan(problem, motion, first, found, Ways([(each, {}) for each in chosen], words=words), budget, asked)
-    from mahovik.plan.ocp.plan import periodic_ocp
 
-    better = periodic_ocp(improver, chosen, asked, plus, budget, tell)
-    found.interrupted |= better.interrupted
-    budget.cut |= better.cut
-    return _plan(problem, motion, first, found, better, budget, asked)
+    def say(doing: str) -> None:
+        found.doing = doing
+        if tell is not None:
+            tell(found)
+
+    after = After(whole, say, asked.verify)
+    chosen = choose(improver, found)
+    ways = Ways([(each, {}) for each in chosen], words=() if chosen else (not_found(found),))
+    if asked.method != "fourier" and chosen and not found.interrupted:
+        from mahovik.plan.ocp.plan import periodic_ocp
+
+        ways = periodic_ocp(improver, chosen, asked, plus, budget, tell)
+        found.interrupted |= ways.interrupted
+        found.cut |= ways.cut
+    return _plan(problem, motion, first, found, ways, budget.taken, asked, after)
+
+
+SEARCH = 0.5
+"""Of the time that is given, where run-up and run-down come after the search: they have the rest."""
+
+
+@dataclass(frozen=True, eq=False)
+class After:
+    """What comes after the search: run-ups in what is left of the time, then the verification, which nothing cuts."""
+
+    whole: Budget
+    say: Callable[[str], None]
+    verify: bool
+
+    def completed(self, stand: Stand, motion: RequiredMotion, programme: Programme, seed: int) -> Programme:
+        """The programme with its tables, verified."""
+        programme = with_runup(stand, motion, programme, seed, self.whole, self.say)
+        if not self.verify:
+            return programme
+        self.say("verifying")
+        return without_refused_tables(certified(stand, motion, programme))
 
 
 def _plan(
@@ -67,25 +97,27 @@ def _plan(
     first: Preflight,
     found: Search,
     ways: Ways[Candidate],
-    budget: Budget,
+    steps: int,
     asked: Wishes,
+    after: After,
 ) -> Plan:
     """The outcome of a search for `motion`, of which the problem may be a part that repeats itself."""
     effort = {
         "seed": asked.seed,
         "starts": found.starts,
-        "steps": budget.taken,
+        "steps": steps,
         "windings_tried": dict(found.tried),
         "found": len(found.found),
         "best_residual": float(found.best),
-        "cut_by_time": budget.cut,
+        "cut_by_time": found.cut,
         "objective_spread": [each.objective for each, _ in ways.found],
     }
     if not ways.found:
         return Plan("NO_PROGRAM", ways.reason, tuple(ways.words), tuple(first.warnings), (), effort, found.interrupted)
     programmes, refused = [], []
     for each, told in ways.found:
-        programme = _programme(problem, motion, each, {"search": effort, **told}, asked.seed, asked.verify)
+        programme = _programme(problem, motion, each, {"search": effort, **told})
+        programme = after.completed(problem.stand, motion, programme, asked.seed)
         wrong = wrong_items(programme)
         if wrong:
             refused.append(f"a programme was found and refused by the verification: {wrong}")
@@ -93,14 +125,15 @@ def _plan(
             programmes.append((each, programme))
         if len(programmes) == asked.keep:
             break
+    interrupted = found.interrupted or after.whole.interrupted
     if not programmes:
-        return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, found.interrupted)
+        return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, interrupted)
     best, programme = programmes[0]
     warnings = (*first.warnings, *programme.report.get("warnings", ()))
     given = tuple(each for _, each in programmes)
     over = (*(each.words for each in best.exceeded), *shortcomings(programme))
     status: Status = "OK_LIMIT" if over else "OK"
-    return Plan(status, None, over, warnings, given, effort, found.interrupted)
+    return Plan(status, None, over, warnings, given, effort, interrupted)
 
 
 def not_found(found: Search) -> str:
@@ -114,11 +147,9 @@ def not_found(found: Search) -> str:
     )
 
 
-def _programme(
-    problem: Problem, motion: RequiredMotion, chosen: Candidate, told: Mapping[str, Any], seed: int, verify: bool
-) -> Programme:
+def _programme(problem: Problem, motion: RequiredMotion, chosen: Candidate, told: Mapping[str, Any]) -> Programme:
     """The programme with its report."""
-    stand, own = problem.stand, repeated(chosen.motion, round(motion.span / problem.motion.span))
+    own = repeated(chosen.motion, round(motion.span / problem.motion.span))
     found = figures(problem, chosen.motion)
     report: dict[str, Any] = {
         "kind": chosen.kind,
@@ -136,6 +167,4 @@ def _programme(
         **told,
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
-    programme = programme_of(stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
-    programme = with_runup(stand, motion, programme, seed)
-    return certified(stand, motion, programme) if verify else programme
+    return programme_of(problem.stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)

@@ -85,6 +85,7 @@ class Search:
     beyond: list[Candidate] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
+    doing: str = "searching"
     tried: dict[str, int] = field(default_factory=dict)
     interrupted: bool = False
     cut: bool = False
@@ -92,7 +93,7 @@ class Search:
     @property
     def words(self) -> str:
         """One line of progress."""
-        return f"{self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
+        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
 
     def seen(self, residual: float) -> None:
         """Remembers the least residual."""
@@ -153,6 +154,9 @@ def _round(
     tell: Tell | None,
 ) -> None:
     """One crowd of starts of one kind; the best of it refined."""
+    state.doing = "searching"
+    if tell is not None:
+        tell(state)
     K = max(CHOSEN, int(DRAWN * min(1.0, _LARGEST / (problem.N * problem.highest))))
     windings = drawn(kind, problem.motion, problem.N, K, rng)
     crowd = Crowd(problem, windings, rng.uniform(-np.pi, np.pi, (K, problem.N, 1)), bias)
@@ -168,6 +172,7 @@ def _round(
     state.seen(float(residuals.min()))
     here = 0
     order = polisher.rank(chosen)
+    state.doing = "improving"
     most = REFINED_IN_BOUNDS if bounded(problem.motion.bounds) else REFINED
     for k in order[residuals[order] <= _PROMISING][:most]:
         if tell is not None:

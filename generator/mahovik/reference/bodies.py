@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from mahovik.reference.array import Array
 from mahovik.reference.inertia import added_mass, spatial_inertia
-from mahovik.reference.rotation import fixed_rotation, flywheel_rotation
-from mahovik.reference.screw import f, wrench_to_parent
+from mahovik.reference.rotation import C1, fixed_rotation, flywheel_mounting, flywheel_rotation
+from mahovik.reference.screw import T, block_diagonal, f, wrench_to_parent
 from mahovik.stand.model import Carrier, Flywheel, Instrument, Stand
 from mahovik.stand.state import State
 
@@ -47,6 +48,42 @@ class Spinning:
         return self.L.T @ V + f * self.phi_dot
 
 
+@dataclass(frozen=True, eq=False)
+class Mounted:
+    """A flywheel at whatever phase. Theta: see Fixed.
+
+    L_mount (6x6) of its mount; T (6x6) and C (3x3) of its place and its axes at phase zero, in the mount.
+    """
+
+    body: Flywheel
+    L_mount: Array
+    T: Array
+    C: Array
+    Theta: Array
+
+    def at(self, phi: float, phi_dot: float) -> Spinning:
+        """The flywheel at the phase phi (rad) with the speed phi_dot (rad/s): Ls = Lp T [C C1(phi)]."""
+        L = self.L_mount @ (self.T @ block_diagonal(self.C @ C1(phi)))
+        return Spinning(self.body, L, self.Theta, phi, phi_dot)
+
+
+@dataclass(frozen=True, eq=False)
+class Bodies:
+    """What of a stand's bodies no state changes, in the file's order."""
+
+    fixed: tuple[Fixed, ...]
+    mounted: tuple[Mounted, ...]
+
+
+def bodies_of(stand: Stand) -> Bodies:
+    """The bodies of a stand."""
+    mounted = (
+        Mounted(s, mount_transfer(stand, s.mount), T(np.array(s.position)), flywheel_mounting(s), spatial_inertia(s))
+        for s in stand.flywheels
+    )
+    return Bodies(fixed_bodies(stand), tuple(mounted))
+
+
 def instrument_transfer(instrument: Instrument) -> Array:
     """Lp (6x6) of an instrument: origin Op, axes C3 C2 C1, both in E1."""
     return wrench_to_parent(np.array(instrument.position), fixed_rotation(*instrument.angles))
@@ -77,9 +114,6 @@ def fixed_bodies(stand: Stand) -> tuple[Fixed, ...]:
     )
 
 
-def spinning_bodies(stand: Stand, state: State) -> tuple[Spinning, ...]:
+def spinning_bodies(mounted: Sequence[Mounted], state: State) -> tuple[Spinning, ...]:
     """Flywheels at the phases and speeds of the state, in the file's order."""
-    return tuple(
-        Spinning(s, flywheel_transfer(stand, s, phi), spatial_inertia(s), phi, phi_dot)
-        for s, phi, phi_dot in zip(stand.flywheels, state.phi, state.phi_dot, strict=True)
-    )
+    return tuple(s.at(phi, phi_dot) for s, phi, phi_dot in zip(mounted, state.phi, state.phi_dot, strict=True))

@@ -52,9 +52,9 @@ def coupling(flywheels: Sequence[Spinning]) -> Array:
 
 def coupling_bias(flywheels: Sequence[Spinning], V: Array) -> Array:
     """J = |J_2 ... J_m| (6xN), J_s = (Phi Ls + Ls [<e>] phi_s') Theta_s f, (9). With a stream, V is V_r."""
-    J = np.zeros((6, len(flywheels)))
+    J, Phi_V = np.zeros((6, len(flywheels))), Phi(V)
     for column, s in enumerate(flywheels):
-        J[:, column] = (Phi(V) @ s.L + s.L @ spin * s.phi_dot) @ s.Theta @ f
+        J[:, column] = (Phi_V @ s.L + s.L @ spin * s.phi_dot) @ s.Theta @ f
     return J
 
 

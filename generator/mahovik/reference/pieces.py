@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.reference.array import Array
-from mahovik.reference.bodies import Fixed, Spinning, fixed_bodies, spinning_bodies
+from mahovik.reference.bodies import Bodies, Fixed, Spinning, bodies_of, spinning_bodies
 from mahovik.reference.mass import (
     coupling,
     coupling_bias,
@@ -18,7 +18,7 @@ from mahovik.reference.mass import (
     velocity_matrix,
 )
 from mahovik.reference.rotation import carrier_rotation
-from mahovik.reference.screw import wrench_to_parent
+from mahovik.reference.screw import cross, wrench_to_parent
 from mahovik.reference.wrenches import Kinds, body_wrench, external_wrenches, total_wrench
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
@@ -71,16 +71,20 @@ class Pieces:
 
     def stream_rate(self) -> Array:
         """(omega x C^T u, 0) (6, m/s2)."""
-        return np.concatenate([np.cross(self.V[3:], self.u), np.zeros(3)])
+        return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
 
 
-def pieces(stand: Stand, state: State) -> Pieces:
-    """The pieces of `stand` at `state`. StateError where a leg has no length."""
+def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
+    """The pieces of `stand` at `state`. StateError where a leg has no length.
+
+    `bodies`: `bodies_of` the stand, where the caller has them already.
+    """
     C = carrier_rotation(stand, state)
     u = C.T @ np.array(stand.stream or (0.0, 0.0, 0.0))
     V = np.array(state.V)
     V_r = V - np.concatenate([u, np.zeros(3)])
-    fixed, flywheels = fixed_bodies(stand), spinning_bodies(stand, state)
+    bodies = bodies or bodies_of(stand)
+    fixed, flywheels = bodies.fixed, spinning_bodies(bodies.mounted, state)
     K, K_dot = mass_matrix(fixed, flywheels), mass_matrix_rate(flywheels)
     terms = external_wrenches(stand, state, C=C, V=V, V_r=V_r, fixed=fixed, flywheels=flywheels)
     P = {name: body_wrench(kinds) for name, kinds in terms.items()}

@@ -75,19 +75,24 @@ def fixed_rotation(psi: float, theta: float, phi: float) -> Array:
 
 
 def flywheel_rotation(flywheel: Flywheel, phi: float) -> Array:
-    """Cs (3x3) of a flywheel in its mount at the phase phi: C3(psi_s) C2(theta_s) C1(zero + phi), or by axes.
+    """Cs (3x3) of a flywheel in its mount at the phase phi: C3(psi_s) C2(theta_s) C1(zero + phi), or by axes."""
+    # C1(zero) C1(phi) is C1(zero + phi) without the rounding of that sum, 1e-9 where phi is 1e7
+    return flywheel_mounting(flywheel) @ C1(phi)
 
-    By axes: the first column is along `axis`, the second at phase zero along the part of `zero` across it.
+
+def flywheel_mounting(flywheel: Flywheel) -> Array:
+    """Cs (3x3) at phase zero: C3(psi_s) C2(theta_s) C1(zero), or by axes.
+
+    By axes: the first column is along `axis`, the second along the part of `zero` across it.
     """
     mounting = flywheel.mounting
     if isinstance(mounting, MountingAngles):
-        # C1(zero) C1(phi) is C1(zero + phi) without the rounding of that sum, 1e-9 where phi is 1e7
-        return C3(mounting.psi) @ C2(mounting.theta) @ C1(mounting.zero) @ C1(phi)
+        return C3(mounting.psi) @ C2(mounting.theta) @ C1(mounting.zero)
     axis, zero = np.array(mounting.axis), np.array(mounting.zero)
     first = axis / math.hypot(*axis)
     across = zero - first * (first @ zero)
     second = across / math.hypot(*across)
-    return np.column_stack([first, second, np.cross(first, second)]) @ C1(phi)
+    return np.column_stack([first, second, np.cross(first, second)])
 
 
 def rotation_vector(C: Array) -> Array:

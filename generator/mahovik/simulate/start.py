@@ -18,8 +18,11 @@ REST_KEYS = ("name", "state", "V_dot", "free", "unstable")
 """What `mahovik rest --json` prints."""
 
 
-def load(path: Path, stand: Stand) -> State:
-    """The state in a JSON file. Raises UsageError."""
+HINT = "; the regime gives torques and wrenches"
+
+
+def load(path: Path, stand: Stand, keys: tuple[str, ...] = KEYS, hint: str = HINT) -> State:
+    """The state in a JSON file, of which `keys` may be given. Raises UsageError; `hint`: says why no others."""
     try:
         text = content(path).decode("utf-8-sig")
     except OSError as error:
@@ -35,7 +38,7 @@ def load(path: Path, stand: Stand) -> State:
             if not isinstance(found, dict):
                 raise StateError("state: expected an object")
             refuse_duplicates(found)
-        _known(found, KEYS, "; the regime gives torques and wrenches")
+        _known(found, keys, hint)
         return read_request(stand, {**found, "want": ["forward"]}).state
     except StateError as error:
         raise UsageError(f"{path.name}: {error}") from None

@@ -1,1 +1,1 @@
-"""Questions about a stand: where it rests, what its C costs, which fault a program of it has."""
+"""Questions about a stand: rest, linear model, response to unbalance, cost; which fault a program of it has."""

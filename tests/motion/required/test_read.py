@@ -146,7 +146,8 @@ def test_units_bounds_and_weights() -> None:
         ({"objective": {"torque": -1}}, "m.json: objective, torque: -1 is negative, expected a weight"),
         (
             {"objective": {"power": 1}},
-            'm.json: objective, power: flywheel "left" has no motor with `constant` and `resistance`',
+            'm.json: objective, power: flywheels "left", "right" have no motor with `constant` and `resistance`: '
+            "give them in the stand file, or weight 0",
         ),
         (
             {"bounds": {"speed": 100, "speed_min": 200}},

@@ -13,8 +13,9 @@ from mahovik.motion.programme import Fourier
 from mahovik.motion.required import Bounds, read_motion
 from mahovik.stand import load
 from mahovik.stands import path
-from mahovik.verify.programme import Finding, limits, verify_programme
+from mahovik.verify.programme import Finding, limits, table, verify_programme
 from mahovik.verify.programme.finding import tolerance_for
+from mahovik.verify.programme.scale import scale_of
 from verify.programme.programmes import Case, failed, fourier, item, shaker, solved, tabled, twins, twins_run_up
 
 
@@ -37,6 +38,21 @@ def test_its_stability_is_that_of_the_suspension() -> None:
     """The wheels' pull is even: what decays is the free motion of the whole mass on springs and dampers, in y."""
     value = item(right(), "Floquet").value
     assert value == pytest.approx(np.exp(-10.0 / (2 * 7.0) * 0.05), rel=1e-5)
+
+
+def test_all_twelve_multipliers_are_those_of_the_suspension() -> None:
+    """By Liouville their product is exp(-T tr K^-1 D), D the suspension's damping; complex ones come in pairs."""
+    stand, _, programme = shaker()
+    found = np.array(item(right(), "Floquet").multipliers)
+    assert len(found) == 12
+    assert list(abs(found)) == sorted(abs(found), reverse=True)
+    assert abs(found[0]) == item(right(), "Floquet").value
+    assert np.sort_complex(found) == pytest.approx(np.sort_complex(found.conj()), abs=1e-9)
+    assert stand.suspension is not None
+    decay = np.trace(np.linalg.solve(scale_of(*shaker()).K0, np.array(stand.suspension.damping)))
+    assert np.prod(found) == pytest.approx(np.exp(-decay * programme.span), rel=1e-3)
+    translation = np.roots([7.0, 10.0, stand.suspension.stiffness[1][1]])  # y: 7 kg, 10 N s/m
+    assert min(abs(found - np.exp(translation[0] * programme.span))) < 1e-5
 
 
 def test_the_same_as_a_table_passes() -> None:
@@ -106,3 +122,9 @@ def test_demo3_turns_as_required() -> None:
     found = verify_programme(*case)
     assert failed(found) == set()
     assert item(found, "Floquet").value == pytest.approx(1.0, abs=1e-3)
+
+
+def test_harmonics_of_rounding_at_constant_speed_pass() -> None:
+    """Their phi'' is rounding itself, and no measure of what its differences may be."""
+    programme = replace(shaker()[2], course=fourier(cos=1e-14))
+    assert all(finding.passed for finding in table.findings(programme, 1e-6))

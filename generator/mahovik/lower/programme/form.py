@@ -10,6 +10,18 @@ from mahovik.program.types import Field, Kind, NamedCount, Struct
 SECTORS = 64
 """Parts of a period in which a Fourier table takes the whole turns off a winding."""
 
+RESERVED = frozenset(
+    (
+        *("PROGRAMME_H", "PROGRAMME_TEST_NO_MAIN"),
+        *(
+            f"PROGRAMME_{part}{name}"
+            for part in ("", "RUNUP_", "RUNDOWN_")
+            for name in ("NODES", "HARMONICS", "PERIOD", "DURATION")
+        ),
+    )
+)
+"""Names of a programme's header and source, that no flywheel may have."""
+
 
 @dataclass(frozen=True)
 class Form:

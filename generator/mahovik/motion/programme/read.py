@@ -42,6 +42,8 @@ def read_programme(text: str, source: str = "programme") -> Programme:
         found = document.whole(text, source)
     except ValueError as error:
         raise ProgrammeError([str(error)]) from None
+    if "type" in found and "stand" not in found:
+        raise ProgrammeError([f"{source}: is a motion file; expected a programme file here: were the two swapped?"])
     problems = Problems(source)
     top = Section(problems, found)
     top.only(KEYS)

@@ -56,10 +56,16 @@ def objective(top: Section, stand: Stand) -> Objective:
         found[key] = _each(section, key, N, PLAIN) or (0.0,) * N
         if min(found[key], default=0.0) < 0.0:
             section.refuse(key, f"{min(found[key]):g} is negative, expected a weight")
-    for flywheel, weight in zip(stand.flywheels, found["power"], strict=True):
-        motor = flywheel.motor
-        if weight > 0.0 and (motor is None or not motor.constant or motor.resistance is None):
-            section.refuse("power", f'flywheel "{flywheel.name}" has no motor with `constant` and `resistance`')
+    missing = [
+        f'"{s.name}"'
+        for s, weight in zip(stand.flywheels, found["power"], strict=True)
+        if weight > 0.0 and (s.motor is None or not s.motor.constant or s.motor.resistance is None)
+    ]
+    if missing:
+        which = f"flywheel {missing[0]} has" if len(missing) == 1 else f"flywheels {', '.join(missing)} have"
+        section.refuse(
+            "power", f"{which} no motor with `constant` and `resistance`: give them in the stand file, or weight 0"
+        )
     return Objective(**found)
 
 

@@ -44,6 +44,8 @@ def read_motion(text: str, stand: Stand, source: str = "motion") -> RequiredMoti
         found = document.whole(text, source)
     except ValueError as error:
         raise MotionError([str(error)]) from None
+    if "stand" in found and "flywheels" in found:
+        raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
     problems = Problems(source)
     top = Section(problems, found)
     top.only(KEYS)

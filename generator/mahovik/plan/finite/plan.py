@@ -60,6 +60,9 @@ def plan_finite(
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort["objective_spread"] = [reports[k]["objective"] for k in order]
     programmes, refused = [], []
+    found.doing = "verifying"
+    if tell is not None:
+        tell(found)
     for k in order[: asked.keep]:
         motion, report = ways.found[k][0].motion, {**reports[k], "search": effort}
         table = table_of(problem, ways.found[k][0])

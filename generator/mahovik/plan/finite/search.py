@@ -114,13 +114,14 @@ class FiniteSearch:
     found: list[Solved] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
+    doing: str = "searching"
     interrupted: bool = False
     cut: bool = False
 
     @property
     def words(self) -> str:
         """One line of progress."""
-        return f"{self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
+        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
 
 
 def search_finite(
@@ -134,6 +135,9 @@ def search_finite(
         for _ in range(ROUNDS):
             if state.found or budget.exhausted:
                 break
+            state.doing = "searching"
+            if tell is not None:
+                tell(state)
             waves = np.zeros((DRAWN, N, _SCORED + 1))
             waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (DRAWN, N))
             if bounds.start_phi is not None:
@@ -145,6 +149,7 @@ def search_finite(
             residuals = crowd.residuals()
             state.starts += DRAWN
             state.best = min(state.best, float(residuals.min()))
+            state.doing = "improving"
             for k in np.argsort(residuals, kind="stable")[:REFINED]:
                 if tell is not None:
                     tell(state)

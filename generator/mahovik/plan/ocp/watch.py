@@ -32,6 +32,11 @@ class Seen:
     cut: bool = False
 
     @property
+    def doing(self) -> str:
+        """What it does."""
+        return "optimal control"
+
+    @property
     def words(self) -> str:
         """The line of progress."""
         return f"IPOPT: iteration {self.iterations}, objective {self.objective:.4g}, violation {self.violation:.1e}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -83,6 +83,39 @@ def _sizes(problem: Problem) -> float:
     return max(mass * float(np.linalg.norm(problem.stand.gravity)), 1e-6 * mass)
 
 
+COORDINATES = ("x", "y", "z", "psi", "theta", "phi")
+
+
+def _weights(problem: Problem) -> float:
+    """N m: what the weights of unbalanced flywheels give at most."""
+    return float(problem.mechanics.tables.unbalance.sum() * np.linalg.norm(problem.stand.gravity))
+
+
+def _uncarried(problem: Problem, pose: MeanPose) -> str | None:
+    """`force` or `moment` that nothing carries at the mean pose; None: all is carried."""
+    force, moment = (np.concatenate(each)[None] for each in ((pose.left[:3], _NONE), (_NONE, pose.left[3:])))
+    if problem.norm.relative(force) > problem.tolerance:
+        return "force"
+    turning = float(np.linalg.norm(pose.left[3:]))
+    return "moment" if turning > _weights(problem) and problem.norm.relative(moment) > problem.tolerance else None
+
+
+def _held(problem: Problem) -> str:
+    """What would help where means that are held are all that is in the way; empty where they are not."""
+    if problem.free.all():
+        return ""
+    everywhere = mean_pose(replace(problem, free=np.ones(6, dtype=bool)))
+    if _uncarried(problem, everywhere) is not None:
+        return ""
+    given = np.array(problem.motion.free_mean, dtype=bool)
+    said = []
+    for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
+        names = ", ".join(name for name, is_held in zip(COORDINATES, held, strict=True) if is_held)
+        said += [f"{key} holds the mean of {names}"] if names else []
+    return f"{' and '.join(said)}: set free, the mean pose may shift to where the surroundings carry it"
+
+
+_NONE = np.zeros(3)
 _TILTED = 0.1
 """rad: a mean tilt beyond this is worth a warning."""
 
@@ -96,20 +129,22 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
     if any(problem.mechanics.tables.damping):
         return
     force, moment = pose.left[:3], pose.left[3:]
-    size, turning = float(np.linalg.norm(force)), float(np.linalg.norm(moment))
-    able = float(problem.mechanics.tables.unbalance.sum() * np.linalg.norm(problem.stand.gravity))
-    held = "" if problem.free.all() else " (some means are held: free_mean)"
-    if problem.norm.relative(np.concatenate([force, np.zeros(3)])[None]) > problem.tolerance:
+    able = _weights(problem)
+    left = _uncarried(problem, pose)
+    if left == "force":
+        size = float(np.linalg.norm(force))
         found.refusal = Refusal(
             "MEAN_WRENCH",
-            f"a mean force of {size:.4g} N along {direction(force)} is carried by nothing{held}: flywheels give "
-            "no mean force over a period; a suspension, legs or buoyancy that balance it would help",
+            f"a mean force of {size:.4g} N along {direction(force)} is carried by nothing: flywheels give no mean "
+            f"force over a period; {_held(problem) or 'a suspension, legs or buoyancy that balance it would help'}",
         )
-    elif turning > able and problem.norm.relative(np.concatenate([np.zeros(3), moment])[None]) > problem.tolerance:
+    elif left == "moment":
+        turning = float(np.linalg.norm(moment))
         found.refusal = Refusal(
             "MEAN_WRENCH",
-            f"a mean moment of {turning:.4g} N m along {direction(moment)} is carried by nothing{held}: weights of "
-            f"unbalanced flywheels give at most {able:.3g} N m; a suspension that is stiff in rotation would help",
+            f"a mean moment of {turning:.4g} N m along {direction(moment)} is carried by nothing: weights of "
+            f"unbalanced flywheels give at most {able:.3g} N m; "
+            f"{_held(problem) or 'a suspension that is stiff in rotation would help'}",
         )
     tilt = float(np.abs(pose.bias[3:]).max())
     if tilt > _TILTED:

@@ -9,6 +9,7 @@ import numpy as np
 from mahovik.errors import StateError
 from mahovik.motion.required import Bounds
 from mahovik.plan.array import Array
+from mahovik.plan.budget import Budget
 from mahovik.plan.runup.boundary import Boundary, Flight
 from mahovik.plan.runup.newton import LONGEST, reachable, shoot
 
@@ -59,15 +60,20 @@ def measured(problem: Boundary, flight: Flight) -> dict[str, Array]:
     }
 
 
-def reduced(problem: Boundary, flight: Flight, bounds: Bounds) -> Flight:
-    """The flight with the least excess that Gauss-Newton's steps along the terminal conditions find.
+def reduced(problem: Boundary, flight: Flight, bounds: Bounds, budget: Budget) -> Flight:
+    """The flight with the least excess that Gauss-Newton's steps along the terminal conditions find in the time.
 
     Each step makes the excess and itself least among those that keep the terminal conditions; then Newton's steps.
     """
     best, least, weight = flight, shares(problem, flight, bounds).excess, 1e-2
     history = [least]
     for _ in range(_STEPS):
-        if least == 0.0 or weight > 1e6 or (len(history) > _STALL and least > 0.9 * history[-1 - _STALL]):
+        if (
+            budget.over()
+            or least == 0.0
+            or weight > 1e6
+            or (len(history) > _STALL and least > 0.9 * history[-1 - _STALL])
+        ):
             break
         best = problem.renewed(best)
         J, states = problem.sensitivity(best)

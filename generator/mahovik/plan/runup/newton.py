@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from mahovik.errors import StateError
 from mahovik.plan.array import Array
+from mahovik.plan.budget import Budget
 from mahovik.plan.runup.boundary import Boundary, Flight
 
 LONGEST = 0.5
@@ -32,14 +33,14 @@ class Shot:
     steps: int
 
 
-def shoot(problem: Boundary, start: Flight, goal: float, most: int) -> Shot:
-    """Newton's steps until the terminal error is within the goal, falls no more, or after so many steps.
+def shoot(problem: Boundary, start: Flight, goal: float, most: int, budget: Budget | None = None) -> Shot:
+    """Newton's steps until the terminal error is within the goal, falls no more, time is over, or after so many steps.
 
     Raises CheckError: there is no rest to start from, or to end in.
     """
     flight = start
     for taken in range(most):
-        if flight.size <= goal:
+        if flight.size <= goal or (budget is not None and budget.over()):
             return Shot(flight, taken)
         flight = problem.renewed(flight)
         J, _ = problem.sensitivity(flight)

@@ -12,6 +12,7 @@ from mahovik.errors import CheckError, StateError
 from mahovik.motion.programme import Programme, Samples
 from mahovik.motion.required import Bounds, RequiredMotion
 from mahovik.plan.array import Array
+from mahovik.plan.budget import Budget
 from mahovik.plan.residual import Mechanics
 from mahovik.plan.runup.boundary import NODES, Boundary, Flight, boundary
 from mahovik.plan.runup.limits import reduced, shares
@@ -50,14 +51,23 @@ class Found:
 
 
 def solve(
-    mechanics: Mechanics, motion: RequiredMotion, programme: Programme, duration: float, *, up: bool, seed: int = 0
+    mechanics: Mechanics,
+    motion: RequiredMotion,
+    programme: Programme,
+    duration: float,
+    *,
+    up: bool,
+    seed: int = 0,
+    budget: Budget | None = None,
 ) -> Found:
     """A run-up (`up`) into the programme, or a run-down from it, in `duration` s.
 
-    Inside the motion's bounds, if that can be reached. The same for the same programme and seed.
+    Inside the motion's bounds, if that can be reached. The same for the same programme and seed, unless the time of
+    `budget` is over: then no attempt is begun, and no step is taken to come nearer to the bounds.
 
     Raises CheckError: there is no rest, or none was found.
     """
+    budget = budget or Budget(0)
     rng = np.random.default_rng(seed)
     best = np.inf
 
@@ -66,20 +76,23 @@ def solve(
 
     which, where = ("run-up", "into the programme") if up else ("run-down", "to rest")
     for number, (splines, spread) in enumerate(_ATTEMPTS):
+        if budget.over():
+            ended = "interrupted" if budget.interrupted else "cut by time"
+            raise CheckError(f"{which}: {ended} after {number} of {len(_ATTEMPTS)} attempts, none was found")
         coarse = problem(NODES, splines)
         c = np.zeros((mechanics.N, coarse.family.P))
         c[:, 0] = spread * rng.uniform(-1.0, 1.0, mechanics.N)
         try:
-            shot = shoot(coarse, coarse.fly(c), _COARSE, _STEPS)
+            shot = shoot(coarse, coarse.fly(c), _COARSE, _STEPS, budget)
             best = min(best, shot.flight.size)
             if shot.flight.size > _COARSE:
-                if out_of_reach(coarse, shot.flight):
+                if not budget.over() and out_of_reach(coarse, shot.flight):
                     raise CheckError(
                         f"{which}: what surrounds the stand cannot take up the momentum of the programme, so that no "
                         "run-up or run-down exists; a programme that rocks may have none to take up"
                     )
                 continue
-            found = _refined(problem, *_within(problem, coarse, shot.flight, motion.bounds))
+            found = _refined(problem, *_within(problem, coarse, shot.flight, motion.bounds, budget))
         except StateError:
             continue
         return Found(*found, shot.steps, number + 1)
@@ -98,25 +111,29 @@ def out_of_reach(problem: Boundary, flight: Flight) -> bool:
     return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))
 
 
-def _within(problem: Problems, own: Boundary, flight: Flight, bounds: Bounds) -> tuple[Boundary, Flight]:
-    """Inside the bounds, or nearer to them: with more splines a flywheel while they are exceeded."""
+def _within(
+    problem: Problems, own: Boundary, flight: Flight, bounds: Bounds, budget: Budget
+) -> tuple[Boundary, Flight]:
+    """Inside the bounds, or nearer to them: with more splines a flywheel while they are exceeded and time is left."""
     tried = [(own, flight)]
     if shares(own, flight, bounds).excess > 0.0:
-        flight = reduced(own, flight, bounds)
+        flight = reduced(own, flight, bounds, budget)
         tried.append((own, flight))
     for splines in RICHER:
         if shares(own, flight, bounds).most <= 1.0:
             return own, flight
+        if budget.over():
+            break
         richer = problem(NODES, splines)
         added = own.family.basis[0] @ flight.c.T
         c = np.linalg.lstsq(richer.family.basis[0], added, rcond=None)[0].T
         try:
-            there = shoot(richer, richer.fly(c), _COARSE, _STEPS).flight
+            there = shoot(richer, richer.fly(c), _COARSE, _STEPS, budget).flight
         except StateError:
             break
         if there.size > _COARSE:
             break
-        own, flight = richer, reduced(richer, there, bounds)
+        own, flight = richer, reduced(richer, there, bounds, budget)
         tried.append((own, flight))
     return min(tried, key=lambda each: shares(each[0], each[1], bounds).most)
 

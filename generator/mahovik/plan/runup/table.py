@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.motion.programme import Programme, RunUpTable
 from mahovik.motion.required import RequiredMotion
+from mahovik.plan.budget import Budget
 from mahovik.plan.residual import Mechanics
 from mahovik.plan.runup.limits import measured, shares
 from mahovik.plan.runup.solve import Found, solve, table_of
@@ -18,20 +20,35 @@ from mahovik.stand.model import Stand
 UNITS = {"speed": "rad/s", "acceleration": "rad/s2", "torque": "N m"}
 
 
-def with_runup(stand: Stand, motion: RequiredMotion, programme: Programme, seed: int = 0) -> Programme:
+def with_runup(
+    stand: Stand,
+    motion: RequiredMotion,
+    programme: Programme,
+    seed: int = 0,
+    budget: Budget | None = None,
+    say: Callable[[str], None] | None = None,
+) -> Programme:
     """The programme with the tables `runup` and `rundown` that the motion asks for, and both in its report.
 
     A table that was not found is left out: its report says why under `reason`. Without `runup` in the motion nothing
-    is changed. The same for the same arguments.
+    is changed. The same for the same arguments, unless the `budget` ends by time or Ctrl-C: then what is not found yet
+    is left out. Half of the seconds left are the run-up's. `say` is told which of the two is sought.
     """
     if motion.runup is None or not programme.periodic:
         return programme
     mechanics = Mechanics.of(stand)
     tables: dict[str, RunUpTable | None] = {}
     report: dict[str, Any] = dict(programme.report)
+    whole = budget or Budget(0)
     for key, up in (("runup", True), ("rundown", False)):
+        own = Budget(0, whole.left(0.5 if up else 1.0), interrupted=whole.interrupted)
+        if say is not None:
+            say("run-up" if up else "run-down")
         try:
-            found = solve(mechanics, motion, programme, motion.runup, up=up, seed=seed)
+            found = solve(mechanics, motion, programme, motion.runup, up=up, seed=seed, budget=own)
+        except KeyboardInterrupt:
+            whole.interrupted = True
+            tables[key], report[key] = None, {"reason": f"{'run-up' if up else 'run-down'}: interrupted"}
         except CheckError as error:
             tables[key], report[key] = None, {"reason": str(error)}
         else:

@@ -8,7 +8,7 @@ from importlib import import_module
 from typing import Any
 
 from mahovik.errors import UsageError
-from mahovik.report.plot.panel import Line, Panel
+from mahovik.report.plot.panel import Dots, Line, Panel
 
 SUFFIXES = (".svg", ".png")
 
@@ -19,6 +19,8 @@ GREY = "#777777"
 
 WIDTH, HEIGHT = 8.6, 2.0
 """Of the picture, and of a panel, inches."""
+
+TIME = "t, s"
 
 LEGEND = 8
 """Names in a column beside a panel."""
@@ -43,12 +45,16 @@ def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
     except ImportError:
         raise UsageError('plot needs matplotlib: pip install "mahovik[report]"') from None
     with matplotlib.rc_context(STYLE):
-        figure = figures.Figure(figsize=(WIDTH, HEIGHT * len(panels) + 0.7), layout="constrained")
+        heights = [panel.height for panel in panels]
+        figure = figures.Figure(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
         figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
-        rows = figure.subplots(len(panels), 1, squeeze=False)[:, 0]
+        rows = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)[:, 0]
         for axes, panel in zip(rows, panels, strict=True):
             _panel(axes, panel)
-        rows[-1].set_xlabel("t, s")
+            if panel.dots is not None:
+                _dots(figure, axes, panel.dots)
+            if panel.abscissa or panel is panels[-1]:
+                axes.set_xlabel(panel.abscissa or TIME)
         buffer = io.BytesIO()
         metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
@@ -64,6 +70,10 @@ def _panel(axes: Any, panel: Panel) -> None:
         axes.set_ylim(-panel.least, panel.least)
     if panel.log:
         axes.set_yscale("log")
+    if panel.span is not None:
+        axes.set_xlim(*panel.span)
+    if panel.top is not None:
+        axes.set_ylim(0.0, panel.top)
     if panel.note:
         axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
     named = sum(bool(line.name) for line in panel.lines)
@@ -73,6 +83,18 @@ def _panel(axes: Any, panel: Panel) -> None:
             loc="upper left", bbox_to_anchor=(1.005, 1.02), frameon=False, ncols=columns, handlelength=1.6,
             labelspacing=0.25, columnspacing=1.0, borderaxespad=0.0,
         )  # fmt: skip
+
+
+def _dots(figure: Any, axes: Any, dots: Dots) -> None:
+    colours = import_module("matplotlib.colors")
+    if not len(dots.value):
+        return
+    order = dots.value.argsort()  # the largest on top
+    norm = colours.LogNorm(dots.least, max(float(dots.value.max()), 10.0 * dots.least))
+    shown = axes.scatter(
+        dots.x[order], dots.y[order], s=9, c=dots.value[order], norm=norm, cmap="viridis_r", linewidths=0, zorder=3
+    )
+    figure.colorbar(shown, ax=axes, label=dots.quantity, pad=0.01, aspect=30)
 
 
 def _line(axes: Any, line: Line) -> None:

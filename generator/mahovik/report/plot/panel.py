@@ -26,10 +26,23 @@ class Line:
 
 
 @dataclass(frozen=True, eq=False)
+class Dots:
+    """Values at places x, y, by colour in powers of ten from `least` to the largest; `quantity` stands at the scale."""
+
+    x: Array
+    y: Array
+    value: Array
+    quantity: str
+    least: float
+
+
+@dataclass(frozen=True, eq=False)
 class Panel:
     """Lines in one frame. `quantity` stands above with its unit; `log`: by powers of ten.
 
     `least`: the ordinate reaches at least so far up and down: rounding is no picture. `note`: above, at the right.
+    `abscissa`: below, where it is not time; `height`: in those of other panels; `span`: first and last abscissa;
+    `top`: the ordinate ends there.
     """
 
     quantity: str
@@ -37,6 +50,11 @@ class Panel:
     log: bool = False
     least: float = 0.0
     note: str = ""
+    dots: Dots | None = None
+    abscissa: str = ""
+    height: float = 1.0
+    span: tuple[float, float] | None = None
+    top: float | None = None
 
 
 def family(names: Sequence[str], x: Array, columns: Array, dashed: bool = False) -> tuple[Line, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import cast
 
 from mahovik import reference
@@ -11,6 +12,7 @@ from mahovik.motion.programme import Angles
 from mahovik.motion.required import Course
 from mahovik.reference import Pieces
 from mahovik.reference.array import Array
+from mahovik.reference.bodies import Bodies, bodies_of
 from mahovik.reference.inverse import demand
 from mahovik.reference.rotation import kinematic_matrix, kinematic_matrix_rate
 from mahovik.reference.torque import torque
@@ -32,7 +34,13 @@ def pieces_at(stand: Stand, q: Array, V: Array, phi: Array, phi_dot: Array) -> P
         V_dot=(0.0,) * 6,
         tau=zeros,
     )
-    return reference.pieces(stand, state)
+    return reference.pieces(stand, state, _bodies(stand))
+
+
+@lru_cache(maxsize=4)
+def _bodies(stand: Stand) -> Bodies:
+    """Those of a stand, once for the thousands of its states."""
+    return bodies_of(stand)
 
 
 def twist(stand: Stand, q: Array, q_dot: Array) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 from mahovik.stand.model import Stand
@@ -14,7 +14,8 @@ from mahovik.stand.model import Stand
 class Finding:
     """One item: `value` against `limit` (of the same unit, mostly a share), whether it `passed`, and words about it.
 
-    An item that warns has passed with a value above its limit.
+    An item that warns has passed with a value above its limit. `multipliers`: of the item Floquet all twelve, the
+    largest modulus first; `value` is that modulus.
     """
 
     name: str
@@ -22,11 +23,17 @@ class Finding:
     limit: float
     passed: bool
     words: str
+    multipliers: tuple[complex, ...] = ()
 
     @property
     def warns(self) -> bool:
         """Passed, but with something to know."""
         return self.passed and not self.value <= self.limit
+
+    def as_item(self) -> dict[str, Any]:
+        """As JSON has it, `multipliers` apart; a value that is not finite is null."""
+        value = self.value if math.isfinite(self.value) else None
+        return {"name": self.name, "value": value, "limit": self.limit, "passed": self.passed, "words": self.words}
 
 
 def judged(name: str, value: float, limit: float, words: str = "") -> Finding:
@@ -35,9 +42,20 @@ def judged(name: str, value: float, limit: float, words: str = "") -> Finding:
 
 
 def as_object(stand: str, motion: str, findings: Sequence[Finding]) -> dict[str, Any]:
-    """All as JSON has it; a value that is not finite is null."""
-    items = [{**asdict(each), "value": each.value if math.isfinite(each.value) else None} for each in findings]
-    return {"stand": stand, "motion": motion, "passed": all(each.passed for each in findings), "findings": items}
+    """All as JSON has it; `floquet` is null where no multipliers were asked for."""
+    return {
+        "stand": stand,
+        "motion": motion,
+        "passed": all(each.passed for each in findings),
+        "findings": [each.as_item() for each in findings],
+        "floquet": floquet_of(findings),
+    }
+
+
+def floquet_of(findings: Sequence[Finding]) -> list[list[float]] | None:
+    """The twelve Floquet multipliers among findings, real and imaginary part each; None: they have none."""
+    found = [[z.real, z.imag] for each in findings for z in each.multipliers]
+    return found or None
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,8 @@ STEP = 1e-6
 """Of a difference, of 1 + the number itself: multipliers are right to about five digits."""
 
 
-def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> Array:
-    """Moduli of the 12 eigenvalues of the monodromy matrix, descending.
+def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> tuple[complex, ...]:
+    """The 12 eigenvalues of the monodromy matrix, the largest modulus first, of a pair that with Im > 0.
 
     x' = A(t) x along the required motion, y = (q, V), over a period by Magnus's fourth-order steps with A at the
     two points of Gauss. StateError at a singular attitude.
@@ -39,7 +39,9 @@ def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> A
         A1, A2 = (_linear(stand, motion, programme, t) for t in (early, late))
         exponent = h / 2 * (A1 + A2) + np.sqrt(3) / 12 * h**2 * (A2 @ A1 - A1 @ A2)
         monodromy = expm(exponent) @ monodromy
-    return np.sort(np.abs(np.linalg.eigvals(monodromy)))[::-1]
+    found = [complex(z) for z in np.linalg.eigvals(monodromy)]
+    # moduli of a pair may differ in the last digits
+    return tuple(sorted(found, key=lambda z: (-round(abs(z), 12), -round(z.real, 12), -z.imag)))
 
 
 def _linear(stand: Stand, motion: RequiredMotion, programme: Programme, t: float) -> Array:
@@ -62,11 +64,11 @@ def finding(stand: Stand, motion: RequiredMotion, programme: Programme, limit: f
         found = multipliers(stand, motion, programme)
     except StateError as error:
         return Finding("Floquet", np.inf, limit, False, str(error))
-    value = float(found[0])
+    value = abs(found[0])
     if value > limit:
         words = "largest multiplier: the motion is right, but not stable without feedback"
     elif value > 2 - limit:
         words = "largest multiplier: neutral, the carrier is free to drift"
     else:
         words = f"largest multiplier: stable, disturbances decay by {value:.3g} a period"
-    return Finding("Floquet", value, limit, bool(np.isfinite(value)), words)
+    return Finding("Floquet", value, limit, bool(np.isfinite(value)), words, found)

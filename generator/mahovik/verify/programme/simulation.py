@@ -58,12 +58,7 @@ def simulate(
     from scipy.integrate import solve_ivp
 
     m, rad = scale.lengths()
-    faster = scale.speed / scale.amplitude
-    atol = error * np.repeat([m, rad, m * faster, rad * faster], 3)
-
-    def rates(now: float, y: Array) -> Array:
-        phi, phi_dot, phi_ddot = angles(np.array([now]))
-        return rate(stand, y, phi[0], phi_dot[0], phi_ddot[0])
+    atol, rates = _absolute(scale, error), _rates(stand, angles)
 
     def left(_: float, y: Array) -> float:
         away = np.abs(y[:6] - start[:6])
@@ -86,12 +81,66 @@ def simulate(
 def simulate_rows(
     stand: Stand, angles: Course, start: Array, rows: Array, scale: Scale, longest: float, error: float = STEP_ERROR
 ) -> Array:
-    """y = (q, V) (M, 12) at the rows (M, s) of a table; no step goes over a row, where the third derivative jumps."""
+    """y = (q, V) (M, 12) at the rows (M, s) of a table; no step goes over a row, where the third derivative jumps.
+
+    See `simulate`. From row to row the same method, without what interpolates inside a step: nobody asks there.
+    """
+    from scipy.integrate import DOP853
+
+    starts, steps = rows[:-1], np.diff(rows)
+    asked = np.append(starts[:, None] + DOP853.C[: DOP853.n_stages] * steps[:, None], (starts + steps)[:, None], axis=1)
+    atol, rates = _absolute(scale, error), _remembered(_rates(stand, _tabled(angles, asked.ravel())))
     states = [start]
-    for begin, end in pairwise(rows):
-        between = np.array([begin, end])
-        states.append(simulate(stand, angles, states[-1], between, scale, min(longest, end - begin), error)[-1])
+    for begin, end in pairwise(rows.tolist()):
+        step = min(longest, end - begin)
+        solver = DOP853(rates, begin, states[-1], end, rtol=RTOL, atol=atol, max_step=step, first_step=step)
+        message = None
+        while solver.status == "running":
+            message = solver.step()
+        if solver.status == "failed" or not np.all(np.isfinite(solver.y)):
+            raise StateError(f"the simulation stops at t = {solver.t:.6g} s: {message or 'not finite'}")
+        states.append(solver.y)
     return np.array(states)
+
+
+def _absolute(scale: Scale, error: float) -> Array:
+    """(12; m, rad, m/s, rad/s): this share of the amplitude."""
+    m, rad = scale.lengths()
+    faster = scale.speed / scale.amplitude
+    return error * np.repeat([m, rad, m * faster, rad * faster], 3)
+
+
+def _rates(stand: Stand, angles: Course) -> Callable[[float, Array], Array]:
+    """`rate` by time."""
+
+    def rates(now: float, y: Array) -> Array:
+        phi, phi_dot, phi_ddot = angles(np.array([now]))
+        return rate(stand, y, phi[0], phi_dot[0], phi_ddot[0])
+
+    return rates
+
+
+def _tabled(angles: Course, times: Array) -> Course:
+    """The same, where those at `times` (M, s) are evaluated all at once; at any other time one by one."""
+    found = {float(t): row for t, *row in zip(times, *(each[:, None] for each in angles(times)), strict=True)}
+
+    def tabled(t: Array) -> Angles:
+        row = found.get(float(t[0]))
+        return angles(t) if row is None else Angles(*row)
+
+    return tabled
+
+
+def _remembered(rates: Callable[[float, Array], Array]) -> Callable[[float, Array], Array]:
+    """The same; the last answer is kept, since a step begins with what the one before ended with."""
+    last: list[tuple[float, Array, Array]] = []
+
+    def remembered(now: float, y: Array) -> Array:
+        if not last or last[0][0] != now or not np.array_equal(last[0][1], y):
+            last[:] = [(now, y.copy(), rates(now, y))]
+        return last[0][2]
+
+    return remembered
 
 
 def finding(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, limit: float) -> Finding:

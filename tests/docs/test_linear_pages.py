@@ -1,0 +1,61 @@
+"""docs/linear.md and docs/response.md hold what tools/linear_campaign.py --write says; their numbers are the code's."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from types import ModuleType
+
+import pytest
+
+from docs.pages import ROOT, cells
+from mahovik.study.response.periodic import KINKED_TAIL, TAIL, UNSTABLE
+from mahovik.study.response.speeds import EXACT, MOST_TURNS
+
+
+def tool() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("linear_campaign", ROOT / "tools" / "linear_campaign.py")
+    assert spec is not None
+    assert spec.loader is not None
+    found = importlib.util.module_from_spec(spec)
+    sys.modules["linear_campaign"] = found  # where a dataclass looks for its module
+    spec.loader.exec_module(found)
+    return found
+
+
+def rows(name: str) -> tuple[str, list[list[str]]]:
+    """What the tool wrote on a page, and the rows of its table."""
+    written, page = tool(), (ROOT / "docs" / name).read_text(encoding="utf-8")
+    text = page.partition(written.BEGIN)[2].partition(written.END)[0].strip()
+    assert written.with_text(page, text) == page
+    return text, [cells(line) for line in text.splitlines() if line.startswith("|")][2:]
+
+
+def test_linear_models_agree() -> None:
+    text, found = rows("linear.md")
+    assert "accepted is 1e-10" in text
+    assert [row[0] for row in found] == [str(N) for N in tool().FLYWHEELS]
+    assert sum(int(row[1]) for row in found) == 200
+    assert all(float(number) <= 1e-10 for row in found for number in row[2:])
+
+
+def test_steady_states_are_those_of_simulation() -> None:
+    text, found = rows("response.md")
+    assert "accepted is 1e-06" in text
+    assert [row[0] for row in found] == [course.stand for course in tool().COURSES]
+    assert all(float(row[4]) <= 1e-6 for row in found)
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (EXACT, "to {:.0e}, and the period"),
+        (MOST_TURNS, "up to {} turns"),
+        (TAIL, "no more than {:.0e} of"),
+        (KINKED_TAIL, "({:.0e} with"),
+        (1 + UNSTABLE, "above {} a warning"),
+    ],
+)
+def test_numbers_are_those_of_the_code(value: float, words: str) -> None:
+    page = " ".join((ROOT / "docs" / "response.md").read_text(encoding="utf-8").split())
+    assert words.format(value).replace("1e-0", "1e-") in page

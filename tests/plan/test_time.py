@@ -1,0 +1,87 @@
+"""What is told on the way, and how planning ends early: time and Ctrl-C in run-ups."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.motion.required import Bounds
+from mahovik.plan import Wishes, plan_motion, planner
+from mahovik.plan.budget import Budget
+from mahovik.plan.outcome import Progress
+from mahovik.plan.runup import shortcomings, table, with_runup
+from mahovik.plan.search import Search
+from plan.examples import example
+from plan.test_runup import spinning
+
+WISHES = Wishes(verify=False)
+
+
+def test_the_line_says_what_is_done_in_this_order() -> None:
+    """Search, then the two tables; the numbers are those of the search."""
+    stand, motion = example("shaker2", "shaker2_spin")
+    told: list[tuple[str, int, float]] = []
+
+    def tell(state: Progress) -> None:
+        told.append((state.doing, state.starts, state.best))
+
+    asked = replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds())
+    assert plan_motion(stand, asked, WISHES, tell).status == "OK"
+    assert list(dict.fromkeys(doing for doing, _, _ in told)) == ["searching", "improving", "run-up", "run-down"]
+    assert told[0][1:] == (0, np.inf)
+    assert told[-1][1] > 0 and told[-1][2] < 1e-3
+
+
+def test_time_that_is_over_leaves_out_both_tables() -> None:
+    """No attempt is begun, and both say so; the programme stays."""
+    stand, motion, programme = spinning()
+    begun = time.process_time()
+    made = with_runup(stand, motion, programme, budget=Budget(0, 0.0))
+    assert time.process_time() - begun < 0.2
+    assert (made.runup, made.rundown) == (None, None)
+    assert shortcomings(made) == tuple(
+        f"{name}: cut by time after 0 of 5 attempts, none was found" for name in ("run-up", "run-down")
+    )
+
+
+@pytest.mark.parametrize(("runup", "share"), [(None, 1.0), (0.12, 0.5)])
+def test_half_of_the_time_is_the_searchs_where_run_ups_follow(
+    runup: float | None, share: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without run-ups all of it."""
+    given = []
+
+    def cut(*asked: Any, tell: object) -> Search:
+        given.extend(each.seconds for each in asked if isinstance(each, Budget))
+        return Search(cut=True)
+
+    monkeypatch.setattr(planner, "search", cut)
+    stand, motion = example("shaker2", "shaker2_spin")
+    found = plan_motion(stand, replace(motion, runup=runup), replace(WISHES, seconds=30.0))
+    assert found.effort["cut_by_time"]
+    assert given == [pytest.approx(30.0 * share, rel=1e-2)]
+
+
+def test_ctrl_c_in_a_run_up_keeps_the_programme(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Interrupted, with the programme; the run-down is not begun."""
+
+    solve = table.solve
+
+    def first(*given: Any, up: bool, **more: Any) -> Any:
+        if up:
+            raise KeyboardInterrupt
+        return solve(*given, up=up, **more)
+
+    monkeypatch.setattr(table, "solve", first)
+    stand, motion = example("shaker2", "shaker2_spin")
+    found = plan_motion(stand, replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds()), WISHES)
+    assert found.interrupted and found.status == "OK_LIMIT"
+    assert found.words == (
+        "run-up: interrupted",
+        "run-down: interrupted after 0 of 5 attempts, none was found",
+    )
+    assert len(found.programmes) == 1

@@ -1,0 +1,295 @@
+"""Periodic steady states: laws they must keep, spectra, speeds as they are asked for, sweeps."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mahovik.errors import CheckError, UsageError
+from mahovik.stand import load
+from mahovik.stands import path
+from mahovik.study.linear import linear_model
+from mahovik.study.response import Scene, common_period, periodic_response
+from mahovik.study.response.asked import read_speeds
+from mahovik.study.response.collocation import derivative, odd_length, resampled
+from mahovik.study.response.files import csv_text, json_text
+from mahovik.study.response.motion import rms
+from mahovik.study.response.sweep import sweep
+
+RPM = math.pi / 30
+
+
+@pytest.fixture(scope="module")
+def bench8():
+    return Scene.of(load(path("bench8")))
+
+
+def unbalanced(stand, share):
+    """The stand with a share of the first flywheel's static unbalance, the others without any, all symmetric."""
+    wheels = []
+    for k, wheel in enumerate(stand.flywheels):
+        c = (wheel.center_of_mass[0], *(share * x for x in wheel.center_of_mass[1:])) if k == 0 else (0.0, 0.0, 0.0)
+        J = wheel.inertia[1][1]
+        about = ((wheel.inertia[0][0], 0.0, 0.0), (0.0, J, 0.0), (0.0, 0.0, J))
+        wheels.append(replace(wheel, center_of_mass=c, inertia=about, inertia_about="center_of_mass"))
+    return replace(
+        stand,
+        flywheels=tuple(wheels),
+        gravity=(0.0, 0.0, 0.0),
+        suspension=replace(stand.suspension, position=(0.0, 0.0, 0.0)),
+    )
+
+
+def test_small_unbalance_is_answered_as_the_linear_model_says():
+    """Its wrench at rest through A, B, C, D; what is left is of the second order in the unbalance."""
+    stand, Omega = load(path("bench8")), 40.0
+    left = []
+    for share in (1e-2, 1e-3):
+        one = unbalanced(stand, share)
+        found = periodic_response(one, [Omega] + [0.0] * 7, ["carrier"]).points["carrier"].harmonics("acceleration")[1]
+        model = linear_model(one, replace(Scene.of(one).rest, phi_dot=(Omega,) + (0.0,) * 7), ["carrier"], locked=True)
+        phases = [replace(model.state, phi=(phi,) + (0.0,) * 7) for phi in (0.0, math.pi / 2)]
+        # V* at rest without springs is the wrench over K; as the linear model has B = K^-1 there, its forces
+        wrenches = [np.linalg.solve(model.B[6:], linear_model(one, at, []).state.V_dot) for at in phases]
+        F = wrenches[0] - 1j * wrenches[1]
+        H = model.C[6:] @ np.linalg.solve(1j * Omega * np.eye(12) - model.A, model.B) + model.D[6:]
+        left.append(np.abs(H @ F - found).max() / np.abs(found).max())
+    assert left[0] < 1e-2
+    assert left[1] < left[0] / 5
+
+
+def test_it_solves_the_equations_between_its_nodes(bench8):
+    found = periodic_response(bench8, [60.0, -40.0, 20.0, 0, 0, 0, 0, 0])
+    M = 4 * len(found.y) + 1
+    y = resampled(found.y, M)
+    t = np.arange(M)[:, None] / M
+    turns = np.array(found.turning.turns)
+    given = bench8.drive(2 * np.pi * turns * t, np.tile(found.turning.speeds, (M, 1)))
+    off = derivative(y, found.turning.base) - bench8.chart.rate(given, y)
+    assert np.abs(off).max() < 1e-9 * np.abs(derivative(y, found.turning.base)).max()
+
+
+def test_the_jacobian_is_that_of_the_rate(bench8):
+    rng = np.random.default_rng(3)
+    y = rng.normal(size=(4, 12)) * 0.05
+    given = bench8.drive(rng.normal(size=(4, 8)), rng.normal(size=(4, 8)) * 50)
+    J = bench8.jacobian(given, y, bench8.chart.acceleration(given, y))
+    for i in range(12):
+        aside = np.zeros(12)
+        aside[i] = 1e-5
+        column = (bench8.chart.rate(given, y + aside) - bench8.chart.rate(given, y - aside)) / 2e-5
+        assert np.abs(J[:, :, i] - column).max() < 2e-5 * np.abs(J).max()  # the third order in r, and the difference
+
+
+def test_shifting_all_phases_shifts_time(bench8):
+    speeds, angle = [30.0] * 8, 0.7
+    plain = periodic_response(bench8, speeds, ["carrier"]).points["carrier"].harmonics("velocity")
+    later = periodic_response(bench8, speeds, ["carrier"], [angle] * 8).points["carrier"].harmonics("velocity")
+    count = min(len(plain), len(later))
+    turned = plain[:count] * np.exp(1j * angle * np.arange(count))[:, None]
+    assert np.abs(turned - later[:count]).max() < 1e-10 * np.abs(plain).max()
+
+
+def test_effects_of_flywheels_do_not_add_up(bench8):
+    """The reason why speeds without a common period are refused, and not superposed."""
+    alone = [periodic_response(bench8, row, ["carrier"]) for row in np.diag([9.4, 9.4] + [0.0] * 6)[:2].tolist()]
+    both = periodic_response(bench8, [9.4, 9.4] + [0.0] * 6, ["carrier"])
+    spectra = [x.points["carrier"].harmonics("acceleration")[:9] for x in (*alone, both)]
+    missed = np.abs(spectra[0] + spectra[1] - spectra[2]).max() / np.abs(spectra[2]).max()
+    assert 1e-4 < missed < 0.3
+
+
+def test_displacement_velocity_and_acceleration_belong_together(bench8):
+    point = periodic_response(bench8, [20.0] * 8, ["carrier"]).points["carrier"]
+    for first, second in (("displacement", "velocity"), ("velocity", "acceleration")):
+        rate = derivative(getattr(point, first), 20.0)
+        assert np.abs(rate - getattr(point, second)).max() < 1e-9 * np.abs(getattr(point, second)).max()
+
+
+def test_a_floating_stand_keeps_its_centre_of_mass():
+    """sat4: no wrench is needed to hold its mean place, and its momentum is the same at all nodes, in E0: none."""
+    from scipy.spatial.transform import Rotation
+
+    from mahovik import reference
+    from mahovik.reference.rotation import quaternion_rotation
+
+    stand = load(path("sat4"))
+    found = periodic_response(stand, [628.0, 0.0, 314.0, 0.0])
+    assert np.abs(found.hold).max() < 1e-14
+    assert found.stable
+    assert np.abs(found.y[:, :6].mean(axis=0) @ np.eye(6)).max() < 1e-18 + 1e-9 * np.abs(found.y[:, :6]).max()
+    chart, momenta = found.scene.chart, []
+    for i in (0, len(found.y) // 3):
+        q = Rotation.from_rotvec(found.y[i, 3:6]).as_quat(scalar_first=True)
+        phi = tuple(2 * np.pi * n * i / len(found.y) for n in found.turning.turns)
+        state = replace(
+            found.scene.rest, position=tuple(chart.O1 + found.y[i, :3]), quaternion=tuple(q), V=tuple(found.y[i, 6:]),
+            phi=phi, phi_dot=found.turning.speeds,
+        )  # fmt: skip
+        assert np.allclose(quaternion_rotation(*q), chart.C @ quaternion_rotation(*q))
+        momenta.append(reference.evaluate(stand, state, ["momentum"])["Z0"])
+    size = 60.0 * np.abs(found.y[:, 6:9]).max()
+    assert np.abs(momenta[0][:3]).max() < 1e-8 * size
+    assert np.abs(momenta[1] - momenta[0]).max() < 1e-9
+
+
+def test_drag_pushes_a_free_stand_and_a_wrench_holds_it():
+    stand = load(path("auv6"))
+    found = periodic_response(stand, [100.0] + [0.0] * 5, ["sonar"])
+    assert 1e-6 < np.abs(found.hold).max() < 1e-2
+    free = found.scene.seen @ found.y.mean(axis=0)
+    assert np.abs(free).max() < 1e-12
+
+
+def test_flywheels_at_rest_make_nothing_move(bench8):
+    found = periodic_response(bench8, [0.0] * 8, ["carrier"], [0.5] * 8)
+    assert found.turning.period == math.inf
+    assert np.array_equal(found.frequencies, [0.0])
+    assert not found.points["carrier"].acceleration.any()
+    assert np.abs(found.y[0, 3:6]).max() > 1e-4  # turned by the weight of the unbalance
+
+
+def test_a_stand_that_falls_has_no_steady_state():
+    with pytest.raises(CheckError, match="nothing carries"):
+        Scene.of(load(path("remus6")))
+
+
+@pytest.mark.parametrize(
+    ("speeds", "base", "turns"),
+    [
+        ((0.0, 0.0), 0.0, (0, 0)),
+        ((100.0, -50.0, 0.0), 50.0, (2, -1, 0)),
+        ((1000 * RPM, 1010 * RPM), 10 * RPM, (100, 101)),
+        ((100 / 3, 100 / 7), 100 / 21, (7, 3)),
+    ],
+)
+def test_common_periods(speeds, base, turns):
+    found = common_period(speeds)
+    assert found.turns == turns
+    assert found.base == pytest.approx(base, rel=1e-12)
+    assert np.allclose(found.speeds, speeds, rtol=1e-9, atol=0)
+
+
+@pytest.mark.parametrize("speeds", [(100.0, 100.0 * math.sqrt(2)), (1.0, 1000.5), (100.0, 100.001)])
+def test_speeds_without_a_common_period_are_refused(speeds):
+    with pytest.raises(UsageError, match="no common period within 1000 turns"):
+        common_period(speeds)
+
+
+def test_speeds_as_asked():
+    stand = load(path("shaker2"))
+    asked = read_speeds(stand, ["left=0..600rpm", "right=-0.5*left"])
+    assert asked.swept == 0
+    assert np.allclose(asked.values(3), [0.0, 300 * RPM, 600 * RPM])
+    assert np.allclose(asked.speeds(10.0), [10.0, -5.0])
+    assert read_speeds(stand, ["all=10..20"]).speeds(15.0) == (15.0, 15.0)
+    assert read_speeds(stand, ["right=-left", "left=10 rpm"]).speeds(0.0) == pytest.approx((10 * RPM, -10 * RPM))
+    assert read_speeds(stand, ["left=6rpm..1rad/s"]).sweep == pytest.approx((6 * RPM, 1.0))
+    assert read_speeds(stand, ["right=3"]).values(1) == (3.0,)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (["up=1"], 'unknown flywheel "up", did you mean'),
+        (["left"], "expected NAME=SPEED"),
+        (["left=50Hz"], "a frequency is not one"),
+        (["left=1..2", "right=1..3"], "one speed can be swept"),
+        (["left=right", "right=left"], "follow one another"),
+        (["left=1", "all=2"], "has a speed already"),
+        (["left=5rpm..5rpm"], "the range is empty"),
+        (["left=2**right"], "is not a known unit"),
+        (["left=1e400"], "left=1e400"),
+        (["left=0..1e6"], "at most 100000 is possible"),
+        (["left=1e5", "right=2*left"], "right would turn at"),
+    ],
+)
+def test_speeds_that_are_refused(given, words):
+    with pytest.raises(UsageError, match=words.replace("*", r"\*")) as error:
+        read_speeds(load(path("shaker2")), given)
+    assert "\n" not in str(error.value)
+
+
+def test_a_sweep_finds_the_resonance(bench8):
+    stand = bench8.stand
+    found = sweep(stand, read_speeds(stand, ["w1=30..150rpm", "w2=w1"]), 13, "carrier", quantity="displacement")
+    (first, *_) = found.lines()
+    assert first.name == "1 x w1, w2"
+    peak = found.values[int(np.argmax(first.size))]
+    assert 80 * RPM < peak < 120 * RPM
+    assert np.allclose(first.frequency * 2 * np.pi, found.values)
+    assert np.allclose(np.linalg.norm(found.rms(), axis=1) * math.sqrt(2), first.size, rtol=0.05)
+    assert not found.interrupted
+
+
+def test_a_sweep_can_be_cut_and_says_so(bench8):
+    asked = read_speeds(bench8.stand, ["w1=0..100rpm"])
+    found = sweep(bench8.stand, asked, 11, "carrier", go_on=lambda done: done < 2)
+    assert found.interrupted
+    assert len(found.steps) == 2
+    assert np.isnan(found.steps[0].at(0)[0])
+
+
+def undamped(share):
+    """bench8 with an unbalanced flywheel alone, and springs without damping: 1.5 Hz in translation."""
+    stand = unbalanced(load(path("bench8")), share)
+    return replace(stand, suspension=replace(stand.suspension, damping=((0.0,) * 6,) * 6))
+
+
+def test_an_undamped_resonance_is_told_and_the_sweep_goes_on():
+    stand = undamped(1.0)
+    found = sweep(stand, read_speeds(stand, ["w1=84..96rpm"]), 3, "carrier")
+    assert [step.problem is None for step in found.steps] == [True, False, True]
+    assert "an undamped resonance, or the carrier is thrown about" in found.steps[1].problem
+    assert np.isnan(found.rms()[1]).all()
+    text = json.loads(json_text(found))
+    assert text["rms"][1] == [None] * 3
+    assert text["steps"][1]["problem"] == found.steps[1].problem
+    assert csv_text(found).splitlines()[2].startswith("90,0,0,0,0,0,0,0,,,,,")
+    with pytest.raises(CheckError, match="an undamped resonance"):
+        sweep(stand, read_speeds(stand, ["w1=90rpm"]), 1, "carrier")
+
+
+def test_a_steady_state_that_does_not_last_is_named():
+    """Parametric resonance of large unbalance: the multiplier of its linear equations."""
+    found = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7, [])
+    assert found.multiplier > 1.1
+    assert not found.stable
+
+
+def test_control_c_keeps_what_is_done(bench8):
+    def interrupted(done):
+        if done == 2:
+            raise KeyboardInterrupt
+        return True
+
+    found = sweep(bench8.stand, read_speeds(bench8.stand, ["w1=0..100rpm"]), 11, "carrier", go_on=interrupted)
+    assert found.interrupted
+    assert len(found.steps) == 2
+
+
+def test_lines_that_fall_together_are_one(bench8):
+    found = sweep(bench8.stand, read_speeds(bench8.stand, ["w1=60..100rpm", "w2=0.5*w1"]), 2, "carrier")
+    assert found.lines()[0].name in ("1 x w1 = 2 x w2", "1 x w2")
+    assert {line.name for line in found.lines()} >= {"1 x w1 = 2 x w2", "1 x w2", "3 x w2"}
+
+
+def test_rms_of_a_band():
+    amplitudes = np.array([[9.0, 0, 0], [3.0, 0, 0], [4.0j, 1.0, 0]])
+    frequencies = np.array([0.0, 10.0, 20.0])
+    assert np.allclose(rms(amplitudes, frequencies), [5 / math.sqrt(2), 1 / math.sqrt(2), 0])
+    assert np.allclose(rms(amplitudes, frequencies, (5.0, 15.0)), [3 / math.sqrt(2), 0, 0])
+    assert np.allclose(rms(amplitudes, frequencies, (20.0, 30.0))[0], 4 / math.sqrt(2))
+
+
+def test_nodes_can_be_more_or_fewer():
+    t = np.arange(9) / 9 * 2 * np.pi
+    y = np.stack([1 + np.cos(t) + np.sin(3 * t), np.cos(2 * t)], axis=1)
+    many = resampled(y, 15)
+    assert np.allclose(many[:, 0], 1 + np.cos(np.arange(15) / 15 * 2 * np.pi) + np.sin(np.arange(15) / 5 * 2 * np.pi))
+    assert np.allclose(resampled(many, 9), y)
+    assert [odd_length(n) for n in (1, 2, 11, 17, 101)] == [1, 3, 15, 21, 105]

@@ -1,0 +1,122 @@
+"""Steady states against motion in time: the literal reference over a period, the generated C from rest for long."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from mahovik import motion
+from mahovik.simulate import Case, simulate
+from mahovik.stand import load
+from mahovik.stand.model import Point
+from mahovik.stand.random import Features, random_stand
+from mahovik.stands import path
+from mahovik.study.response import periodic_response
+
+POSE_AND_V = ("x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz", "v_x [m/s]", "v_y [m/s]", "v_z [m/s]")
+POSE_AND_V += tuple(f"omega_{a} [rad/s]" for a in "xyz")
+
+
+def begin(found):
+    """The state of a periodic course at t = 0."""
+    chart, y = found.scene.chart, found.y[0]
+    C = chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
+    q = Rotation.from_matrix(C).as_quat(scalar_first=True)
+    return replace(
+        found.scene.rest,
+        position=tuple(chart.O1 + chart.C @ y[:3]),
+        angles=None,
+        quaternion=tuple(q),
+        V=tuple(y[6:]),
+        phi_dot=found.turning.speeds,
+    )
+
+
+def returned(found, periods, backend="scipy", **more):
+    """How far the carrier is from where it began, part of its amplitude: pose and V, linear and angular."""
+    until = periods * found.turning.period
+    regime = motion.steady(found.scene.stand, found.turning.speeds)
+    run = simulate(Case(found.scene.stand, regime, begin(found), until, until, **more), backend)
+    data = run.data[:, [run.names.index(name) for name in POSE_AND_V]]
+    off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)
+    parts = ((slice(0, 3), 1.0), (slice(3, 7), 2.0), (slice(7, 10), 1.0), (slice(10, 13), 1.0))
+    return max(k * off[a].max() / size[3 * i : 3 * i + 3].max() for i, (a, k) in enumerate(parts))
+
+
+def test_the_reference_comes_back_after_a_period():
+    assert returned(periodic_response(load(path("bench8")), [62.8] * 8), 1) < 1e-8
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "speeds"), [("bench8", [60.0, -40.0, 20.0, 0, 0, 0, 0, 0]), ("shaker2", [125.0, -125.0])]
+)
+def test_the_reference_comes_back_at_several_speeds(name, speeds):
+    assert returned(periodic_response(load(path(name)), speeds), 1) < 1e-8
+
+
+@pytest.mark.slow
+def test_a_floating_stand_comes_back_after_a_period():
+    """In place as well: nothing drifts. SciPy's absolute tolerance, 1e-12, is felt beside an amplitude of 2e-8 m."""
+    found = periodic_response(load(path("sat4")), [628.0, 0.0, -314.0, 0.0])
+    assert np.abs(found.hold).max() < 1e-14
+    assert returned(found, 4) < 1e-6
+
+
+def resting_case(stand, speeds, until, every):
+    """From rest, flywheels at speed at once."""
+    from mahovik.study.rest import rest
+
+    return Case(stand, motion.steady(stand, speeds), rest(stand).state, until, every, 1e-4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("speeds", [[9.4] + [0.0] * 7, [62.8] * 8, [20.0, -30.0, 0, 0, 0, 0, 0, 10.0]])
+def test_a_long_simulation_from_rest_ends_there(speeds):
+    """bench8 for the C, from rest, until what it began with has died out; at resonance, fast, and with beats."""
+    stand = load(path("bench8"))
+    stand = replace(stand, points=(Point("edge", "carrier", (0.2, -0.1, 0.05), (0.3, -0.2, 0.1)),))
+    found = periodic_response(stand, speeds)
+    count = 16
+    every = found.turning.period / count
+    until = np.ceil(38.0 / found.turning.period) * found.turning.period
+    run = simulate(resting_case(stand, speeds, until, every), "c")
+    last = run.data[-count - 1 : -1]
+    place = found.points["edge"]
+    t = np.arange(count) / count
+    expected = {
+        kind: sum(np.real(a * np.exp(2j * np.pi * k * t[:, None])) for k, a in enumerate(place.harmonics(kind)))
+        for kind in ("displacement", "acceleration")
+    }
+    simulated = simulated_point(stand, found, run, last)
+    for kind, wanted in expected.items():
+        off = np.abs(simulated[kind] - wanted).max()
+        assert off < 1e-6 * np.ptp(wanted, axis=0).max(), kind
+
+
+def simulated_point(stand, found, run, rows):
+    """Displacement and acceleration of the point from a run's pose, V and V*, by plain kinematics."""
+    column = {name: rows[:, i] for i, name in enumerate(run.names)}
+    vector = lambda names: np.stack([column[name] for name in names], axis=1)  # noqa: E731
+    turned = Rotation.from_quat(vector(["qx", "qy", "qz", "qw"]))
+    r = np.array(stand.points[0].position)
+    omega, rate = (vector([f"omega{dot}_{a} [rad/s{two}]" for a in "xyz"]) for dot, two in (("", ""), ("_dot", "2")))
+    v, v_dot = (vector([f"v{dot}_{a} [m/s{two}]" for a in "xyz"]) for dot, two in (("", ""), ("_dot", "2")))
+    acceleration = v_dot + np.cross(omega, v + np.cross(omega, r)) + np.cross(rate, r)
+    chart = found.scene.chart
+    psi, theta, phi = stand.points[0].angles
+    axes = chart.C @ Rotation.from_euler("ZYX", [psi, theta, phi]).as_matrix()
+    place = vector(["x [m]", "y [m]", "z [m]"]) + turned.apply(r) - (chart.O1 + chart.C @ r)
+    return {"displacement": place @ axes, "acceleration": turned.apply(acceleration) @ axes}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(4))
+def test_random_suspended_stands_come_back(seed):
+    rng = np.random.default_rng(seed)
+    stand = random_stand(rng, 3, Features(suspension=True, gravity=False, stream=False, fluid=seed % 2 == 0, legs=0))
+    found = periodic_response(stand, (rng.integers(-4, 5, 3) * 5.0).tolist())
+    assert returned(found, 1) < 1e-6

@@ -1,0 +1,171 @@
+"""Linear models against automatic differentiation, steady states against simulation: docs/linear.md, docs/response.md.
+
+python tools/linear_campaign.py [--stands 200] [--first 1] [--write]
+
+Exit status 1 where a figure is not what the pages promise.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from mahovik import motion
+from mahovik.motion.laws import WrenchTable
+from mahovik.second.linear import linear
+from mahovik.simulate import Case, simulate
+from mahovik.stand import Stand, load
+from mahovik.stand.random import random_stand, random_state
+from mahovik.stands import path
+from mahovik.study.linear import linear_model
+from mahovik.study.response import Periodic, periodic_response
+from mahovik.study.rest import rest
+
+Array = NDArray[np.float64]
+
+DOCS = Path(__file__).resolve().parents[1] / "docs"
+BEGIN, END = "<!-- campaign: tools/linear_campaign.py --write -->", "<!-- end of campaign -->"
+AGREEMENT, EQUAL = 1e-10, 1e-6
+FLYWHEELS = (0, 1, 2, 4, 8)
+POSE = ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")
+
+
+def disagreement(first: object, second: object) -> dict[str, float]:
+    """Largest difference of each matrix, part of the largest number of its row."""
+    found = {}
+    for name in "ABCD":
+        a, b = (np.asarray(getattr(each, name)) for each in (first, second))
+        size = np.abs(b).max(axis=1, keepdims=True, initial=0.0) if b.size else np.ones((1, 1))
+        found[name] = float((np.abs(a - b) / np.where(size > 0.0, size, 1.0)).max(initial=0.0))
+    return found
+
+
+def linear_table(stands: int, first: int) -> tuple[str, bool]:
+    """Random stands by number of flywheels, a state each; and whether all agree."""
+    rows, worst = [], 0.0
+    for N in FLYWHEELS:
+        found = []
+        for seed in range(first, first + stands // len(FLYWHEELS)):
+            rng = np.random.default_rng([seed, N])
+            stand = random_stand(rng, N)
+            state = random_state(stand, rng)
+            found.append(disagreement(linear_model(stand, state), linear(stand, state)))
+        largest = {name: max(each[name] for each in found) for name in "ABCD"}
+        worst = max(worst, *largest.values())
+        rows.append([str(N), str(len(found)), *(f"{largest[name]:.0e}" for name in "ABCD")])
+    text = f"Random stands, a random state each; accepted is {AGREEMENT:g} of the largest number of a row.\n\n"
+    return text + table(("flywheels", "stands", "A", "B", "C", "D"), rows), worst <= AGREEMENT
+
+
+@dataclass(frozen=True)
+class Course:
+    """A steady state to be reached: an example stand, speeds in rpm, seconds from rest (None: starts on the course)."""
+
+    stand: str
+    rpm: tuple[float, ...]
+    until: float | None
+
+
+COURSES = (
+    Course("bench8", (90.0,) + (0.0,) * 7, 40.0),
+    Course("bench8", (600.0,) * 8, 40.0),
+    Course("bench8", (200.0, -300.0) + (0.0,) * 5 + (100.0,), 40.0),
+    Course("shaker2", (1200.0, -1200.0), 40.0),
+    Course("shaker2", (120.0, 60.0), 40.0),
+    Course("sat4", (6000.0, 0.0, -3000.0, 0.0), None),
+    Course("sat4", (3000.0, 3010.0, 2990.0, 3020.0), None),
+    Course("auv6", (600.0,) * 6, None),
+)
+
+
+def response_table() -> tuple[str, bool]:
+    """Steady states against the generated C, from rest for long, or begun on the course for a period."""
+    rows, worst = [], 0.0
+    for course in COURSES:
+        stand = load(path(course.stand))
+        found = periodic_response(stand, [x * np.pi / 30 for x in course.rpm])
+        off = missed(stand, found, course.until)
+        worst = max(worst, off)
+        speeds = ", ".join(f"{x:g}" for x in course.rpm)
+        how = "one period from the course" if course.until is None else f"{course.until:g} s from rest"
+        rows.append([course.stand, speeds, str(len(found.y)), how, f"{off:.0e}"])
+    text = f"Largest distance in place and attitude over the last period, part of the amplitude; accepted is {EQUAL:g}."
+    return text + "\n\n" + table(("stand", "speeds, rpm", "nodes", "simulated", "apart"), rows), worst <= EQUAL
+
+
+def missed(stand: Stand, found: Periodic, until: float | None) -> float:
+    """Distance of a run of the C from the course, at eight moments of its last period."""
+    period, chart = found.turning.period, found.scene.chart
+    periods = 1 if until is None else int(np.ceil(until / period))
+    start = rest(stand).state
+    if until is None:
+        C = chart.C @ Rotation.from_rotvec(found.y[0, 3:6]).as_matrix()
+        q = tuple(Rotation.from_matrix(C).as_quat(scalar_first=True).tolist())
+        position = tuple((chart.O1 + chart.C @ found.y[0, :3]).tolist())
+        start = replace(start, position=position, angles=None, quaternion=q, V=tuple(found.y[0, 6:].tolist()))
+    hold = WrenchTable(np.zeros(1), found.hold[None])
+    regime = replace(motion.steady(stand, found.turning.speeds), wrenches={stand.carrier.name: hold})
+    step = 0.02 / max(map(abs, found.turning.speeds))
+    run = simulate(Case(stand, regime, start, periods * period, period / 8, step), "c")
+    last = run.data[-9:, [run.names.index(name) for name in POSE]]
+    x = (last[:, :3] - chart.O1) @ chart.C
+    r = Rotation.from_matrix(chart.C.T @ Rotation.from_quat(last[:, 3:]).as_matrix()).as_rotvec()
+    spectrum = np.fft.rfft(found.y[:, :6], axis=0) / len(found.y)
+    k = np.arange(len(spectrum))
+    waves = np.exp(2j * np.pi * np.outer(np.arange(9) / 8, k))
+    expected = np.real(waves @ (spectrum * np.where(k == 0, 1.0, 2.0)[:, None]))
+    off, size = np.abs(np.hstack([x, r]) - expected), np.ptp(found.y[:, :6], axis=0)
+    return float(max(off[:, a].max() / size[a].max() for a in (slice(0, 3), slice(3, 6))))
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Markdown."""
+    lines = (head, ["---"] * len(head), *rows)
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def with_text(page: str, text: str) -> str:
+    """The page with what stands between its marks."""
+    before, begin, rest_of_page = page.partition(BEGIN)
+    _, end, after = rest_of_page.partition(END)
+    if not begin or not end:
+        raise SystemExit(f"{BEGIN} ... {END}: not on the page")
+    return f"{before}{begin}\n{text}\n\n{end}{after}"
+
+
+def pages(stands: int, first: int) -> Iterator[tuple[str, str, bool]]:
+    """Name of a page, its table, and whether the table is good."""
+    yield "linear.md", *linear_table(stands, first)
+    yield "response.md", *response_table()
+
+
+def main() -> int:
+    """Prints the tables, writes them where asked to."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--stands", type=int, default=200)
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--write", action="store_true")
+    given = parser.parse_args()
+    good = True
+    for name, text, passed in pages(given.stands, given.first):
+        print(text, flush=True)
+        good &= passed
+        if given.write:
+            file = DOCS / name
+            file.write_text(with_text(file.read_text(encoding="utf-8"), text), encoding="utf-8")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
