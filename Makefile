@@ -40,6 +40,7 @@ help:
 	@echo "make programme-picture  plans bench8's motion and draws it: docs/programme.svg"
 	@echo "make design-campaign  how often few flywheels are found for simple motions: docs/design.md; a quarter of an hour"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md, run-ups too; hours"
+	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/planning-ocp.md; minutes"
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/linear.md, docs/response.md"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
@@ -173,6 +174,9 @@ design-campaign: setup
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write
 	$(BIN)/python tools/runup_campaign.py --stands 10 --write
+
+ocp-campaign: setup
+	$(BIN)/python tools/ocp_campaign.py --write
 
 bench: $(BENCH_READY)
 	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench bench

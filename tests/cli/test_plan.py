@@ -55,6 +55,9 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
         (("-o", "nowhere/p.json"), "there is no folder 'nowhere' to write to"),
         (("--time", "0"), "--time"),
         (("--keep", "0"), "--keep"),
+        (("--method", "ocp-partition"), "(13) needs six"),
+        (("--partition", "w1,w2"), "--partition goes with --method"),
+        (("--method", "radau"), "--method"),
     ],
 )
 def test_options_that_mean_nothing(options: tuple[str, ...], words: str) -> None:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from mahovik.motion.required.model import Winding
     from mahovik.plan import Plan
     from mahovik.plan.outcome import Progress
+    from mahovik.plan.wishes import Method
 
 
 @click.command(short_help="Find a programme that moves the carrier as required.")
@@ -31,8 +32,24 @@ if TYPE_CHECKING:
 @click.option(
     "--keep", metavar="K", type=click.IntRange(1, 99), default=1, show_default=True, help="Best K, into P.2.json ..."
 )
+@click.option(
+    "--method",
+    type=click.Choice(["fourier", "ocp-partition", "ocp"]),
+    default="fourier",
+    show_default=True,
+    help="fourier; (13) by IPOPT from there: six flywheels follow from the others, or (12) as constraints.",
+)
+@click.option("--partition", metavar="w1,w2,..", help="The six that follow, (13); without it the best six.")
 def plan(
-    stand_file: str, motion_file: str, output: str, seconds: float | None, seed: int, winding: str | None, keep: int
+    stand_file: str,
+    motion_file: str,
+    output: str,
+    seconds: float | None,
+    seed: int,
+    winding: str | None,
+    keep: int,
+    method: Method,
+    partition: str | None,
 ) -> None:
     """Plan a programme: flywheel motions that make the carrier move exactly as required.
 
@@ -59,7 +76,9 @@ def plan(
         if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
             raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
     with _progress() as tell:
-        found = plan_motion(stand, motion, Wishes(seed, seconds, chosen, keep), tell)
+        six = None if partition is None else tuple(partition.split(","))
+        wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
+        found = plan_motion(stand, motion, wishes, tell)
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
     for path, programme in zip(paths, found.programmes, strict=False):
@@ -94,9 +113,7 @@ def _progress() -> Iterator[Callable[[Progress], None] | None]:
     from rich.console import Console
 
     with Console(stderr=True).status("searching") as status:
-        yield lambda state: status.update(
-            f"{state.doing}: {state.starts} starts tried, best residual {state.best:.2g}, {len(state.found)} found"
-        )
+        yield lambda state: status.update(state.words)
 
 
 def _report(programme: Programme, path: Path) -> None:
@@ -120,6 +137,8 @@ def _report(programme: Programme, path: Path) -> None:
         "sign changes of det I": report["det_I_sign_changes"],
     }
     out.print(", ".join(f"{name} {value:.3g}" for name, value in figures.items() if value is not None))
+    if "ocp" in report:
+        _report_ocp(report["method"], report["ocp"])
     for key, name in (("runup", "run-up"), ("rundown", "run-down")):
         if "deviation" in report.get(key, {}):
             strayed = [report[key]["deviation"][kind] for kind in ("linear", "angular")]
@@ -128,6 +147,21 @@ def _report(programme: Programme, path: Path) -> None:
                 for x, unit in zip(strayed, ("mm", "mrad"), strict=True)
             )
             out.print(f"{name}: terminal error {report[key]['terminal_error']:.2g}, deviation {', '.join(largest)}")
+
+
+def _report_ocp(method: str, ocp: Any) -> None:
+    """How (13) was solved, and where its partition holds."""
+    raw = ocp["raw_residual"]
+    then = "" if raw is None else f", then refined; residual between the nodes {raw:.2g} before that"
+    click.echo(f"{method}: {ocp['ipopt']}, {ocp['iterations']} iterations{then}")
+    click.echo(f"objective {ocp['objective_of_start']:.5g} of the start, {ocp['objective']:.5g} now")
+    six = ocp["partition"]
+    if six["regular"]:
+        held = f"det I+ != 0, least singular value {six['least_singular_value']:.3g} at {six['least_at']:.4g} s"
+    else:
+        held = "det I+ = 0 at " + ", ".join(f"{t:.4g}" for t in six["det_zero_at"]) + " s"
+    below = "".join(f"; below {six['threshold']:g} in {a:.4g} .. {b:.4g} s" for a, b in six["below_threshold"])
+    click.echo(f"partition {','.join(six['plus'])}: {held}{below}")
 
 
 def _end(found: Plan) -> None:

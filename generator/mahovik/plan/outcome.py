@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol
+from typing import Any, Generic, Literal, Protocol, TypeVar
 
 from mahovik.motion.programme import Programme
 
@@ -20,19 +20,28 @@ class Progress(Protocol):
         """What it does: searching, improving, run-up, run-down, verifying."""
 
     @property
-    def starts(self) -> int:
-        """Starts tried."""
-
-    @property
-    def best(self) -> float:
-        """Least relative residual so far."""
-
-    @property
-    def found(self) -> Sequence[object]:
-        """Programmes so far."""
+    def words(self) -> str:
+        """One line."""
 
 
 Tell = Callable[[Progress], None]
+
+
+Kind = TypeVar("Kind")
+
+
+@dataclass
+class Ways(Generic[Kind]):
+    """Flywheel motions that may become programmes, best first, each with what its report has to say of the method.
+
+    reason, words   where there are none: why, as in `Plan`
+    """
+
+    found: list[tuple[Kind, dict[str, Any]]] = field(default_factory=list)
+    reason: str = "SEARCH"
+    words: Sequence[str] = ()
+    interrupted: bool = False
+    cut: bool = False
 
 
 @dataclass(frozen=True)
@@ -40,7 +49,7 @@ class Plan:
     """Outcome of planning.
 
     status      OK; OK_LIMIT: a bound is exceeded, or no run-up was found; NO_PROGRAM with a `reason` of preflight
-                (proven) or SEARCH (not)
+                (proven), SEARCH (not), or SINGULAR_PARTITION: det I+ of (13) is zero on the way
     words       why, a line each: the refusal, or the bounds exceeded and by how much
     warnings    what to know besides
     programmes  best first

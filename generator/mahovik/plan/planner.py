@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,7 +17,8 @@ from mahovik.plan.certificate import certified, programme_of, without_refused_ta
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.finite import plan_finite
-from mahovik.plan.outcome import Plan, Status, Tell
+from mahovik.plan.ocp import plus_asked
+from mahovik.plan.outcome import Plan, Status, Tell, Ways
 from mahovik.plan.preflight import Preflight, preflight
 from mahovik.plan.problem import Problem
 from mahovik.plan.runup import shortcomings, with_runup
@@ -30,14 +31,16 @@ from mahovik.stand.model import Stand
 def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
     """A programme that makes the carrier of `stand` do `motion`, (12)-(13), or why there is none.
 
-    Ctrl-C while it searches gives the best so far.
+    Ctrl-C while it searches gives the best so far. UsageError: the method means nothing on this stand.
     """
     asked = wishes or Wishes()
+    plus = plus_asked(stand, asked)
     if asked.winding is not None:
         motion = replace(motion, winding=asked.winding)
     whole = Budget(0, asked.seconds)
     with_tables = motion.runup is not None and motion.periodic
-    budget = Budget(asked.steps, whole.left(SEARCH if with_tables else 1.0))
+    asked = replace(asked, seconds=whole.left(SEARCH if with_tables else 1.0))
+    budget = Budget(asked.steps, asked.seconds_of_search)
     try:
         problem = Problem.of(stand, shortened(motion))
         first = preflight(problem)
@@ -46,7 +49,7 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
     if not motion.periodic:
-        return plan_finite(problem, first, asked, budget, tell)
+        return plan_finite(problem, first, asked, budget, tell, plus)
     improver = Improver.of(problem)
     found = search(problem, improver, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell=tell)
 
@@ -56,7 +59,15 @@ def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = No
             tell(found)
 
     after = After(whole, say, asked.verify)
-    return _plan(problem, motion, first, found, choose(improver, found), budget.taken, asked, after)
+    chosen = choose(improver, found)
+    ways = Ways([(each, {}) for each in chosen], words=() if chosen else (not_found(found),))
+    if asked.method != "fourier" and chosen and not found.interrupted:
+        from mahovik.plan.ocp.plan import periodic_ocp
+
+        ways = periodic_ocp(improver, chosen, asked, plus, budget, tell)
+        found.interrupted |= ways.interrupted
+        found.cut |= ways.cut
+    return _plan(problem, motion, first, found, ways, budget.taken, asked, after)
 
 
 SEARCH = 0.5
@@ -85,7 +96,7 @@ def _plan(
     motion: RequiredMotion,
     first: Preflight,
     found: Search,
-    chosen: Sequence[Candidate],
+    ways: Ways[Candidate],
     steps: int,
     asked: Wishes,
     after: After,
@@ -99,13 +110,13 @@ def _plan(
         "found": len(found.found),
         "best_residual": float(found.best),
         "cut_by_time": found.cut,
-        "objective_spread": [each.objective for each in chosen],
+        "objective_spread": [each.objective for each, _ in ways.found],
     }
-    if not chosen:
-        return Plan("NO_PROGRAM", "SEARCH", (not_found(found),), tuple(first.warnings), (), effort, found.interrupted)
+    if not ways.found:
+        return Plan("NO_PROGRAM", ways.reason, tuple(ways.words), tuple(first.warnings), (), effort, found.interrupted)
     programmes, refused = [], []
-    for each in chosen:
-        programme = _programme(problem, motion, each, effort)
+    for each, told in ways.found:
+        programme = _programme(problem, motion, each, {"search": effort, **told})
         programme = after.completed(problem.stand, motion, programme, asked.seed)
         wrong = wrong_items(programme)
         if wrong:
@@ -136,7 +147,7 @@ def not_found(found: Search) -> str:
     )
 
 
-def _programme(problem: Problem, motion: RequiredMotion, chosen: Candidate, effort: Mapping[str, Any]) -> Programme:
+def _programme(problem: Problem, motion: RequiredMotion, chosen: Candidate, told: Mapping[str, Any]) -> Programme:
     """The programme with its report."""
     own = repeated(chosen.motion, round(motion.span / problem.motion.span))
     found = figures(problem, chosen.motion)
@@ -153,7 +164,7 @@ def _programme(problem: Problem, motion: RequiredMotion, chosen: Candidate, effo
         "peak_torque": found.torque,
         "least_singular_value": found.sigma,
         "det_I_sign_changes": found.sign_changes,
-        "search": dict(effort),
+        **told,
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
     return programme_of(problem.stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)

@@ -90,6 +90,11 @@ class Search:
     interrupted: bool = False
     cut: bool = False
 
+    @property
+    def words(self) -> str:
+        """One line of progress."""
+        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
+
     def seen(self, residual: float) -> None:
         """Remembers the least residual."""
         self.best = min(self.best, residual)

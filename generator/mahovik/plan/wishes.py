@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from mahovik.motion.required import Winding
+
+Method = Literal["fourier", "ocp-partition", "ocp"]
 
 
 @dataclass(frozen=True)
@@ -18,6 +21,8 @@ class Wishes:
     enough   programmes of each kind of winding to choose from
     verify   whether the programmes are put through the independent verification
     steps    of search and optimisation that may be taken
+    method   fourier; or (13) by IPOPT from what that gives: with the partition, or with (12) as constraints
+    partition   names of the six dependent flywheels, None: the best
     """
 
     seed: int = 0
@@ -27,3 +32,10 @@ class Wishes:
     enough: int = 1
     verify: bool = True
     steps: int = 20_000
+    method: Method = "fourier"
+    partition: tuple[str, ...] | None = None
+
+    @property
+    def seconds_of_search(self) -> float | None:
+        """The cut-off of the search: half of the time is for IPOPT where that is the method."""
+        return self.seconds if self.seconds is None or self.method == "fourier" else self.seconds / 2.0

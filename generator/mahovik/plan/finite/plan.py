@@ -13,7 +13,7 @@ from mahovik.plan.figures import singular_values
 from mahovik.plan.finite.search import FiniteProblem, FiniteSearch, Solved, search_finite, table_of
 from mahovik.plan.fourier import Angles
 from mahovik.plan.objective import Cost
-from mahovik.plan.outcome import Plan, Tell
+from mahovik.plan.outcome import Plan, Tell, Ways
 from mahovik.plan.preflight import Preflight
 from mahovik.plan.problem import Problem
 from mahovik.plan.residual import linear, prescribe
@@ -24,8 +24,18 @@ _TIMES = 2000
 """Times at which peaks and bounds are looked at."""
 
 
-def plan_finite(own: Problem, first: Preflight, asked: Wishes, budget: Budget, tell: Tell | None = None) -> Plan:
-    """A programme of a finite motion, or why there is none. The objective chooses among those found; it moves none."""
+def plan_finite(
+    own: Problem,
+    first: Preflight,
+    asked: Wishes,
+    budget: Budget,
+    tell: Tell | None = None,
+    plus: tuple[int, ...] | None = None,
+) -> Plan:
+    """A programme of a finite motion, or why there is none.
+
+    The objective chooses among those found; by the method `fourier` it moves none. plus: the dependent six of (13).
+    """
     problem = FiniteProblem.from_rest(own)
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
     found = search_finite(problem, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell)
@@ -38,7 +48,15 @@ def plan_finite(own: Problem, first: Preflight, asked: Wishes, budget: Budget, t
         "best_residual": float(found.best),
         "cut_by_time": budget.cut,
     }
-    reports = [_report(problem, cost, each) for each in found.found]
+    ways: Ways[Solved] = Ways([(each, {}) for each in found.found], words=[_not_found(found)])
+    if asked.method != "fourier" and found.found and not found.interrupted:
+        from mahovik.plan.ocp.plan import finite_ocp
+
+        warm = sorted(found.found, key=lambda each: _report(problem, cost, each)["objective"])
+        ways = finite_ocp(problem, cost, warm, lambda one: _report(problem, cost, one), asked, plus, budget, tell)
+        found.interrupted |= ways.interrupted
+        effort["cut_by_time"] = budget.cut or ways.cut
+    reports = [{**_report(problem, cost, each), **told} for each, told in ways.found]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort["objective_spread"] = [reports[k]["objective"] for k in order]
     programmes, refused = [], []
@@ -46,8 +64,8 @@ def plan_finite(own: Problem, first: Preflight, asked: Wishes, budget: Budget, t
     if tell is not None:
         tell(found)
     for k in order[: asked.keep]:
-        motion, report = found.found[k].motion, {**reports[k], "search": effort}
-        table = table_of(problem, found.found[k])
+        motion, report = ways.found[k][0].motion, {**reports[k], "search": effort}
+        table = table_of(problem, ways.found[k][0])
         programme = programme_of(own.stand, own.motion, motion.bias, (0,) * own.N, table, report)
         if asked.verify:
             programme = certified(own.stand, own.motion, programme)
@@ -57,8 +75,8 @@ def plan_finite(own: Problem, first: Preflight, asked: Wishes, budget: Budget, t
         else:
             programmes.append(programme)
     if not programmes:
-        words = tuple(refused) or (_not_found(found),)
-        return Plan("NO_PROGRAM", "SEARCH", words, tuple(first.warnings), (), effort, found.interrupted)
+        words = tuple(refused) or tuple(ways.words)
+        return Plan("NO_PROGRAM", ways.reason, words, tuple(first.warnings), (), effort, found.interrupted)
     over = tuple(programmes[0].report["exceeded"])
     status: Any = "OK_LIMIT" if over else "OK"
     return Plan(status, None, over, tuple(first.warnings), tuple(programmes), effort, found.interrupted)

@@ -118,6 +118,11 @@ class FiniteSearch:
     interrupted: bool = False
     cut: bool = False
 
+    @property
+    def words(self) -> str:
+        """One line of progress."""
+        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
+
 
 def search_finite(
     problem: FiniteProblem, bias: Array, seed: int, budget: Budget, enough: int = 1, tell: Tell | None = None

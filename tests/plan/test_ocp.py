@@ -1,0 +1,164 @@
+"""plan.ocp: mesh, (12)-(13) at a node against plan.residual, derivatives, partitions, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mahovik.errors import UsageError
+from mahovik.plan import Wishes, plan_motion
+from mahovik.plan.fourier import Angles
+from mahovik.plan.objective import Cost
+from mahovik.plan.ocp import asked as asked_module
+from mahovik.plan.ocp.coefficients import Scaled
+from mahovik.plan.ocp.mesh import Mesh
+from mahovik.plan.ocp.node import node_functions
+from mahovik.plan.ocp.partition import Along, best_partition, order_of, partition_of
+from mahovik.plan.ocp.structure import Formulation, Structure
+from mahovik.plan.ocp.transcription import transcription
+from mahovik.plan.residual import prescribe, residual, torques
+from mahovik.plan.rows import Rows
+from plan.examples import example
+from plan.examples import problem as example_problem
+
+N, M = 8, 5
+PLUS = (0, 2, 3, 4, 6, 7)
+WEIGHTS = {"acceleration": 1.0, "torque": 0.5, "speed_variation": 0.3, "power": 0.0}
+
+
+def scaled() -> Scaled:
+    """bench8 with several kinds of objective."""
+    problem = example_problem("bench8")
+    weights = {kind: tuple([value] * N) for kind, value in WEIGHTS.items()}
+    problem = replace(problem, motion=replace(problem.motion, objective=replace(problem.motion.objective, **weights)))
+    Omega = 2.0 * np.pi / problem.motion.span
+    return Scaled(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega), order_of(PLUS, N))
+
+
+def test_collocation_is_exact_for_polynomials_of_its_degree() -> None:
+    """Derivative at the nodes, continuation, interpolation, mean; of one degree more it is not."""
+    mesh = Mesh(np.array([0.0, 0.2, 0.7, 1.0]), 3)
+    x, t, nodes = mesh.times, np.linspace(0.0, 1.0, 11), mesh.nodes
+    np.testing.assert_allclose(x**3 @ mesh.derive, 3.0 * nodes**2, atol=1e-12)
+    np.testing.assert_allclose(x**3 @ mesh.jumps, 0.0, atol=1e-12)
+    np.testing.assert_allclose(mesh.interpolate(t, 1) @ x**3, 3.0 * t**2, atol=1e-12)
+    np.testing.assert_allclose(mesh.weights @ nodes**5, 1.0 / 6.0, atol=1e-14)
+    assert np.abs(x**4 @ mesh.jumps).max() > 1e-5
+
+
+@pytest.mark.parametrize("partition", [True, False])
+def test_a_node_is_what_the_residual_says(partition: bool) -> None:
+    """a_+ of the partition leaves no residual of (12); R, torques, and J are those of plan.residual and objective."""
+    own, rng = scaled(), np.random.default_rng(3)
+    problem, Omega, order = own.problem, own.Omega, own.order
+    t, bias = np.linspace(0.0, problem.motion.span, M), rng.normal(size=6) * 1e-3
+    phi, v, a = rng.normal(size=(3, M, N))
+    node = node_functions(N, partition, torque=True)
+    u = a[:, order][:, : node.controls]
+    z = np.hstack([phi[:, order], v[:, order], u, np.zeros((M, 6))])
+    of_nodes, stand = own.of_nodes(t, Angles(phi, v * Omega, a * Omega**2), bias), own.of_stand(np.zeros(N))
+    found = [[np.asarray(x).ravel() for x in node.value(z[m], of_nodes[:, m], stand)] for m in range(M)]
+    y, cost = np.array([x[0] for x in found]), np.array([x[1] for x in found]).ravel()
+    full = a[:, order].copy()
+    if partition:
+        full[:, 2:] = y[:, :6]
+    angles = Angles(phi, v * Omega, full[:, np.argsort(order)] * Omega**2)
+    at = prescribe(problem.mechanics, problem.motion.at(t), bias)
+    R, tau = problem.norm.scaled(residual(at, *angles)), torques(at, *angles)
+    if partition:
+        assert np.abs(R).max() < 1e-10 * np.abs(full).max()
+        assert np.all(y[:, 6] > 0.0)
+    else:
+        np.testing.assert_allclose(y[:, :6], R, rtol=1e-10, atol=1e-10 * np.abs(R).max())
+    np.testing.assert_allclose(y[:, -N:] * own.torque[order], tau[:, order], rtol=1e-8, atol=1e-10)
+    parts = own.cost.value(angles, np.zeros(N), Rows.of(tau))
+    np.testing.assert_allclose(cost.mean(), sum(parts.values()), rtol=1e-10)
+
+
+def test_the_change_by_the_bias_is_linear_around_it() -> None:
+    """A small change of the bias as an unknown is that of the coefficients."""
+    own, rng = scaled(), np.random.default_rng(5)
+    t, bias, step = np.array([0.013]), np.zeros(6), rng.normal(size=6) * 1e-5
+    phi, v, a = rng.normal(size=(3, 1, N))
+    angles, order = Angles(phi, v * own.Omega, a * own.Omega**2), own.order
+    node, stand = node_functions(N, False, torque=True), own.of_stand(np.zeros(N))
+    z = np.concatenate([x[0, order] for x in (phi, v, a)])
+    here, there = own.of_nodes(t, angles, bias)[:, 0], own.of_nodes(t, angles, bias + step)[:, 0]
+    before, after, moved = (
+        np.asarray(node.value(np.append(z, d), given, stand)[0]).ravel()
+        for d, given in ((0 * step, here), (0 * step, there), (step, here))
+    )
+    change = np.abs(after - before).max()
+    assert np.abs(moved - after).max() < 1e-3 * change
+
+
+@pytest.mark.parametrize("formulation", ["ocp-partition", "ocp"])
+def test_derivatives_of_the_programme_are_those_of_its_rows(formulation: Formulation) -> None:
+    """Gradient, Jacobian, Hessian against central differences along a direction; the programme is built once."""
+    kinds = frozenset({"acceleration", "torque", "angle"})
+    breaks = (0.0, 0.3, 0.7, 1.0)
+    structure = Structure(formulation, 7, breaks, 2, 2.0 * np.pi, True, kinds)
+    own, rng = transcription(structure), np.random.default_rng(1)
+    assert transcription(Structure(formulation, 7, breaks, 2, 2.0 * np.pi, True, frozenset(kinds))) is own
+    x, d = rng.normal(size=(2, structure.size))
+    p, lam = rng.normal(size=own.solver.size1_in("p")), rng.normal(size=own.solver.size1_in("lbg"))
+    gradient, jacobian, bend = (own.solver.get_function(f"nlp_{name}") for name in ("grad_f", "jac_g", "hess_l"))
+    assert gradient.size_out(1) == (structure.size, 1) and gradient.sparsity_out(1).is_dense()
+    assert jacobian.sparsity_out(0).is_dense()
+    e = 1e-6
+    sides = [(gradient(x + h * d, p), jacobian(x + h * d, p)) for h in (e, -e)]
+    slope, J = gradient(x, p)[1], jacobian(x, p)[1]
+    rate = [(np.asarray(sides[0][k][m]) - np.asarray(sides[1][k][m])) / (2 * e) for k, m in ((0, 0), (1, 0), (0, 1))]
+    np.testing.assert_allclose(np.asarray(slope).ravel() @ d, float(rate[0].item()), rtol=1e-6)
+    np.testing.assert_allclose(np.asarray(J) @ d, rate[1].ravel(), rtol=1e-5, atol=1e-6 * np.abs(rate[1]).max())
+    H = np.asarray(bend(x, p, 0.7, lam))
+    expected = 0.7 * rate[2].ravel() + (np.asarray(sides[0][1][1]) - np.asarray(sides[1][1][1])).T @ lam / (2 * e)
+    np.testing.assert_allclose((H + np.triu(H, 1).T) @ d, expected, rtol=1e-4, atol=1e-6 * np.abs(expected).max())
+
+
+def test_partitions_are_judged_by_their_least_singular_value() -> None:
+    """The best is no worse than any other; flywheels that turn through det I+ = 0 are told with the times."""
+    own = example_problem("bench8").mechanics
+    t = np.linspace(0.0, 0.1, 201)
+    still = np.random.default_rng(2).uniform(-np.pi, np.pi, N) + 0.01 * np.sin(t * 62.8)[:, None]
+    best = best_partition(own, t, still)
+    others = [Along.of(own, t, still, plus).least for plus in ((0, 1, 2, 3, 4, 5), (2, 3, 4, 5, 6, 7), PLUS)]
+    assert best.least > 0.0 and best.least >= max(others)
+    turning = Along.of(own, t, still + 2.0 * np.pi * t[:, None] / 0.1, (0, 1, 2, 3, 4, 5))
+    assert turning.crossings.size and turning.least == 0.0
+    for time in turning.crossings:
+        k = np.searchsorted(t, time)
+        assert turning.determinant[k - 1] * turning.determinant[k] <= 0.0
+    names = [f"w{k}" for k in range(1, N + 1)]
+    assert "partition w1,w2,w3,w4,w5,w6: det I+ = 0 at t = " in turning.words(names)
+    report = turning.report(names)
+    assert report["regular"] is False and report["minus"] == ["w7", "w8"]
+    assert np.shape(report["along"]["singular_values"]) == (32, 6)
+
+
+@pytest.mark.parametrize(
+    "stand,wishes,words",
+    [
+        ("shaker2", Wishes(method="ocp-partition"), "the stand has 2 flywheels; (13) needs six"),
+        ("bench8", Wishes(partition=("w1",)), "--partition goes with --method"),
+        ("bench8", Wishes(method="ocp", partition=("w1", "w2")), "2 names; expected the six"),
+        ("bench8", Wishes(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "x")), "no flywheel 'x'"),
+        ("bench8", Wishes(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "w5")), "named twice"),
+    ],
+)
+def test_what_means_nothing_is_refused_before_the_search(stand: str, wishes: Wishes, words: str) -> None:
+    """One line that says what was expected."""
+    with pytest.raises(UsageError, match=words.replace("(", r"\(").replace(")", r"\)")):
+        plan_motion(*example(stand), wishes)
+
+
+def test_without_casadi_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And the Fourier method is not asked for it."""
+    monkeypatch.setattr(asked_module, "find_spec", lambda _: None)
+    stand, _ = example("bench8")
+    with pytest.raises(UsageError, match="pip install casadi"):
+        asked_module.plus_asked(stand, Wishes(method="ocp"))
+    assert asked_module.plus_asked(stand, Wishes()) is None
+    assert partition_of(["w2", "w1", "w4", "w3", "w8", "w7"], stand) == (0, 1, 2, 3, 6, 7)

@@ -1,0 +1,117 @@
+"""(13) by IPOPT on bench8 and on seeded random stands: the table of docs/planning-ocp.md.
+
+python tools/ocp_campaign.py [--stands 1] [--first 8000] [--seconds 120] [--rows TEXT] [--write]
+
+Seconds are of the processor, of the whole plan with the search that it starts from, and its verification. Exit status
+1 where a programme that is given is not verified.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+from plan_stands import campaign_motion, campaign_stand
+
+import mahovik.stands
+from mahovik.motion.required import RequiredMotion, load_motion
+from mahovik.plan import Plan, Wishes, plan_motion
+from mahovik.plan.wishes import Method
+from mahovik.stand import load
+from mahovik.stand.model import Stand
+
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-ocp.md"
+BEGIN, END = "<!-- campaign: tools/ocp_campaign.py --write -->", "<!-- end of campaign -->"
+STANDS = Path(mahovik.stands.__file__).parent
+METHODS: tuple[Method, ...] = ("ocp-partition", "ocp")
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A stand with its motion."""
+
+    name: str
+    stand: Stand
+    motion: RequiredMotion
+
+
+def cases(first: int, number: int) -> Iterator[Case]:
+    """bench8, rocking and spinning; then seeds of N = 7, 8, 10."""
+    bench8 = load(STANDS / "bench8.toml")
+    motion = load_motion(STANDS / "bench8.motion.json", bench8)
+    yield Case("bench8", bench8, motion)
+    yield Case("bench8, spin", bench8, replace(motion, winding="spin"))
+    for N in (7, 8, 10):
+        for seed in range(first, first + number):
+            yield Case(f"N = {N}, seed {seed}", campaign_stand(seed, N), campaign_motion(seed, N))
+
+
+def line(case: Case, method: Method, found: Plan, seconds: float) -> str:
+    """A line of the table."""
+    if not found.programmes:
+        why = "; ".join(found.words)
+        return f"| {case.name} | `{method}` | {found.status} {found.reason}: {why} | | | {seconds:.1f} | | | |"
+    report: Any = found.programmes[0].report
+    own, six = report["ocp"], report["ocp"]["partition"]
+    held = f"{six['least_singular_value']:.1e}" if six["regular"] else f"0 at {len(six['det_zero_at'])} times"
+    raw = "" if own["raw_residual"] is None else f"{own['raw_residual']:.0e}"
+    cells = (
+        case.name, f"`{method}`", f"{found.status}, {report['kind']}", f"{','.join(six['plus'])}: {held}",
+        own["iterations"], f"{seconds:.1f}", raw, f"{report['residual']:.0e}",
+        f"{own['objective']:.5g} / {own['objective_of_start']:.5g}",
+    )  # fmt: skip
+    return "| " + " | ".join(str(each) for each in cells) + " |"
+
+
+def main() -> None:
+    """Runs the cases and writes the page."""
+    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
+    options.add_argument("--stands", type=int, default=1, help="stands of each N")
+    options.add_argument("--first", type=int, default=8000, help="first seed")
+    options.add_argument("--seconds", type=float, default=120.0, help="cut-off of a plan")
+    options.add_argument("--rows", default="", help="those whose name holds this text")
+    options.add_argument("--write", action="store_true", help="into docs/planning-ocp.md")
+    asked = options.parse_args()
+    lines, wrong = [], []
+    for case in cases(asked.first, asked.stands):
+        for method in METHODS if asked.rows in case.name else ():
+            begun = time.process_time()
+            found = plan_motion(case.stand, case.motion, Wishes(seconds=asked.seconds, method=method))
+            lines.append(line(case, method, found, time.process_time() - begun))
+            print(lines[-1], flush=True)
+            wrong += [f"{case.name} {method}: not verified" for p in found.programmes if not p.report["verified"]]
+    if asked.write:
+        write(lines, asked)
+    print(*wrong, sep="\n")
+    sys.exit(1 if wrong else 0)
+
+
+def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
+    """The table between the marks of the page."""
+    text = [
+        f"Stands of each N: {asked.stands}, seeds from {asked.first}. The partition with the least singular value of "
+        "I+ along the programme; seconds of the processor with search and verification; the largest relative residual "
+        "between the nodes as IPOPT left it, and of the programme; J of (13) over that of the Fourier programme it "
+        "started from.",
+        "",
+        "| stand | method | status | partition | iterations | s | raw residual | residual | J / J of `fourier` |",
+        "|---|---|---|---|---|---|---|---|---|",
+        *lines,
+        "",
+    ]
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    after = rest.split(END)[1]
+    PAGE.write_text("\n".join([before + BEGIN, *text, END + after]), encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()
