@@ -25,6 +25,7 @@ from mahovik.cli.modes import modes
 from mahovik.cli.new import new
 from mahovik.cli.plan import plan
 from mahovik.cli.plot import plot
+from mahovik.cli.quiet import quiet
 from mahovik.cli.replay import replay
 from mahovik.cli.response import response
 from mahovik.cli.rest import rest
@@ -59,3 +60,26 @@ def main() -> None:
 
 for title, commands in SECTIONS.items():
     main.add_section(title, commands)
+for command in (
+    new,
+    check,
+    derive,
+    generate,
+    verify,
+    judge,
+    cost,
+    evidence,
+    evaluate,
+    rest,
+    modes,
+    linearize,
+    simulate,
+    replay,
+    judge_log,
+    plan,
+    verify_programme,
+    plot,
+    quiet,
+    export,
+):
+    main.add_command(command)
