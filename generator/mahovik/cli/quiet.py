@@ -152,10 +152,14 @@ def _report(found: Quieted) -> None:
     out.print(rows)
     out.print(_lines(found))
     for name, jitter in (("before, phases not held", found.before), ("after", found.after)):
-        simulated = "" if jitter.simulated is None else f", simulated {jitter.simulated:.4g} (expected {jitter.expected:.4g})"
+        simulated = (
+            "" if jitter.simulated is None else f", simulated {jitter.simulated:.4g} (expected {jitter.expected:.4g})"
+        )
         rms = jitter.free if jitter is found.before else jitter.rms
         out.print(f"{name}: {found.wish.measure} of {found.wish.point}, {band}: RMS {rms:.4g} {found.unit}{simulated}")
-    out.print(f"{found.reduction:.4g} times lower; momentum within {found.momentum_error:.1g} N m s")
+    ratio = found.reduction
+    words = f"{ratio:.4g} times lower" if ratio >= 1.0 else f"{1.0 / ratio:.4g} times higher"
+    out.print(f"{words}; momentum within {found.momentum_error:.1g} N m s")
     if found.hold is not None:
         out.print(f"phases off by {found.hold * 180.0 / 3.141592653589793:.3g} deg rms double what is left")
 
@@ -187,6 +191,8 @@ def _end(found: Quieted) -> None:
     if found.interrupted:
         click.echo("interrupted: this is the best so far, not simulated", err=True)
         raise SystemExit(INTERRUPTED)
+    if found.broken:
+        click.echo(f"warning: the speeds before are not allowed themselves: {', '.join(found.broken)}", err=True)
     if found.cut:
         click.echo("warning: --time cut the search: another run may find more", err=True)
     if not found.agrees:

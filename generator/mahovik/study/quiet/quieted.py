@@ -16,6 +16,7 @@ from mahovik.study.linear import linear_model
 from mahovik.study.linear.modes import modes
 from mahovik.study.quiet.amplitude import Amplitudes
 from mahovik.study.quiet.lines import Line, apart, best_phases, inside, lines, mean_square
+from mahovik.study.quiet.planes import refused
 from mahovik.study.quiet.search import Search
 from mahovik.study.quiet.simulated import Sampling, beginning, expected, simulated
 from mahovik.study.quiet.spectrum import band_rms, line_amplitude
@@ -69,9 +70,19 @@ class Quieted:
 
     @property
     def reduction(self) -> float:
-        """How many times lower: RMS before, phases not held, to RMS after, simulated where it was; inf: silence."""
+        """How many times lower: RMS before, phases not held, to RMS after, simulated where it was.
+
+        inf: silence after; 1: silence before, there is nothing to lower.
+        """
+        if self.before.free == 0.0:
+            return 1.0
         after = self.after.rms if self.after.simulated is None else self.after.simulated
         return self.before.free / after if after > 0.0 else math.inf
+
+    @property
+    def broken(self) -> tuple[str, ...]:
+        """Which options the speeds before break."""
+        return tuple(sorted(f"--{name}" for name in refused(self.before.speeds, self.wheels, self.wish)))
 
     @property
     def unit(self) -> str:

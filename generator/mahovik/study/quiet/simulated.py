@@ -23,8 +23,8 @@ from mahovik.study.rest import moved
 
 Array = NDArray[np.float64]
 
-SHORTEST, LONGEST = 1.0, 10.0
-"""s, of a simulated time."""
+SHORTEST, LONGEST, MOST = 1.0, 5.0, 20000
+"""s, of a simulated time; samples, where a line that is just outside of the band asks for longer."""
 
 
 @dataclass(frozen=True)
@@ -36,16 +36,17 @@ class Sampling:
 
     @staticmethod
     def of(wish: Wish, speeds: Array) -> Sampling:
-        """Lines are told from each other and from the band's ends, as far as the longest time allows.
+        """Lines are told from each other, and those outside from the band, as far as the longest time allows.
 
         Third harmonics of the flywheels do not come back into the band as images.
         """
         f = np.unique(np.round(np.abs(speeds) / (2 * math.pi), 9))
         f = f[f > 0.0]
-        apart = [*np.diff(f), *(abs(x - edge) for x in f for edge in wish.band)]
-        least = min((float(x) for x in apart if x > 1e-9), default=1.0)
-        until = min(max(2.0 * LOBE / least, 20.0 / max(wish.band[0], 0.1), SHORTEST), LONGEST)
+        beats = min((float(x) for x in np.diff(f) if x > 1e-9), default=math.inf)
+        edges = min((abs(float(x) - edge) for x in f for edge in wish.band if x != edge), default=math.inf)
         rate = max(4.0 * wish.band[1], wish.band[1] + 3.2 * float(f.max(initial=0.0)))
+        until = max(1.5 * LOBE / beats, 20.0 / max(wish.band[0], 0.1), SHORTEST)
+        until = max(min(until, LONGEST), min(1.5 * LOBE / edges, MOST / rate))
         count = math.ceil(until * rate)
         return Sampling(until, until / count)
 

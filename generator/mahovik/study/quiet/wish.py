@@ -106,7 +106,7 @@ def check(stand: Stand, wish: Wish) -> None:
     names = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
     if wish.point not in names:
         hint = f'did you mean "{nearest(wish.point, names)}"?' if names else "the stand has none: add a [[point]]"
-        raise UsageError(f'--point {wish.point}: no point or instrument of that name, {hint}')
+        raise UsageError(f"--point {wish.point}: no point or instrument of that name, {hint}")
     N = len(stand.flywheels)
     if wish.speeds is not None and len(wish.speeds) != N:
         raise UsageError(f"--speeds: {len(wish.speeds)} numbers, but the stand has {N} flywheels")
