@@ -25,6 +25,8 @@ from mahovik.study.quiet.files import regime_text, result
 from mahovik.study.quiet.lines import together
 from mahovik.study.quiet.simulated import Sampling, beginning, expected, simulated
 from mahovik.study.quiet.wheels import Wheels
+from mahovik.study.response.motion import rms
+from mahovik.study.response.periodic import periodic_response
 from mahovik.study.rest import rest
 
 
@@ -102,9 +104,9 @@ def test_limits_hold(sat4: Stand) -> None:
 def test_more_freedom_is_never_louder(sat4: Stand) -> None:
     """A larger change of speeds contains the smaller."""
     wish = replace(SAT4, momentum=(2.0, 1.0, 8.0), speeds=tuple(RPM * x for x in (3500.0, -900.0, 2500.0, -400.0)))
-    rms = [found(sat4, wish, change=x * RPM).after.rms for x in (10.0, 300.0, 1000.0)]
-    assert all(b <= a * 1.02 for a, b in pairwise(rms))
-    assert rms[-1] < 0.8 * rms[0]
+    left = [found(sat4, wish, change=x * RPM).after.rms for x in (10.0, 300.0, 1000.0)]
+    assert all(b <= a * 1.02 for a, b in pairwise(left))
+    assert left[-1] < 0.8 * left[0]
 
 
 def test_modes_of_the_suspension_are_avoided(sat4: Stand) -> None:
@@ -143,6 +145,14 @@ def test_first_order_is_the_simulation(sat4: Stand, measure: str) -> None:
 
     assert off(ours) < 1e-4
     assert off(blind) > 3e-3
+
+
+def test_first_order_is_the_exact_steady_state(sat4: Stand) -> None:
+    """By collocation of the whole equations, orders 1 to 3 together, of the speeds and phases found."""
+    got = found(sat4)
+    exact = periodic_response(sat4, got.after.speeds.tolist(), ["acc1"], got.after.phases.tolist())
+    values = rms(exact.points["acc1"].harmonics("acceleration"), exact.frequencies, BAND)
+    assert float(np.linalg.norm(values)) == pytest.approx(got.after.rms, rel=1e-3)
 
 
 def test_the_files_are_read_back(sat4: Stand) -> None:

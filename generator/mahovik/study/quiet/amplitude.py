@@ -25,8 +25,9 @@ QUARTERS = np.arange(4) * (np.pi / 2)
 @dataclass(frozen=True, eq=False)
 class Amplitudes:
     """First order in unbalance, exact in the carrier: suspension, damping, fluid and the flywheels' gyroscopic moments.
+    """First order in unbalance, exact in the carrier: suspension, damping, fluid, gyroscopic moments of flywheels.
 
-    Every flywheel s turns at constant speed; what it adds is Re(a_s exp(i |phi_s'| t)) with a_s linear in exp(+-i phi_s).
+    Every flywheel s turns at constant speed; what it adds is Re(a_s exp(i |phi_s'| t)), a_s linear in exp(+-i phi_s).
 
     A0, A1     (12 x 12), (N x 12 x 12): x' = A x + B w of the carrier with locked flywheels, A = A0 + sum A1_s phi_s'
     B          (12 x 6), by a wrench about O1 in E1
