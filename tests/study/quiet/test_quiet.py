@@ -41,13 +41,24 @@ def sat4() -> Stand:
     return load(path("sat4"))
 
 
+@pytest.fixture(scope="module")
+def chosen(sat4: Stand) -> Quieted:
+    """Of SAT4, without simulation."""
+    return found(sat4)
+
+
 def found(stand: Stand, wish: Wish = SAT4, **changed: Any) -> Quieted:
     """Without simulation."""
     return quiet(stand, replace(wish, **changed), backend=None)
 
 
+@pytest.mark.slow
 def test_small_differences_of_speed_make_sat4_ten_times_quieter(sat4: Stand) -> None:
     """Required: a tenth of the band RMS on three axes, by the emitted C; speeds change by 9 rpm, the momentum does not."""
+    """Required: a tenth of the band RMS on three axes, by the emitted C; speeds change by 9 rpm, momentum not.
+
+    The same by the exact steady state, below, is quick. What is simulated before has drawn phases.
+    """
     got = quiet(sat4, SAT4)
     assert got.after.simulated is not None
     assert got.before.simulated is not None
@@ -125,6 +136,7 @@ def test_modes_of_the_suspension_are_avoided(sat4: Stand) -> None:
         assert all(np.all(np.abs(order * turns / f - 1.0) >= 0.1 - 1e-6) for order in (1, 2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("measure", ["acceleration", "rate"])
 def test_first_order_is_the_simulation(sat4: Stand, measure: str) -> None:
     """Sample by sample, with net momentum, so that gyroscopic moments count: they do, a hundredfold of what is allowed."""
@@ -147,17 +159,20 @@ def test_first_order_is_the_simulation(sat4: Stand, measure: str) -> None:
     assert off(blind) > 3e-3
 
 
-def test_first_order_is_the_exact_steady_state(sat4: Stand) -> None:
-    """By collocation of the whole equations, orders 1 to 3 together, of the speeds and phases found."""
-    got = found(sat4)
+def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: Quieted) -> None:
+    """By collocation of the whole equations, all orders in the band, of the speeds and phases found."""
+    got = chosen
     exact = periodic_response(sat4, got.after.speeds.tolist(), ["acc1"], got.after.phases.tolist())
     values = rms(exact.points["acc1"].harmonics("acceleration"), exact.frequencies, BAND)
     assert float(np.linalg.norm(values)) == pytest.approx(got.after.rms, rel=1e-3)
+    assert got.before.free / float(np.linalg.norm(values)) >= 10.0
+    assert np.abs(got.after.speeds - AWAY).max() < 10.0 * RPM
+    assert got.momentum_error < 1e-13
 
 
-def test_the_files_are_read_back(sat4: Stand) -> None:
+def test_the_files_are_read_back(sat4: Stand, chosen: Quieted) -> None:
     """The regime by `simulate`'s reader, the result as strict JSON."""
-    got = found(sat4)
+    got = chosen
     regime = loads(regime_text(got), sat4, 1.0)
     phi, phi_dot, _ = regime.motion(np.zeros(1))
     assert phi_dot[0].tolist() == got.after.speeds.tolist()
@@ -167,14 +182,14 @@ def test_the_files_are_read_back(sat4: Stand) -> None:
     assert said["after"]["lines"][0]["flywheels"] == ["rw1", "rw2", "rw3", "rw4"]
 
 
-def test_the_same_seed_gives_the_same_bits(sat4: Stand) -> None:
+def test_the_same_seed_gives_the_same_bits(sat4: Stand, chosen: Quieted) -> None:
     """All of it."""
-    assert json.dumps(result(found(sat4))) == json.dumps(result(found(sat4)))
+    assert json.dumps(result(found(sat4))) == json.dumps(result(chosen))
 
 
-def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand) -> None:
+def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand, chosen: Quieted) -> None:
     """Drawn errors, root mean square over draws."""
-    got = found(sat4)
+    got = chosen
     assert got.hold is not None
     a = Amplitudes.of(sat4, SAT4, rest(sat4).state).at(got.after.speeds)
     rng = np.random.default_rng(0)

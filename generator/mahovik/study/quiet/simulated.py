@@ -44,7 +44,7 @@ class Sampling:
         f = f[f > 0.0]
         beats = min((float(x) for x in np.diff(f) if x > 1e-9), default=math.inf)
         edges = min((abs(float(x) - edge) for x in f for edge in wish.band if x != edge), default=math.inf)
-        rate = max(4.0 * wish.band[1], wish.band[1] + 3.2 * float(f.max(initial=0.0)))
+        rate = max(2.56 * wish.band[1], wish.band[1] + 3.2 * float(f.max(initial=0.0)))
         until = max(1.5 * LOBE / beats, 20.0 / max(wish.band[0], 0.1), SHORTEST)
         until = max(min(until, LONGEST), min(1.5 * LOBE / edges, MOST / rate))
         count = math.ceil(until * rate)
