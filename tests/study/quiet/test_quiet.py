@@ -23,6 +23,7 @@ from mahovik.study.quiet import Quieted, Wish, quiet
 from mahovik.study.quiet.amplitude import Amplitudes
 from mahovik.study.quiet.files import regime_text, result
 from mahovik.study.quiet.lines import together
+from mahovik.study.quiet.search import Found, Search
 from mahovik.study.quiet.simulated import Sampling, beginning, expected, simulated
 from mahovik.study.quiet.wheels import Wheels
 from mahovik.study.response.motion import rms
@@ -213,6 +214,25 @@ def test_what_binds_is_said(sat4: Stand) -> None:
         found(sat4, momentum=(0.0, 0.0, 40.0))
     with pytest.raises(CheckError, match=r"without (the frequencies to be avoided or )?--change"):
         found(sat4, change=0.1, avoid=((50.0, 51.0),))
+
+
+def test_time_and_interrupts_cut_the_search(sat4: Stand, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No time: nothing is found, which is said. Ctrl-C after the third look: the best so far."""
+    with pytest.raises(CheckError, match="--time ended the search before"):
+        quiet(sat4, SAT4, seconds=1e-9, backend=None)
+    look = Search.look
+
+    def third(self: Search, *given: Any) -> Found:
+        if self.looked_at == 2:
+            raise KeyboardInterrupt
+        return look(self, *given)
+
+    monkeypatch.setattr(Search, "look", third)
+    got = quiet(sat4, SAT4, backend="c")
+    assert got.interrupted
+    assert got.looked_at == 2
+    assert got.after.simulated is None
+    assert got.after.rms <= got.before.free
 
 
 def test_stands_that_have_nothing_free_are_refused(sat4: Stand) -> None:

@@ -129,15 +129,22 @@ def quiet(
     phases, _ = best_phases(speeds, amplitudes.at(speeds), wish.guarded, rng)
     phases = np.mod(phases, 2 * math.pi)
     unheld = np.random.default_rng([wish.seed, 2]).uniform(0.0, 2 * math.pi, len(speeds))
-    found = []
-    for name, (now, angles) in {"before": (wheels.start, unheld), "after": (speeds, phases)}.items():
-        tell(f"simulating {name}")
-        found.append(_jitter(stand, wish, amplitudes, pose, now, angles, None if outcome.interrupted else backend))
-    before, after = found
+    interrupted = outcome.interrupted
+
+    def both(by: str | None) -> list[Jitter]:
+        found = []
+        for name, (now, angles) in {"before": (wheels.start, unheld), "after": (speeds, phases)}.items():
+            tell(f"simulating {name}")
+            found.append(_jitter(stand, wish, amplitudes, pose, now, angles, by))
+        return found
+
+    try:
+        before, after = both(None if interrupted else backend)
+    except KeyboardInterrupt:
+        before, after = both(None)
+        interrupted = True
     hold = _hold(after, wish)
-    return Quieted(
-        stand, wish, wheels, before, after, hold, natural, outcome.looked_at, outcome.cut, outcome.interrupted
-    )
+    return Quieted(stand, wish, wheels, before, after, hold, natural, outcome.looked_at, outcome.cut, interrupted)
 
 
 def _natural(stand: Stand, pose: State) -> tuple[float, ...]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.errors import StateError
 from mahovik.motion.laws import Constant
 from mahovik.motion.regime import Driven, Regime
 from mahovik.reference import pieces
@@ -83,6 +84,8 @@ def simulated(
     run = simulate(case, backend, progress=progress)
     if run.interrupted:
         raise KeyboardInterrupt
+    if run.stopped is not None:
+        raise StateError(run.stopped)
     count = round(sampling.until / sampling.every)
     L = dict(point_transfers(stand))[wish.point]
 
