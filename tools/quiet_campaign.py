@@ -2,8 +2,8 @@
 
 python tools/quiet_campaign.py [--stands 6] [--first 100] [--jobs 1] [--write]
 
-Every figure "after" is simulated by the emitted C. Exit status 1 where a simulation disagrees with first order, where the
-momentum is not kept, or where sat4 with small differences of speed is not ten times quieter.
+Every figure "after" is simulated by the emitted C. Exit status 1 where a simulation disagrees with first order, where
+the momentum is not kept, or where sat4 with small differences of speed is not ten times quieter.
 """
 
 from __future__ import annotations
@@ -172,7 +172,8 @@ def times(x: float) -> str:
 def random_lines(found: Sequence[tuple[RandomRow, Sequence[Outcome | str]]]) -> list[str]:
     """The second table."""
     text = [
-        "| wheels | | found | times lower: least | median | most | simulated less expected, of RMS before | median, s |",
+        "| wheels | | found | times lower: least | median | most | simulated less expected, of RMS before "
+        "| median, s |",
         "|---:|---|---|---:|---:|---:|---:|---:|",
     ]
     for row, outcomes in found:
@@ -213,7 +214,7 @@ def main() -> None:
     if asked.write:
         write([
             *sat4_lines(sat4), "",
-            f"{asked.stands} stands a row, seeds from {asked.first}; times are of the processor, simulations included.", "",
+            f"{asked.stands} stands a row, seeds from {asked.first}; times are of the processor, with simulations.", "",
             *random_lines(found),
         ])  # fmt: skip
     print(*wrong, sep="\n")

@@ -1,4 +1,4 @@
-"""Seeded random satellites of the campaign of `mahovik quiet`: redundant wheels in general directions, or on a soft mount."""
+"""Seeded random satellites of the campaign of `mahovik quiet`: redundant wheels in general directions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ RANK = 3
 
 
 def satellite(seed: int, N: int, suspended: float | None = None) -> Stand:
-    """60 kg with N wheels of 12 N m s: axes, places, angles of the unbalance drawn. `suspended`: Hz, in a gravity of 1 g.
     """60 kg with N wheels of 12 N m s: axes, places, angles of unbalance drawn. `suspended`: on springs, Hz; weight.
 
     Unbalance as of sat4: 0.15 g cm static, 2.2 g cm^2 dynamic. The point is 0.2 to 0.4 m off the carrier's origin.

@@ -37,7 +37,7 @@ SECTIONS = {
     "A stand": (new, check, derive, rest),
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion in time": (evaluate, simulate, replay),
-    "Vibration": (modes, linearize, response),
+    "Vibration": (modes, linearize, response, quiet),
     "Programmes of the flywheels": (plan, verify_programme),
     "Around it": (plot, export, doctor),
 }
@@ -60,26 +60,3 @@ def main() -> None:
 
 for title, commands in SECTIONS.items():
     main.add_section(title, commands)
-for command in (
-    new,
-    check,
-    derive,
-    generate,
-    verify,
-    judge,
-    cost,
-    evidence,
-    evaluate,
-    rest,
-    modes,
-    linearize,
-    simulate,
-    replay,
-    judge_log,
-    plan,
-    verify_programme,
-    plot,
-    quiet,
-    export,
-):
-    main.add_command(command)

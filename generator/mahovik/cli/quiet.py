@@ -131,7 +131,7 @@ def _progress() -> Iterator[Callable[[str], None] | None]:
     from rich.console import Console
 
     with Console(stderr=True).status("searching") as status:
-        yield lambda text: status.update(text)
+        yield status.update
 
 
 def _report(found: Quieted) -> None:

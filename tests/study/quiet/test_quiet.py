@@ -30,7 +30,6 @@ from mahovik.study.response.motion import rms
 from mahovik.study.response.periodic import periodic_response
 from mahovik.study.rest import rest
 
-
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
 AWAY = tuple(RPM * x for x in (3040.0, 3022.0, 3040.0, 3022.0))
@@ -55,7 +54,6 @@ def found(stand: Stand, wish: Wish = SAT4, **changed: Any) -> Quieted:
 
 @pytest.mark.slow
 def test_small_differences_of_speed_make_sat4_ten_times_quieter(sat4: Stand) -> None:
-    """Required: a tenth of the band RMS on three axes, by the emitted C; speeds change by 9 rpm, the momentum does not."""
     """Required: a tenth of the band RMS on three axes, by the emitted C; speeds change by 9 rpm, momentum not.
 
     The same by the exact steady state, below, is quick. What is simulated before has drawn phases.
@@ -140,7 +138,7 @@ def test_modes_of_the_suspension_are_avoided(sat4: Stand) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("measure", ["acceleration", "rate"])
 def test_first_order_is_the_simulation(sat4: Stand, measure: str) -> None:
-    """Sample by sample, with net momentum, so that gyroscopic moments count: they do, a hundredfold of what is allowed."""
+    """Sample by sample, with net momentum, so that gyroscopic moments count: they do, far above what is allowed."""
     wish = replace(SAT4, measure=measure)
     pose = rest(sat4).state
     amplitudes = Amplitudes.of(sat4, wish, pose)
@@ -175,7 +173,7 @@ def test_the_files_are_read_back(sat4: Stand, chosen: Quieted) -> None:
     """The regime by `simulate`'s reader, the result as strict JSON."""
     got = chosen
     regime = loads(regime_text(got), sat4, 1.0)
-    phi, phi_dot, _ = regime.motion(np.zeros(1))
+    _, phi_dot, _ = regime.motion(np.zeros(1))
     assert phi_dot[0].tolist() == got.after.speeds.tolist()
     assert [each.phase for each in regime.flywheels] == got.after.phases.tolist()
     said = json.loads(json.dumps(result(got), allow_nan=False))

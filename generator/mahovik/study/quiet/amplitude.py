@@ -24,7 +24,6 @@ QUARTERS = np.arange(4) * (np.pi / 2)
 
 @dataclass(frozen=True, eq=False)
 class Amplitudes:
-    """First order in unbalance, exact in the carrier: suspension, damping, fluid and the flywheels' gyroscopic moments.
     """First order in unbalance, exact in the carrier: suspension, damping, fluid, gyroscopic moments of flywheels.
 
     Every flywheel s turns at constant speed; what it adds is Re(a_s exp(i |phi_s'| t)), a_s linear in exp(+-i phi_s).

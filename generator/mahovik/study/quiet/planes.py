@@ -1,4 +1,4 @@
-"""Planes in the space of speeds where something changes: two flywheels turn together, a line leaves the band, a limit."""
+"""Planes in the space of speeds where something changes: flywheels turn together, a line leaves the band, a limit."""
 
 from __future__ import annotations
 

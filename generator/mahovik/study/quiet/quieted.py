@@ -27,7 +27,7 @@ from mahovik.study.rest import rest
 Array = NDArray[np.float64]
 
 AGREE = 0.01
-"""Difference of simulated and expected RMS in the band, as a part of the RMS before, above which first order is short."""
+"""Of the RMS before: difference of simulated and expected RMS in the band above which first order falls short."""
 
 
 @dataclass(frozen=True, eq=False)

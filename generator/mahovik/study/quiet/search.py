@@ -1,4 +1,4 @@
-"""Which speeds: of all places where something changes, and their neighbourhood, those of least jitter or least change."""
+"""Which speeds: where something changes, and around the best of that, those of least jitter or least change."""
 
 from __future__ import annotations
 

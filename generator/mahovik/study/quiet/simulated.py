@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from mahovik.motion.regime import Driven, Regime
 from mahovik.reference import pieces
 from mahovik.reference.points import point_transfers
 from mahovik.simulate import Case, simulate
-from mahovik.stand.model import Stand
+from mahovik.stand.model import Stand, Vec6
 from mahovik.stand.state import State
 from mahovik.study.quiet.amplitude import Amplitudes
 from mahovik.study.quiet.spectrum import LOBE
@@ -56,8 +57,8 @@ def beginning(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Array, 
     """The state at t = 0 on the steady motion, to first order: no mode has to decay first."""
     x = (amplitudes.states(speeds) * np.exp(1j * np.sign(speeds) * phases)).sum(axis=1).real
     state = moved(rest, pieces(stand, rest).C, x[:6])
-    V, phi, phi_dot = tuple(x[6:].tolist()), tuple(phases.tolist()), tuple(speeds.tolist())
-    return replace(state, V=V, phi=phi, phi_dot=phi_dot)  # type: ignore[arg-type]
+    V = cast(Vec6, tuple(x[6:].tolist()))
+    return replace(state, V=V, phi=tuple(phases.tolist()), phi_dot=tuple(speeds.tolist()))
 
 
 def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:

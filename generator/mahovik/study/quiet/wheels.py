@@ -48,9 +48,10 @@ class Wheels:
         axes = momentum_axes(stand)
         left, sizes, right = np.linalg.svd(axes)
         rank = int(np.sum(sizes > RANK * sizes[0])) if N else 0
-        if N <= rank or N < 2:
+        if rank >= N or N < 2:
             raise UsageError(
-                f"{stand.name}: {N} flywheels with spin axes of rank {rank} leave no speeds free; expected {rank + 1} or more"
+                f"{stand.name}: {N} flywheels with spin axes of rank {rank} leave no speeds free; "
+                f"expected {rank + 1} or more"
             )
         nullspace = right[rank:].T
         given = None if wish.speeds is None else np.array(wish.speeds)
@@ -58,7 +59,8 @@ class Wheels:
         outside = float(np.linalg.norm(left[:, rank:].T @ momentum))
         if outside > 1e-9 * max(float(np.linalg.norm(momentum)), 1e-30):
             raise UsageError(
-                f"{stand.name}: --momentum: {outside:.4g} N m s of it is across all spin axes (rank {rank}): no speeds hold it"
+                f"{stand.name}: --momentum: {outside:.4g} N m s of it is across all spin axes (rank {rank}): "
+                f"no speeds hold it"
             )
         begin = np.zeros(N) if given is None else given
         start = begin + np.linalg.pinv(axes, rcond=RANK) @ (momentum - axes @ begin)
