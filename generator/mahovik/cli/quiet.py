@@ -51,9 +51,9 @@ if TYPE_CHECKING:
 @click.option("--state", "state_file", metavar="S.json", type=click.Path(), help="What `simulate --start` reads.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: bool, **options: Any) -> None:
-    """Choose speeds and phases of redundant flywheels by which their unbalance cancels at a point.
+    """Quiet a point by speeds and phases of flywheels.
 
-    The momentum is kept exactly; what is free are speeds that hold none, and phases of flywheels that turn together.
+    Of redundant flywheels speeds and phases are chosen so that their unbalance cancels at the point. The momentum is kept exactly; what is free are speeds that hold none, and phases of flywheels that turn together.
     Jitter before and after is checked by a simulation of the whole stand.
 
     Exit status: 0 lower, and as simulated; 1 nothing allowed, not lower as wanted, or the simulation disagrees;

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.reference.bodies import spinning_bodies
+from mahovik.reference import pieces
 from mahovik.reference.screw import f
 from mahovik.stand.model import Stand
 from mahovik.stand.state import rest_state
@@ -101,7 +101,7 @@ class Wheels:
 
 def momentum_axes(stand: Stand) -> Array:
     """3 x N: spin inertia along the spin axis, in E1. The mean of I_s over phase, its angular part."""
-    bodies = spinning_bodies(stand, rest_state(stand))
+    bodies = pieces(stand, rest_state(stand)).flywheels
     columns = [s.L[3:, 3:] @ f[3:] * float(f @ s.Theta @ f) for s in bodies]
     return np.column_stack(columns) if columns else np.zeros((3, 0))
 
