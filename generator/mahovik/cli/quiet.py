@@ -53,8 +53,9 @@ if TYPE_CHECKING:
 def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: bool, **options: Any) -> None:
     """Quiet a point by speeds and phases of flywheels.
 
-    Of redundant flywheels speeds and phases are chosen so that their unbalance cancels at the point. The momentum is kept exactly; what is free are speeds that hold none, and phases of flywheels that turn together.
-    Jitter before and after is checked by a simulation of the whole stand.
+    Of redundant flywheels, so that their unbalance cancels at the point. The momentum is kept exactly; what is free
+    are speeds that hold none, and phases of flywheels that turn together. Jitter before and after is checked by a
+    simulation of the whole stand.
 
     Exit status: 0 lower, and as simulated; 1 nothing allowed, not lower as wanted, or the simulation disagrees;
     2 bad input; 130 Ctrl-C.
