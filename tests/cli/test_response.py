@@ -73,7 +73,7 @@ def test_motors_that_cannot_are_named() -> None:
 def test_time_cuts_a_sweep() -> None:
     said = run("response", *SWEEP, "--time", "1e-9")
     assert said.exit_code == 0
-    assert "warning: --time cut the sweep: 1 speeds are done" in said.stderr
+    assert "warning: --time cut the sweep: 1 of 5 speeds are done" in said.stderr
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 
@@ -15,6 +16,7 @@ from mahovik.study.linear import linear_model
 from mahovik.study.response import Scene, common_period, periodic_response
 from mahovik.study.response.asked import read_speeds
 from mahovik.study.response.collocation import derivative, odd_length, resampled
+from mahovik.study.response.files import csv_text, json_text
 from mahovik.study.response.motion import rms
 from mahovik.study.response.sweep import sweep
 
@@ -230,6 +232,44 @@ def test_a_sweep_can_be_cut_and_says_so(bench8):
     assert found.interrupted
     assert len(found.steps) == 2
     assert np.isnan(found.steps[0].at(0)[0])
+
+
+def undamped(share):
+    """bench8 with an unbalanced flywheel alone, and springs without damping: 1.5 Hz in translation."""
+    stand = unbalanced(load(path("bench8")), share)
+    return replace(stand, suspension=replace(stand.suspension, damping=((0.0,) * 6,) * 6))
+
+
+def test_an_undamped_resonance_is_told_and_the_sweep_goes_on():
+    stand = undamped(1.0)
+    found = sweep(stand, read_speeds(stand, ["w1=84..96rpm"]), 3, "carrier")
+    assert [step.problem is None for step in found.steps] == [True, False, True]
+    assert "an undamped resonance, or the carrier is thrown about" in found.steps[1].problem
+    assert np.isnan(found.rms()[1]).all()
+    text = json.loads(json_text(found))
+    assert text["rms"][1] == [None] * 3
+    assert text["steps"][1]["problem"] == found.steps[1].problem
+    assert csv_text(found).splitlines()[2].startswith("90,0,0,0,0,0,0,0,,,,,")
+    with pytest.raises(CheckError, match="an undamped resonance"):
+        sweep(stand, read_speeds(stand, ["w1=90rpm"]), 1, "carrier")
+
+
+def test_a_steady_state_that_does_not_last_is_named():
+    """Parametric resonance of large unbalance: the multiplier of its linear equations."""
+    found = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7, [])
+    assert found.multiplier > 1.1
+    assert not found.stable
+
+
+def test_control_c_keeps_what_is_done(bench8):
+    def interrupted(done):
+        if done == 2:
+            raise KeyboardInterrupt
+        return True
+
+    found = sweep(bench8.stand, read_speeds(bench8.stand, ["w1=0..100rpm"]), 11, "carrier", go_on=interrupted)
+    assert found.interrupted
+    assert len(found.steps) == 2
 
 
 def test_lines_that_fall_together_are_one(bench8):

@@ -97,7 +97,8 @@ def response(
         _print(found)
     if found.interrupted:
         cut = "--time cut the sweep" if end is not None and time.monotonic() >= end else "interrupted"
-        click.echo(f"{'warning' if cut[0] == '-' else 'error'}: {cut}: {len(found.steps)} speeds are done", err=True)
+        done = f"{len(found.steps)} of {steps} speeds are done"
+        click.echo(f"{'warning' if cut[0] == '-' else 'error'}: {cut}: {done}", err=True)
         if cut == "interrupted":
             raise SystemExit(INTERRUPTED)
 
