@@ -157,7 +157,7 @@ programme-picture: setup
 	  --motion generator/mahovik/stands/bench8.motion.json -o docs/programme.svg
 
 quiet-campaign: setup
-	$(BIN)/python tools/quiet_campaign.py --jobs 2 --write
+	$(BIN)/python tools/quiet_campaign.py --stands 4 --jobs 2 --write
 
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write
