@@ -36,6 +36,7 @@ help:
 	@echo "make traceability  mutants of every function, and the tests that notice them: docs/traceability.md; a quarter hour"
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
 	@echo "make programme-picture  plans bench8's motion and draws it: docs/programme.svg"
+	@echo "make design-campaign  how often few flywheels are found for simple motions: docs/design.md; a quarter of an hour"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/planning.md, run-ups too; hours"
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/linear.md, docs/response.md"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
@@ -156,6 +157,8 @@ programme-picture: setup
 	$(BIN)/mahovik plot build/demo/programme.json --stand generator/mahovik/stands/bench8.toml \
 	  --motion generator/mahovik/stands/bench8.motion.json -o docs/programme.svg
 
+design-campaign: setup
+	$(BIN)/python tools/design_campaign.py --write
 quiet-campaign: setup
 	$(BIN)/python tools/quiet_campaign.py --stands 4 --jobs 2 --write
 

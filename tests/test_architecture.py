@@ -22,6 +22,7 @@ STAGES = (
     ("report",),
     ("export",),
     ("study",),
+    ("design",),
     ("plan",),
     ("simulate",),
     ("verify",),

@@ -214,7 +214,7 @@ def main() -> None:
     if asked.write:
         write([
             *sat4_lines(sat4), "",
-            f"Stands a row: {asked.stands}, seeds from {asked.first}; times are of the processor, with simulations.", "",
+            f"Stands a row: {asked.stands}, seeds from {asked.first}; times of the processor, with simulations.", "",
             *random_lines(found),
         ])  # fmt: skip
     print(*wrong, sep="\n")

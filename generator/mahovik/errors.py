@@ -49,6 +49,14 @@ class ProgrammeError(MahovikError):
         super().__init__("\n".join(self.problems))
 
 
+class DesignError(MahovikError):
+    """A file of what is free was refused, or what it asks contradicts itself. `problems` holds one line each."""
+
+    def __init__(self, problems: Sequence[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
 class StateError(MahovikError):
     """A state of `eval` cannot be evaluated: its result line holds the message in `error`."""
 

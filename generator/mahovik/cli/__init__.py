@@ -12,6 +12,7 @@ from mahovik import __version__
 from mahovik.cli.check import check
 from mahovik.cli.cost import cost
 from mahovik.cli.derive import derive
+from mahovik.cli.design import design
 from mahovik.cli.doctor import doctor
 from mahovik.cli.evaluate import evaluate
 from mahovik.cli.evidence import evidence
@@ -38,7 +39,7 @@ SECTIONS = {
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion in time": (evaluate, simulate, replay),
     "Vibration": (modes, linearize, response, quiet),
-    "Programmes of the flywheels": (plan, verify_programme),
+    "Programmes of the flywheels": (plan, design, verify_programme),
     "Around it": (plot, export, doctor),
 }
 """Commands under the headings of `--help`, in the order in which one uses them."""

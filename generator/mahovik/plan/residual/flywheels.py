@@ -1,8 +1,8 @@
 """Flywheels as short Fourier polynomials of their phases, in E1: the one place that knows their masses and mountings.
 
 Theta(phi) = T0 + T1 cos phi + T2 sin phi + T3 cos 2 phi + T4 sin 2 phi, five constant matrices; likewise I_s and the
-weight's moment. They are linear in every mass property: derivatives by design (positions, mountings, unbalance) will
-be tables of the same shape from `tables_of`, put through the same `Prescribed`.
+weight's moment. They are linear in every mass property: derivatives by design (positions, mountings, unbalance) are
+tables of the same shape, `by_design`, of `turned` and `weighed`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 
 from mahovik.plan.array import Array
 from mahovik.plan.residual.spatial import afloat, both, flywheel_transfer, heaviness, inertia
-from mahovik.stand.model import Damping, Flywheel, Stand
+from mahovik.stand.model import Damping, Stand
 
 _STILL = both(np.diag([1.0, 0.0, 0.0]))  # diag(C1, C1)(phi) = _STILL + _COS cos phi + _SIN sin phi
 _COS = both(np.diag([0.0, 1.0, 1.0]))
@@ -54,8 +54,8 @@ def tables_of(stand: Stand) -> Tables:
     """The tables of a stand's flywheels."""
     wheels = stand.flywheels
     Lm = np.array([flywheel_transfer(stand, s) for s in wheels]).reshape(-1, 6, 6)
-    Theta = np.array([_turned(inertia(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 6)
-    weight = np.array([_weight(s, Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 3)
+    Theta = np.array([turned(inertia(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 6)
+    weight = np.array([weighed(*afloat(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 3)
     return Tables(
         Theta=np.swapaxes(Theta, 0, 1),
         weight=np.swapaxes(weight, 0, 1),
@@ -68,8 +68,8 @@ def tables_of(stand: Stand) -> Tables:
     )
 
 
-def _turned(Theta: Array, Lm: Array) -> Array:
-    """Harmonics (5, 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T."""
+def turned(Theta: Array, Lm: Array) -> Array:
+    """Harmonics (5, ..., 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T, Theta (..., 6, 6)."""
     parts = [Lm @ R for R in (_STILL, _COS, _SIN)]
     still, cos, sin = ([a @ Theta @ b.T for b in parts] for a in parts)
     return np.array(
@@ -83,13 +83,12 @@ def _turned(Theta: Array, Lm: Array) -> Array:
     )
 
 
-def _weight(wheel: Flywheel, Lm: Array) -> Array:
-    """Harmonics (5, 6, 3) of the wrench by gravity."""
-    mass, moment = afloat(wheel)
+def weighed(mass: Array | float, moment: Array, Lm: Array) -> Array:
+    """Harmonics (5, ..., 6, 3) of the wrench by gravity on masses (..., kg) with first moments (..., 3; kg m)."""
     C = Lm[:3, :3]
-    harmonics = np.zeros((5, 6, 3))
-    for h, (share, R) in enumerate(((mass, _STILL), (0.0, _COS), (0.0, _SIN))):
-        harmonics[h] = Lm @ heaviness(share, R[:3, :3] @ moment) @ C.T
+    harmonics = np.zeros((5, *np.shape(mass), 6, 3))
+    for h, (share, R) in enumerate(((1.0, _STILL), (0.0, _COS), (0.0, _SIN))):
+        harmonics[h] = Lm @ heaviness(share * np.asarray(mass), moment @ R[:3, :3].T) @ C.T
     return harmonics
 
 

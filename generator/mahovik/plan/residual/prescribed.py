@@ -94,20 +94,27 @@ class Shifted:
 
 def prescribed_at(mechanics: Mechanics, at: Twists) -> Prescribed:
     """Prescribed at M twists of the carrier. StateError: a leg has no length."""
-    tables, (M, N) = mechanics.tables, (len(at.V), mechanics.N)
+    tables = mechanics.tables
+    found = harmonics_at(mechanics.stand, at, tables.Theta, tables.weight, tables.coupling)
+    A, C = (_with_torque(x, tables) for x in found)
+    return Prescribed(mechanics, mechanics.housing.balance(at), A, C, at.V_r)
+
+
+def harmonics_at(stand: Stand, at: Twists, Theta: Array, weight: Array, coupling: Array) -> tuple[Array, Array]:
+    """A_h, C_h (5, 6, M, N each) of Theta (5, N, 6, 6), weight (5, N, 6, 3), I_h (5, N, 6), linear in these."""
+    M, N = len(at.V), Theta.shape[1]
     Phi = motor_cross(at.V_r)
-    flat = tables.Theta.reshape(-1, 6)  # rows h, s, i
+    flat = Theta.reshape(-1, 6)  # rows h, s, i
     momentum = (at.V_r @ flat.T).reshape(M, 5 * N, 6)
     fixed = (at.V_r_dot @ flat.T).reshape(M, 5 * N, 6) + momentum @ np.swapaxes(Phi, 1, 2)
-    if any(mechanics.stand.gravity):
-        gravity = in_E1(at.C, np.broadcast_to(mechanics.stand.gravity, at.O1.shape))
-        fixed -= (gravity @ tables.weight.reshape(-1, 3).T).reshape(M, 5 * N, 6)
-    moving = (tables.coupling.reshape(5 * N, 6) @ np.swapaxes(Phi, 1, 2)).reshape(M, 5, N, 6)
+    if any(stand.gravity):
+        gravity = in_E1(at.C, np.broadcast_to(stand.gravity, at.O1.shape))
+        fixed -= (gravity @ weight.reshape(-1, 3).T).reshape(M, 5 * N, 6)
+    moving = (coupling.reshape(5 * N, 6) @ np.swapaxes(Phi, 1, 2)).reshape(M, 5, N, 6)
     moving = np.moveaxis(moving, 0, 2) + slope(np.moveaxis(momentum.reshape(M, 5, N, 6), 0, 2))  # (5, N, M, 6)
     fixed = np.moveaxis(fixed.reshape(M, 5, N, 6), 0, 2)
-    arranged = (np.ascontiguousarray(np.transpose(x, (0, 3, 2, 1))) for x in (fixed, moving))  # (5, 6, M, N)
-    A, C = (_with_torque(x, tables) for x in arranged)
-    return Prescribed(mechanics, mechanics.housing.balance(at), A, C, at.V_r)
+    A, C = (np.ascontiguousarray(np.transpose(x, (0, 3, 2, 1))) for x in (fixed, moving))  # (5, 6, M, N)
+    return A, C
 
 
 def _with_torque(harmonics: Array, tables: Tables) -> Array:

@@ -58,6 +58,12 @@ def transfer(O: Vec3 | Array, C: Array) -> Array:
     return L
 
 
+def place(L: Array) -> Array:
+    """O (3, m) of a transfer [[C, 0], [<O> C, C]]."""
+    S = L[3:, :3] @ L[:3, :3].T
+    return np.array([S[2, 1], S[0, 2], S[1, 0]])
+
+
 def fixed_axes(angles: Vec3) -> Array:
     """C (3, 3) of an instrument: C3(psi) C2(theta) C1(phi), whatever the carrier's sequence."""
     return attitude("ship", np.array(angles))
@@ -94,9 +100,15 @@ def inertia(body: Body) -> Array:
     J = np.array(body.inertia)
     if body.inertia_about != "origin":
         J = J - mu @ skew(np.array(body.center_of_mass))
-    Theta = np.zeros((6, 6))
-    Theta[:3, :3] = body.mass * np.eye(3)
-    Theta[:3, 3:], Theta[3:, :3], Theta[3:, 3:] = -mu, mu, J
+    return spatial_inertia(np.array(body.mass), first_moment(body), J)
+
+
+def spatial_inertia(mass: Array, moment: Array, J: Array) -> Array:
+    """[[m E, -<mu>], [<mu>, J]] (..., 6, 6) of mass (...), first moment (..., 3), inertia at the origin (..., 3, 3)."""
+    mu = skew(moment)
+    Theta = np.zeros((*mass.shape, 6, 6))
+    Theta[..., :3, :3] = mass[..., None, None] * np.eye(3)
+    Theta[..., :3, 3:], Theta[..., 3:, :3], Theta[..., 3:, 3:] = -mu, mu, J
     return Theta
 
 
@@ -108,8 +120,8 @@ def afloat(body: Body) -> tuple[float, Array]:
     return body.mass - displaced, first_moment(body) - displaced * np.array(body.buoyancy.center)
 
 
-def heaviness(mass: float, moment: Array) -> Array:
-    """Matrix (6, 3) that makes a wrench of gravity: (mass g; moment x g), `moment` (3, kg m)."""
-    H = np.zeros((6, 3))
-    H[:3], H[3:] = mass * np.eye(3), skew(moment)
+def heaviness(mass: Array | float, moment: Array) -> Array:
+    """Matrix (..., 6, 3) that makes a wrench of gravity: (mass g; moment x g), `moment` (..., 3; kg m)."""
+    H = np.zeros((*np.shape(mass), 6, 3))
+    H[..., :3, :], H[..., 3:, :] = np.asarray(mass)[..., None, None] * np.eye(3), skew(moment)
     return H

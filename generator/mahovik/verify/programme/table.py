@@ -75,17 +75,21 @@ def _wrapped(samples: Samples, period: float, turn: Array) -> Samples:
 
 
 def _series(programme: Programme, limit: float) -> Finding:
-    """phi', phi'' against differences of phi, phi' over a thousandth of the shortest period in the series."""
+    """phi', phi'' against differences of phi, phi' over a thousandth of the shortest period in the series.
+
+    Of phi'' less than a millionth of the speed a period is rounding, as in `foretold`.
+    """
     H = max(len(programme.course.cos) if isinstance(programme.course, Fourier) else 1, 1)
     t = programme.span * (np.arange(8 * H) + 0.5) / (8 * H)
     h = programme.span / (1e3 * max([H, *(abs(n) for n in programme.winding)]))
     before, at, after = programme.at(t - h), programme.at(t), programme.at(t + h)
     worst = 0.0
-    for lower, upper, derivative in (
-        (before.phi, after.phi, at.phi_dot),
-        (before.phi_dot, after.phi_dot, at.phi_ddot),
+    floor = 1e-6 * float(np.abs(at.phi_dot).max()) / programme.span
+    for lower, upper, derivative, least in (
+        (before.phi, after.phi, at.phi_dot, 0.0),
+        (before.phi_dot, after.phi_dot, at.phi_ddot, floor),
     ):
-        most = float(np.abs(derivative).max())
+        most = max(float(np.abs(derivative).max()), least)
         if most > 0.0:
             worst = max(worst, float(np.abs((upper - lower) / (2 * h) - derivative).max()) / most)
     return judged("table", worst, limit, "Fourier series: derivatives against differences")

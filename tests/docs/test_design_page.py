@@ -1,0 +1,67 @@
+"""docs/design.md: its keys are those that the reader knows, its file is read, its table is that of the campaign."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import sys
+from types import ModuleType
+
+import pytest
+
+from docs.pages import ROOT, blocks, cells, tables
+from mahovik import stands
+from mahovik.design import read
+from mahovik.design.freedom import PARTS
+from mahovik.stand import load
+
+PAGE = ROOT / "docs" / "design.md"
+TOOLS = ROOT / "tools"
+
+
+@pytest.fixture
+def tool(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The tool, with the module of stands beside it."""
+    monkeypatch.syspath_prepend(str(TOOLS))
+    spec = importlib.util.spec_from_file_location("design_campaign_tool", TOOLS / "design_campaign.py")
+    assert spec is not None
+    assert spec.loader is not None
+    found = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, spec.name, found)
+    spec.loader.exec_module(found)
+    return found
+
+
+def keys(first: str) -> set[str]:
+    """Keys in the first column of the table whose head begins with `first`."""
+    (found,) = (lines for lines in tables(PAGE) if cells(lines[0])[0] == first)
+    return {name for line in found[2:] for name in re.findall(r"`([^`]+)`", cells(line)[0])}
+
+
+def test_the_file_is_read_and_all_keys_are_told() -> None:
+    (example,) = (block for block in blocks(PAGE) if block.language == "toml")
+    found = read.read_freedom(example.text, load(stands.path("shaker2")))
+    assert found.number == (1, 2)
+    assert found.ties[0].mirror == "y"
+    assert keys("key of `[[free]]`") == set(PARTS)
+    assert keys("other key") | {"schema", "free"} == set(read.TOP)
+
+
+def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
+    """Eight of ten and more, within what was asked and the time."""
+    text = PAGE.read_text(encoding="utf-8").split(tool.BEGIN)[1].split(tool.END)[0]
+    rows = [cells(line) for line in text.splitlines() if re.match(r"\| \w.*\| \d", line)]
+    assert [(row[0], int(row[1]), float(row[2])) for row in rows] == [(r.name, r.N, r.quality) for r in tool.ROWS]
+    for _, _, asked, found, _, median, worst, *seconds in rows:
+        some, of = map(int, found.split(" of "))
+        assert some >= 0.8 * of
+        assert float(median) <= float(worst) <= float(asked)
+        assert float(seconds[0]) <= float(seconds[1])
+
+
+@pytest.mark.slow
+def test_a_small_sample_of_the_campaign(tool: ModuleType) -> None:
+    """One axis with two flywheels, exact."""
+    found, seconds = tool.outcome(tool.ROWS[0], 31)
+    assert found.status == "OK"
+    assert tool.good(tool.ROWS[0], found, seconds)

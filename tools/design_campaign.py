@@ -1,0 +1,151 @@
+"""How often and how fast `mahovik design` finds few flywheels for simple motions: the table of docs/design.md.
+
+python tools/design_campaign.py [--seeds 10] [--first 7000] [--rows TEXT] [--write]
+
+Times are of the processor, of a whole design: search, least cost, programme, verification. Exit status 1 where a row
+has fewer successes than eight in ten.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+from plan_stands import PERIOD, campaign_motion, campaign_stand
+
+from mahovik.design import Outcome, Wishes, design_stand
+from mahovik.design.read import read_freedom
+from mahovik.motion.required import RequiredMotion
+from mahovik.motion.required.course import Harmonics
+from mahovik.stand.model import Stand
+
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "design.md"
+BEGIN, END = "<!-- campaign: tools/design_campaign.py --write -->", "<!-- end of campaign -->"
+SECONDS = 60.0
+FREE = """
+schema = 1
+quality = {quality}
+
+[[free]]
+position = {{ min = ["-250 mm", "-250 mm", "-250 mm"], max = ["250 mm", "250 mm", "250 mm"] }}
+angles = true
+unbalance = {{ min = 0, max = "20 kg mm" }}
+
+[limits]
+distance = "100 mm"
+"""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the table: flywheels, the coordinates that move, how, and the relative residual that is asked for."""
+
+    name: str
+    N: int
+    quality: float
+
+    def problem(self, seed: int) -> tuple[Stand, RequiredMotion]:
+        """Stand and motion of a seed: 10 Hz, 0.2 mm, 0.6 mrad."""
+        motion = campaign_motion(seed, self.N)
+        rng = np.random.default_rng([seed, 99])
+        cos, sin = np.zeros((1, 6)), np.zeros((1, 6))
+        if self.name == "one axis":
+            cos[0, rng.integers(3)] = 2e-4
+        elif self.name == "translation in a plane":
+            cos[0, :3], sin[0, :3] = rng.uniform(-2e-4, 2e-4, (2, 3))
+        else:
+            for k, size in ((2, 2e-4), (4, 6e-4), (5, 6e-4)):
+                cos[0, k], sin[0, k] = rng.uniform(-size, size, 2)
+        return campaign_stand(seed, self.N), replace(motion, course=Harmonics(PERIOD, (1,), cos, sin))
+
+
+ROWS = (
+    Row("one axis", 2, 1e-9),
+    Row("translation in a plane", 2, 1e-9),
+    Row("z and two rotations", 4, 1e-4),
+)
+
+
+def outcome(row: Row, seed: int) -> tuple[Outcome, float]:
+    """One design, and the seconds of the processor that it took."""
+    stand, motion = row.problem(seed)
+    freedom = read_freedom(FREE.format(quality=row.quality), stand)
+    begun = time.process_time()
+    found = design_stand(stand, lambda _: motion, freedom, Wishes(seed=seed))
+    return found, time.process_time() - begun
+
+
+def good(row: Row, found: Outcome, seconds: float) -> bool:
+    """Whether it is what the row asks for, in time."""
+    return found.stand is not None and found.residual <= row.quality and seconds <= SECONDS
+
+
+def line(row: Row, found: Sequence[tuple[Outcome, float]]) -> str:
+    """A line of the table."""
+    some = [each for each, seconds in found if good(row, each, seconds)]
+    exact = sum(each.status == "OK" for each in some)
+    spent = sorted(seconds for _, seconds in found)
+    median = np.median([each.residual for each in some]) if some else np.nan
+    worst = max((each.residual for each in some), default=np.nan)
+    return (
+        f"| {row.name} | {row.N} | {row.quality:g} | {len(some)} of {len(found)} | {exact} | {median:.1g} | "
+        f"{worst:.1g} | {np.median(spent):.1f} | {spent[-1]:.1f} |"
+    )
+
+
+def main() -> None:
+    """Runs the rows and writes the page."""
+    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
+    options.add_argument("--seeds", type=int, default=10, help="stands a row")
+    options.add_argument("--first", type=int, default=7000, help="first seed")
+    options.add_argument("--rows", default="", help="those whose name holds this text")
+    options.add_argument("--write", action="store_true", help="into docs/design.md")
+    asked = options.parse_args()
+    lines, few = [], False
+    for row in ROWS:
+        if asked.rows not in row.name:
+            continue
+        found = []
+        for seed in range(asked.first, asked.first + asked.seeds):
+            found.append(outcome(row, seed))
+            each, seconds = found[-1]
+            print(f"{row.name}, seed {seed}: {each.status} {each.residual:.2g} {seconds:.1f} s", flush=True)
+        few |= sum(good(row, *each) for each in found) < 0.8 * asked.seeds
+        lines.append(line(row, found))
+        print(lines[-1], flush=True)
+    if asked.write:
+        write(lines, asked)
+    sys.exit(1 if few else 0)
+
+
+def _of(row: Row, lines: Sequence[str]) -> str:
+    """The line of a row, among those that were made or those that are on the page; "" where there is none."""
+    return next((each for each in lines if each.startswith(f"| {row.name} |")), "")
+
+
+def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
+    """The table between the marks of the page."""
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    old, after = rest.split(END)
+    text = [
+        f"{asked.seeds} stands a row, seeds from {asked.first}; found within {SECONDS:g} s of the processor.",
+        "",
+        "| motion | flywheels | relative residual asked | found | verified as exact | median residual | worst "
+        "| median, s | longest, s |",
+        "|---|---|---|---|---|---|---|---|---|",
+        *(made for row in ROWS if (made := _of(row, lines) or _of(row, old.splitlines()))),
+    ]
+    PAGE.write_text("\n".join([before + BEGIN, *text, END + after]), encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()
