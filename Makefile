@@ -28,6 +28,8 @@ help:
 	@echo "make fuzz-quick  the same in two minutes"
 	@echo "make explain-campaign  planted faults, and which of them judge --explain names: into docs/diagnosis.md; minutes"
 	@echo "make flight     a flight on an emulated Cortex-M4, logged, and replayed here bit for bit"
+	@echo "make following-campaign  how well bench8 follows with mismatch, without and with trim: docs/following.md; minutes"
+	@echo "make pil        servos on emulated M7 and M4 in closed loop with a stand, bit for bit: docs/servo.md"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/lanes.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
@@ -121,6 +123,15 @@ explain-campaign: setup
 
 flight: setup
 	$(BIN)/python tools/flight.py
+
+following-campaign: setup
+	$(BIN)/python tools/following_campaign.py --write
+
+pil: setup
+	mkdir -p build/demo
+	$(BIN)/mahovik plan generator/mahovik/stands/bench8.toml \
+	  --motion generator/mahovik/stands/bench8.motion.json -o build/demo/programme.json
+	$(BIN)/python tools/pil.py --programme build/demo/programme.json --write
 
 control-loop: setup
 	$(BIN)/python tools/control_loop.py

@@ -23,6 +23,7 @@ STAGES = (
     ("export",),
     ("study",),
     ("design",),
+    ("control",),
     ("plan",),
     ("simulate",),
     ("verify",),

@@ -57,6 +57,14 @@ class DesignError(MahovikError):
         super().__init__("\n".join(self.problems))
 
 
+class ServoError(MahovikError):
+    """A servo file was refused. `problems` holds one line each, all that were found."""
+
+    def __init__(self, problems: Sequence[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
 class StateError(MahovikError):
     """A state of `eval` cannot be evaluated: its result line holds the message in `error`."""
 

@@ -81,7 +81,7 @@ def test_new_copies_a_stand_with_its_motions(tmp_path: Path) -> None:
     for name in stands.names():
         result = run("new", name, "-o", str(tmp_path))
         assert result.exit_code == 0
-        assert len(result.output.splitlines()) == 1 + len(stands.motions(name))
+        assert len(result.output.splitlines()) == 1 + len(stands.motions(name)) + len(stands.servos(name))
         assert load(tmp_path / f"{name}.toml") == load(stands.path(name))
         for motion in stands.motions(name):
             assert (tmp_path / motion.name).read_text() == motion.read_text()
@@ -89,7 +89,11 @@ def test_new_copies_a_stand_with_its_motions(tmp_path: Path) -> None:
 
 def test_new_under_another_name(tmp_path: Path) -> None:
     assert run("new", "bench8", "-o", str(tmp_path / "deep" / "mine.toml")).exit_code == 0
-    assert sorted(p.name for p in (tmp_path / "deep").iterdir()) == ["mine.motion.json", "mine.toml"]
+    assert sorted(p.name for p in (tmp_path / "deep").iterdir()) == [
+        "mine.motion.json",
+        "mine.servo.toml",
+        "mine.toml",
+    ]
 
 
 def test_new_overwrites_nothing(tmp_path: Path) -> None:

@@ -65,6 +65,50 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
 
 @export.command()
 @stand_argument
+@click.option("--programme", "programme_file", metavar="P.json", type=click.Path(), required=True, help="To follow.")
+@click.option("--servo", "servo_file", metavar="S.toml", type=click.Path(), required=True, help="The servo file.")
+@click.option("--motion", "motion_file", metavar="MOTION.json", type=click.Path(), help="For feedforward and trim.")
+@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME of the stand.")
+@click.option(
+    "--table", "kind", type=click.Choice(["quintic", "fourier"]), default="quintic", show_default=True, help="Method."
+)
+@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default that of the C in DIR.")
+def servo(
+    stand_file: str,
+    programme_file: str,
+    servo_file: str,
+    motion_file: str | None,
+    output: str | None,
+    kind: str,
+    real: str | None,
+) -> None:
+    """Write a programme and the servos that follow it as C.
+
+    What `export programme` writes, and NAME_servo.h and .c: gains computed from the wanted bandwidth, limits, trim; an
+    example, a self-test, a page. Exit status 1 where the sampled, delayed loop is not stable with enough margin; the
+    message says which bandwidth is.
+    """
+    from mahovik.export.programme.place import element_type, write_servo
+    from mahovik.export.servo import export_servo
+    from mahovik.motion.programme import load_programme
+    from mahovik.motion.required import load_motion
+    from mahovik.motion.servo import load_servo
+
+    stand = load_stand(stand_file)
+    found = load_programme(programme_file)
+    motion = load_motion(Path(motion_file), stand) if motion_file is not None else None
+    wanted = load_servo(servo_file, stand)
+    folder = Path(output if output is not None else stand.name)
+    chosen = element_type(folder, stand, real)
+    made = export_servo(stand, found, motion, wanted, chosen, kind, (Path(programme_file).name, Path(servo_file).name))
+    for path in write_servo(folder, stand, made.programme.files, made.servo):
+        click.echo(click.format_filename(path))
+    for line in (*made.programme.lines, *made.lines):
+        click.echo(line)
+
+
+@export.command()
+@stand_argument
 @click.argument("programme_file", metavar="PROGRAMME.json", type=click.Path())
 @click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME of the stand.")
 @click.option("--motion", "motion_file", metavar="MOTION.json", type=click.Path(), help="Adds drive torques.")

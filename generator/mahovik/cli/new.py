@@ -14,7 +14,7 @@ from mahovik.errors import UsageError
 @click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Where to; default ./NAME.toml.")
 @click.option("--list", "listed", is_flag=True, help="List the examples and stop.")
 def new(name: str | None, output: str | None, listed: bool) -> None:
-    """Copy an example stand with its motions. Nothing is ever overwritten."""
+    """Copy an example stand with its motions and servos. Nothing is ever overwritten."""
     from mahovik import stands
     from mahovik.verify.files import write_all
 
@@ -31,6 +31,7 @@ def new(name: str | None, output: str | None, listed: bool) -> None:
     stem = target.name.removesuffix(".toml")
     files = {target.name: source}
     files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
+    files |= {f"{stem}.servo.toml": servo for servo in stands.servos(name)}
     for each in files:
         if (target.parent / each).exists():
             raise UsageError(f"{target.parent / each}: is there already, nothing was written")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.arguments import given, load_stand, stand_argument
 from mahovik.cli.group import INTERRUPTED
 from mahovik.errors import CheckError, UsageError
 
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 @click.command()
 @stand_argument
-@click.option("--until", metavar="S", type=float, required=True, help="Duration, s.")
-@click.option("-o", "output", metavar="FILE.csv|FILE.parquet", type=click.Path(), required=True, help="Columns.")
+@click.option("--until", metavar="S", type=float, help="Duration, s.")
+@click.option("-o", "output", metavar="FILE.csv|FILE.parquet", type=click.Path(), help="Columns.")
 @click.option("--regime", metavar="FILE", type=click.Path(), help="What drives the flywheels; default: none turns.")
 @click.option("--start", metavar="STATE.json", type=click.Path(), help="Default: the static equilibrium.")
 @click.option("--dt", metavar="S", type=float, default=1e-4, show_default=True, help="Longest step, s.")
@@ -38,10 +38,30 @@ if TYPE_CHECKING:
     help="c: the generated C; scipy: the literal reference, adaptive, slow.",
 )
 @click.option("--mounts", is_flag=True, help="Write the wrench of the mount on each flywheel as well.")
+@click.option("--programme", metavar="P.json", type=click.Path(), help="Followed by servos, in place of a regime.")
+@click.option("--motion", metavar="M.json", type=click.Path(), help="Of --programme: what the carrier shall do.")
+@click.option("--servo", metavar="S.toml", type=click.Path(), help="Of --programme: the servos of the flywheels.")
+@click.option(
+    "--mismatch", metavar="PERCENT", default="0%", show_default=True, help="Of --programme: errors of the stand."
+)
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of --mismatch.")
+@click.option("--periods", type=click.IntRange(1), help="Of --programme; default: until it has settled.")
+@click.option(
+    "--begin",
+    type=click.Choice(["settled", "programme", "rest"]),
+    default="settled",
+    show_default=True,
+    help="Of --programme: in the stand's own periodic motion, in the required state, or at rest with the run-up.",
+)
+@click.option(
+    "--table", metavar="NODES|exact", default="128", show_default=True, help="Of --programme: as firmware has it."
+)
+@click.option("--causes/--no-causes", default=True, help="Of --programme: say what limits it, in further runs.")
+@click.option("--json", "as_json", is_flag=True, help="Of --programme: the figures, machine-readable.")
 def simulate(
     stand_file: str,
-    until: float,
-    output: str,
+    until: float | None,
+    output: str | None,
     regime: str | None,
     start: str | None,
     dt: float,
@@ -49,12 +69,36 @@ def simulate(
     order: str,
     backend: str,
     mounts: bool,
+    programme: str | None,
+    motion: str | None,
+    servo: str | None,
+    mismatch: str,
+    seed: int,
+    periods: int | None,
+    begin: str,
+    table: str,
+    causes: bool,
+    as_json: bool,
 ) -> None:
-    """Simulate a stand under a regime.
+    """Simulate a stand under a regime, or following a programme.
 
     Motion of the carrier, flywheels, torques and readings of every point, in columns with units. Ctrl-C keeps
     what is computed so far.
+
+    With --programme, --motion and --servo the flywheels are driven by sampled servos, on a stand whose numbers are
+    wrong by --mismatch: how well the carrier follows, and what limits it.
     """
+    _only(programme is not None)
+    if programme is not None:
+        from mahovik.cli.follow import follow
+
+        follow(
+            stand_file, programme, motion, servo, mismatch, seed, periods, begin, table, backend, output, as_json,
+            causes, _progress,
+        )  # fmt: skip
+        return
+    if until is None or output is None:
+        raise click.UsageError(f"Missing option '{'--until' if until is None else '-o'}'.")
     stand = load_stand(stand_file)
     from mahovik.simulate import Case
     from mahovik.simulate import simulate as run
@@ -71,6 +115,16 @@ def simulate(
     _report(found)
 
 
+def _only(follows: bool) -> None:
+    """Raises UsageError where an option was given that goes with the other way of running."""
+    of_regime = ("until", "regime", "start", "dt", "every", "order", "mounts")
+    of_programme = ("motion", "servo", "mismatch", "seed", "periods", "begin", "table", "causes", "as_json")
+    for name in of_regime if follows else of_programme:
+        if given(name):
+            option = "--json" if name == "as_json" else f"--{name}"
+            raise UsageError(f"{option}: goes {'without' if follows else 'with'} --programme")
+
+
 def _beginning(stand: Stand, regime: str | None, start: str | None, until: float) -> tuple[Regime, State]:
     """The regime, and the state to begin with. Raises RegimeError, UsageError, CheckError."""
     import math
@@ -81,10 +135,10 @@ def _beginning(stand: Stand, regime: str | None, start: str | None, until: float
 
     if not (math.isfinite(until) and until > 0.0):
         raise UsageError(f"--until {until:g}: expected a time above 0, in s")
-    given = load(Path(start), stand) if start is not None else None
+    first = load(Path(start), stand) if start is not None else None
     chosen = motion.load(regime, stand, until) if regime is not None else None
-    if given is not None:
-        return chosen or motion.steady(stand, given.phi_dot), given
+    if first is not None:
+        return chosen or motion.steady(stand, first.phi_dot), first
     chosen = chosen or motion.steady(stand, [0.0] * len(stand.flywheels))
     try:
         return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state

@@ -25,3 +25,9 @@ def motions(name: str) -> tuple[Path, ...]:
     """The motion files that belong to an example (NAME.motion.json, NAME_*.motion.json), sorted."""
     path(name)
     return tuple(sorted([*_FOLDER.glob(f"{name}.motion.json"), *_FOLDER.glob(f"{name}_*.motion.json")]))
+
+
+def servos(name: str) -> tuple[Path, ...]:
+    """The servo files that belong to an example: one, or none."""
+    path(name)
+    return tuple(_FOLDER.glob(f"servos/{name}.toml"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,9 @@ from mahovik.errors import ToolchainError
 from mahovik.program.function import Argument, Function
 from mahovik.program.types import Kind, Struct
 from mahovik.toolchain.compiler import build_fast, build_shared, preprocess
+
+_SIZE_CHECK = re.compile(r"typedef char \w+\[\(sizeof[^;]*;")
+"""Arrays that have a size only where two headers fit: a matter of the compiler, which has seen them."""
 
 _PATTERN = b"\xa5"
 """What results hold before a call that must not write them; no number that a stand has is made of it."""
@@ -30,7 +34,8 @@ class Library:
         self._ffi = cffi.FFI()
         try:
             # cffi reaches variables only: it takes a `const` object for a constant of the compiler.
-            self._ffi.cdef(preprocess(header).replace("extern const ", "extern "))
+            text = _SIZE_CHECK.sub("", preprocess(header))
+            self._ffi.cdef(text.replace("extern const ", "extern "))
             self._library = self._ffi.dlopen(str(target))
         except (cffi.CDefError, OSError) as error:
             raise ToolchainError(f"{header.name} cannot be read as declarations: {error}") from error

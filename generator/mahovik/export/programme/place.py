@@ -34,12 +34,25 @@ def element_type(folder: Path, stand: Stand, real: str | None) -> str:
 
 
 def write_programme(folder: Path, stand: Stand, files: Mapping[str, str]) -> tuple[Path, ...]:
-    """Writes the files, all or none. Raises UsageError where one would be lost that we have not written.
+    """Writes the files of a programme, all or none. Raises UsageError where one would be lost that is not ours."""
+    refuse_foreign(folder, stand, "programme", files)
+    return write_all(folder, files)
 
-    Ours is what the programme's own manifest lists with the hash that it still has.
+
+def write_servo(folder: Path, stand: Stand, programme: Mapping[str, str], servo: Mapping[str, str]) -> tuple[Path, ...]:
+    """Likewise the files of a programme and of its servo, all of both or none. Raises UsageError."""
+    refuse_foreign(folder, stand, "programme", programme)
+    refuse_foreign(folder, stand, "servo", servo)
+    return write_all(folder, {**programme, **servo})
+
+
+def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, str]) -> None:
+    """Raises UsageError where one of the files would take the place of one that we have not written.
+
+    Ours is what the own manifest of the programme or servo, `what`, lists with the hash that it still has.
     """
-    manifest = f"{stand.name}_programme.json"
-    listed = _listed(folder / manifest)
+    manifest = f"{stand.name}_{what}.json"
+    listed = _listed(folder / manifest, what)
     for name, text in files.items():
         path = folder / name
         if not path.is_file() or path.read_bytes() == text.encode("utf-8"):
@@ -49,16 +62,15 @@ def write_programme(folder: Path, stand: Stand, files: Mapping[str, str]) -> tup
         if listed is None or listed.get(name) != digest(path.read_bytes()):
             why = "was changed by hand" if listed is not None and name in listed else "was not written by mahovik"
             raise UsageError(f"{path}: {why}: move it away or choose another folder, nothing was written")
-    return write_all(folder, files)
 
 
-def _listed(path: Path) -> dict[str, str] | None:
-    """Hashes by name of the manifest of an older programme; None where there is none of ours."""
+def _listed(path: Path, what: str) -> dict[str, str] | None:
+    """Hashes by name of the manifest of an older programme or servo; None where there is none of ours."""
     if not path.is_file():
         return None
     try:
         found = json.loads(path.read_bytes())
-        if str(found["generator"]).startswith("mahovik ") and isinstance(found["programme"], str):
+        if str(found["generator"]).startswith("mahovik ") and isinstance(found[what], str):
             return {str(name): str(value) for name, value in found["files"].items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         pass

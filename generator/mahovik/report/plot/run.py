@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.errors import UsageError
+from mahovik.report.plot import following
 from mahovik.report.plot.panel import Array, Line, Panel
 
 SUFFIXES = (".csv", ".parquet")
@@ -53,11 +54,18 @@ def _parquet(path: Path) -> dict[str, Array]:
 
 
 def panels(columns: Mapping[str, Array]) -> list[Panel]:
-    """What there is of: place of O1, turn of the carrier, speeds and torques of the flywheels, margins of motors."""
+    """What there is of: place of O1, turn of the carrier, speeds and torques of the flywheels, margins of motors.
+
+    Of a run that follows a programme: what is required beside what is achieved, and the error.
+    """
     t = columns["t [s]"]
+    if following.follows(columns):
+        carrier = following.panels(columns)
+    else:
+        place = _group("O1, mm, from the start", t, columns, [f"{a} [m]" for a in "xyz"], 1e3, from_start=True)
+        carrier = [place, _turn(t, columns)]
     found = [
-        _group("O1, mm, from the start", t, columns, [f"{a} [m]" for a in "xyz"], 1e3, from_start=True),
-        _turn(t, columns),
+        *carrier,
         _group("carrier, rad/s", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
         *(_flywheels(quantity, t, columns, kind, unit) for quantity, kind, unit in _WHEELS),
     ]

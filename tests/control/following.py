@@ -1,0 +1,58 @@
+"""shaker2 with its programme of constant speeds, servos at 2 kHz, and closed loops of it."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from mahovik.control.loop import Case, close_loop
+from mahovik.control.mismatch import mismatched
+from mahovik.control.record import Record
+from mahovik.control.trim import TrimDesign, design_trim
+from mahovik.control.wanted import Wanted
+from mahovik.motion.servo import Servo, read_servo
+from verify.programme.programmes import shaker
+
+SERVO = """
+schema = 1
+sample_period = "0.5 ms"
+latency = "100 us"
+bandwidth = "40 Hz"
+"""
+TRIM = """
+[trim]
+harmonics = 2
+gain = 0.8
+coordinates = ["z"]
+settling = 10
+averaging = 10
+"""
+
+ROUNDS = 6
+
+
+def wanted(rows: int | None = 64) -> Wanted:
+    """With a table of so many rows."""
+    return Wanted.of(*shaker(), rows)
+
+
+def servo(trim: bool = False, text: str = SERVO) -> Servo:
+    """With a trim by the heave alone."""
+    return read_servo(text + TRIM * trim, shaker()[0])
+
+
+@cache
+def design() -> TrimDesign:
+    """Of that trim."""
+    own = servo(trim=True)
+    assert own.trim is not None
+    stand, motion, programme = shaker()
+    return design_trim(stand, motion, programme, own.trim)
+
+
+@cache
+def run(share: float, trim: bool) -> Record:
+    """Seed 2, from the settled motion; with a trim after ROUNDS corrections."""
+    own = servo(trim)
+    periods = ROUNDS * 21 + 10 if trim else 12
+    real = mismatched(shaker()[0], share, 2)
+    return close_loop(Case(wanted(), real, own, periods, design() if trim else None))

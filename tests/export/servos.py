@@ -1,0 +1,45 @@
+"""Servos for the programmes made by hand, and their C: written, compiled, run."""
+
+from __future__ import annotations
+
+import subprocess
+from functools import cache
+from pathlib import Path
+
+from export.programmes import motion, spin, stand, stand_files, started, swaying
+from mahovik.export.servo import ExportedServo, export_servo
+from mahovik.motion.servo import Servo, read_servo
+from toolchain.tools import compile_c
+
+HEAD = 'schema = 1\nname = "follow"\nsample_period = "0.5 ms"\nbandwidth = "60 Hz"\nlatency = "700 us"\n'
+TRIM = 'integral = "4 Hz"\n[trim]\ncoordinates = ["z"]\nharmonics = 1\nsettling = 40\ngain = 0.3\n'
+
+
+def servo(text: str = "") -> Servo:
+    """At 2 kHz, with a delay of more than a sample."""
+    return read_servo(HEAD + text, stand())
+
+
+@cache
+def exported(name: str, real: str = "double") -> ExportedServo:
+    """`spin` with its motion, `trimmed` with a trim as well; `swaying`, `started` of no motion, without feedforward."""
+    if name in ("spin", "trimmed"):
+        return export_servo(stand(), spin(), motion(), servo(TRIM if name == "trimmed" else ""), real)
+    given = {"swaying": swaying, "started": started}[name]()
+    return export_servo(stand(), given, None, servo("feedforward = false\n"), real)
+
+
+def written(made: ExportedServo, folder: Path, real: str = "double") -> Path:
+    """Servo, programme and stand in a folder; returns the servo's source."""
+    for name, text in {**stand_files(real), **made.programme.files, **made.servo}.items():
+        (folder / name).write_text(text, encoding="ascii")
+    return folder / "shaker2_servo.c"
+
+
+def self_tested(source: Path, compiler: str = "gcc", *flags: str) -> list[str]:
+    """Lines of the self-test, compiled with the strict warnings."""
+    program = source.parent / "servo_test"
+    compile_c(compiler, source, *(flags or ("-O1",)), source.parent / "shaker2_servo_test.c", "-o", program)
+    done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == (0 if done.stdout.endswith("failures 0\n") else 1)
+    return done.stdout.splitlines()

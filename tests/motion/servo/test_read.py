@@ -1,0 +1,101 @@
+"""Servo files: what is read, in which units; every bad input one line, all of a file together."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from mahovik import stands
+from mahovik.errors import ServoError
+from mahovik.motion.servo import Servo, Trim, load_servo, read_servo
+from mahovik.motion.servo.read import TRIM_KEYS
+from mahovik.stand import load
+
+SHAKER, SAT4, REMUS = (load(stands.path(name)) for name in ("shaker2", "sat4", "remus6"))
+LEAST = 'schema = 1\nsample_period = "1 ms"\nbandwidth = "50 Hz"\n'
+INF = (math.inf, math.inf)
+
+
+def problems(text: str, stand=SHAKER) -> list[str]:
+    with pytest.raises(ServoError) as caught:
+        read_servo(text, stand, "s.toml")
+    assert all(line.startswith("s.toml: ") and "\n" not in line for line in caught.value.problems)
+    return [line.removeprefix("s.toml: ") for line in caught.value.problems]
+
+
+def test_what_is_left_out() -> None:
+    expected = Servo("servo", 1e-3, 0.0, 100 * math.pi, 0.8, None, None, True, True, INF, INF, "ideal", None)
+    assert read_servo(LEAST, SHAKER) == expected
+
+
+def test_all_of_it_in_si() -> None:
+    text = LEAST.replace('"50 Hz"', '"3000 rpm"') + (
+        'name = "fast"\nlatency = "100 us"\ndamping_ratio = 0.7\nintegral = "5 Hz"\nspeed_filter = "200 Hz"\n'
+        'feedforward = false\nfriction = false\ntorque_limit = ["20 mN m", 3]\ntorque_rate = "1 N m/ms"\n'
+        '[trim]\nharmonics = 3\ngain = 0.4\ncoordinates = ["theta", "x"]\nsettling = 7\naveraging = 2\n'
+        'limit = "10 deg"\n'
+    )
+    found = read_servo(text, SHAKER)
+    trim = Trim(3, 0.4, (0, 4), 7, 2, math.radians(10))
+    assert found.bandwidth == pytest.approx(100 * math.pi, rel=1e-15)
+    assert (found.name, found.latency, found.damping_ratio) == ("fast", 1e-4, 0.7)
+    assert (found.integral, found.speed_filter) == (10 * math.pi, 400 * math.pi)
+    assert (found.feedforward, found.friction, found.trim) == (False, False, trim)
+    assert (found.torque_limit, found.torque_rate) == ((0.02, 3.0), (1000.0, 1000.0))
+
+
+def test_limits_are_those_of_the_motors_and_encoders_those_of_the_stand() -> None:
+    found = read_servo(LEAST + 'encoder = "stand"\n', SAT4)
+    assert found.torque_limit == (0.2,) * 4
+    assert found.encoder == "stand"
+    assert problems(LEAST + 'encoder = "stand"\n') == ['encoder: "stand", but the stand file has none for left, right']
+
+
+def test_the_servos_of_the_examples_are_good() -> None:
+    for name in stands.names():
+        for path in stands.servos(name):
+            assert load_servo(path, load(stands.path(name))).period > 0
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ('sample_perod = "1 ms"', 'unknown key "sample_perod", did you mean "sample_period"?'),
+        ('latency = "-1 us"', "latency: -1e-06 s is negative"),
+        ("latency = 1", "latency: 1 s is more than 16 sample periods of 0.001 s"),
+        ('integral = "60 Hz"', "integral: 376.991 rad/s is above the bandwidth, 314.159 rad/s"),
+        ("integral = 4", 'integral: expected a frequency with its unit, such as "40 Hz"'),
+        ('integral = "4 kg"', 'integral: unit "kg" does not fit, expected a frequency (Hz)'),
+        ("damping_ratio = 0", "damping_ratio: 0: expected above 0, at most 5"),
+        ("torque_limit = [1]", "torque_limit: expected 2 numbers, found 1"),
+        ("torque_limit = -1", "torque_limit: -1 N m: expected above 0, at most 1e+09"),
+        ("feedforward = 1", "feedforward: expected true or false, found 1"),
+        ('encoder = "stnd"', 'encoder: unknown "stnd", did you mean "stand"?'),
+        ("trim = true", f"trim: expected a table with {', '.join(TRIM_KEYS)}, or false, found true"),
+        ("trim = { harmonics = 99 }", "trim, harmonics: 99: expected 1 to 16"),
+        ("trim = { gain = 2 }", "trim, gain: 2: expected above 0, at most 1"),
+        ('trim = { coordinates = ["psy"] }', 'trim, coordinates: unknown "psy", did you mean "psi"?'),
+        ('trim = { coordinates = ["x", "x"] }', 'trim, coordinates: "x" is there twice'),
+        ("trim = { limit = 0 }", "trim, limit: 0 rad is not above 0"),
+    ],
+)  # fmt: skip
+def test_one_line_a_problem(text: str, reason: str) -> None:
+    assert problems(f"{LEAST}{text}\n") == [reason]
+
+
+def test_all_problems_together_and_what_is_no_servo() -> None:
+    assert problems("schema = 1\nlatency = 1\ndamping_ratio = -1\n") == [
+        "sample_period: required, but missing",
+        "bandwidth: required, but missing",
+        "damping_ratio: -1: expected above 0, at most 5",
+    ]
+    assert problems("schema = 2\n") == ["schema: expected 1, found 2"]
+    assert problems("sample_period = 1\n") == ["schema: required, but missing"]
+    assert problems("schema = \n")[0].startswith("not TOML: ")
+
+
+def test_a_file_that_is_not_there(tmp_path: Path) -> None:
+    with pytest.raises(ServoError, match="no such file"):
+        load_servo(tmp_path / "s.toml", SHAKER)
