@@ -43,6 +43,7 @@ help:
 	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/planning-ocp.md; minutes"
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/linear.md, docs/response.md"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
+	@echo "make quiet-campaign  how much quieter quiet makes sat4 and random satellites: docs/quiet.md; minutes"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
@@ -170,6 +171,8 @@ programme-picture: setup
 
 design-campaign: setup
 	$(BIN)/python tools/design_campaign.py --write
+quiet-campaign: setup
+	$(BIN)/python tools/quiet_campaign.py --stands 4 --jobs 2 --write
 
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write

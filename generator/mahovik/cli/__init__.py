@@ -26,6 +26,7 @@ from mahovik.cli.modes import modes
 from mahovik.cli.new import new
 from mahovik.cli.plan import plan
 from mahovik.cli.plot import plot
+from mahovik.cli.quiet import quiet
 from mahovik.cli.replay import replay
 from mahovik.cli.response import response
 from mahovik.cli.rest import rest
@@ -37,7 +38,7 @@ SECTIONS = {
     "A stand": (new, check, derive, rest),
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion in time": (evaluate, simulate, replay),
-    "Vibration": (modes, linearize, response),
+    "Vibration": (modes, linearize, response, quiet),
     "Programmes of the flywheels": (plan, design, verify_programme),
     "Around it": (plot, export, doctor),
 }
