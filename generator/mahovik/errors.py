@@ -17,52 +17,36 @@ class MahovikError(Exception):
         return printable(super().__str__())
 
 
-class StandError(MahovikError):
-    """A stand file was refused. `problems` holds one line each, all that were found, in the file's order."""
+class FileError(MahovikError):
+    """A file was refused. `problems` holds one line each, all that were found, in the file's order."""
 
     def __init__(self, problems: Sequence[str]) -> None:
         self.problems = tuple(problems)
         super().__init__("\n".join(self.problems))
 
 
-class RegimeError(MahovikError):
-    """A regime file was refused. `problems` holds one line each, all that were found."""
-
-    def __init__(self, problems: Sequence[str]) -> None:
-        self.problems = tuple(problems)
-        super().__init__("\n".join(self.problems))
+class StandError(FileError):
+    """A stand file was refused."""
 
 
-class MotionError(MahovikError):
-    """A motion file was refused. `problems` holds one line each, all that were found."""
-
-    def __init__(self, problems: Sequence[str]) -> None:
-        self.problems = tuple(problems)
-        super().__init__("\n".join(self.problems))
+class RegimeError(FileError):
+    """A regime file was refused."""
 
 
-class ProgrammeError(MahovikError):
-    """A programme file was refused. `problems` holds one line each, all that were found."""
-
-    def __init__(self, problems: Sequence[str]) -> None:
-        self.problems = tuple(problems)
-        super().__init__("\n".join(self.problems))
+class MotionError(FileError):
+    """A motion file was refused."""
 
 
-class DesignError(MahovikError):
-    """A file of what is free was refused, or what it asks contradicts itself. `problems` holds one line each."""
-
-    def __init__(self, problems: Sequence[str]) -> None:
-        self.problems = tuple(problems)
-        super().__init__("\n".join(self.problems))
+class ProgrammeError(FileError):
+    """A programme file was refused."""
 
 
-class ServoError(MahovikError):
-    """A servo file was refused. `problems` holds one line each, all that were found."""
+class DesignError(FileError):
+    """A file of what is free was refused, or what it asks contradicts itself."""
 
-    def __init__(self, problems: Sequence[str]) -> None:
-        self.problems = tuple(problems)
-        super().__init__("\n".join(self.problems))
+
+class ServoError(FileError):
+    """A servo file was refused."""
 
 
 class StateError(MahovikError):

@@ -229,11 +229,11 @@ def moved(state: State, C: Array, step: Array) -> State:
     return replace(state, position=cast(Vec3, _tuple(position)), quaternion=cast(Quaternion, _tuple(unit)))
 
 
-def reduced(rows: Array) -> Array:
-    """Another basis of the same space: each vector has a component 1 where the others have 0, shifts first."""
+def reduced(rows: Array, digits: int = 6) -> Array:
+    """Another basis of the same space: each vector has a component 1 where the others have 0, the first ones first."""
     rows = rows.copy()
     done = 0
-    for column in range(6):
+    for column in range(rows.shape[1]):
         if done == len(rows):
             break
         pivot = done + int(np.argmax(np.abs(rows[done:, column])))
@@ -244,7 +244,7 @@ def reduced(rows: Array) -> Array:
         others = [i for i in range(len(rows)) if i != done]
         rows[others] -= rows[others, column][:, None] * rows[done]
         done += 1
-    return np.asarray(np.round(rows, 6) + 0.0)
+    return np.asarray(np.round(rows, digits) + 0.0)
 
 
 def unit(twist: Array) -> Array:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from mahovik.study.linear.channels import Channel
 from mahovik.study.linear.model import LinearModel
+from mahovik.study.rest import reduced
 
 Array = NDArray[np.float64]
 
@@ -105,22 +106,4 @@ def _still(A: Array, places: list[int]) -> list[Array]:
     """Displacements (a basis) that nothing brings back: A x = 0 with no speed in x."""
     _, sizes, rows = np.linalg.svd(A[:, places])
     kept = sizes > max(STIFF * float(sizes.max(initial=0.0)), SLOWEST**2)
-    return list(_reduced(rows[int(kept.sum()) :]))
-
-
-def _reduced(rows: Array) -> Array:
-    """Another basis of the same space: each row has a component 1 where the others have 0; 12 digits."""
-    rows = rows.copy()
-    done = 0
-    for column in range(rows.shape[1]):
-        if done == len(rows):
-            break
-        pivot = done + int(np.argmax(np.abs(rows[done:, column])))
-        if abs(rows[pivot, column]) <= 1e-6:
-            continue
-        rows[[done, pivot]] = rows[[pivot, done]]
-        rows[done] /= rows[done, column]
-        others = [i for i in range(len(rows)) if i != done]
-        rows[others] -= rows[others, column][:, None] * rows[done]
-        done += 1
-    return np.asarray(np.round(rows, 12) + 0.0)
+    return list(reduced(rows[int(kept.sum()) :]))
