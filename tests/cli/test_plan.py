@@ -53,6 +53,8 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
         (("--winding", "1,2"), "2 numbers, but the stand has 3 flywheels"),
         (("--winding", "turn"), "expected any, spin, rock or 3 whole numbers"),
         (("-o", "nowhere/p.json"), "there is no folder 'nowhere' to write to"),
+        (("-o", "."), ".: is a folder; expected the name of a file"),
+        (("-o", "n" * 300), "File name too long"),
         (("--time", "0"), "--time"),
         (("--keep", "0"), "--keep"),
         (("--method", "ocp-partition"), "(13) needs six"),
@@ -68,3 +70,22 @@ def test_options_that_mean_nothing(options: tuple[str, ...], words: str) -> None
 def test_a_motion_of_other_flywheels_is_refused(tmp_path: Path) -> None:
     """The winding of three for eight."""
     assert "winding" in refused("plan", BENCH8, "--motion", TURN, "-o", str(tmp_path / "p.json"))
+
+
+@pytest.mark.parametrize("winding", ["spin", "1,1,1"])
+def test_a_winding_goes_with_a_periodic_motion(tmp_path: Path, winding: str) -> None:
+    """A finite one has none: not a policy, either."""
+    times = [k / 40 for k in range(41)]
+    turn = [[0.0, 0.0, 0.0, x**4 * (35 - 84 * x + 70 * x**2 - 20 * x**3), 0.0, 0.0] for x in times]
+    finite = {"schema": 1, "type": "finite", "duration": 1, "samples": {"t": times, "q": turn}}
+    path = tmp_path / "m.json"
+    path.write_text(json.dumps(finite), encoding="utf-8")
+    line = refused("plan", DEMO3, "--motion", str(path), "-o", str(tmp_path / "p.json"), "--winding", winding)
+    assert "--winding goes with a periodic motion; this one is finite" in line
+
+
+def test_a_winding_that_the_bounds_exclude_is_refused(tmp_path: Path) -> None:
+    """As in the motion file: the mean speed is above what is allowed."""
+    motion = changed(tmp_path, TURN, winding="any", bounds={"speed": 20})
+    line = refused("plan", DEMO3, "--motion", motion, "-o", str(tmp_path / "p.json"), "--winding", "3,-4,2")
+    assert "winding 3,-4,2: bounds, speed[1]: 20 rad/s is below the mean speed of winding -4, 25.1327 rad/s" in line

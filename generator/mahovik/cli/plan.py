@@ -60,21 +60,19 @@ def plan(
     Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
     stand = load_stand(stand_file)
-    from mahovik.motion.programme import save_programme
+    from mahovik.motion.programme import check_writable, save_programme
     from mahovik.motion.required import load_motion
     from mahovik.plan import Wishes, plan_motion
 
     motion = load_motion(Path(motion_file), stand)
     chosen = _winding(winding, len(stand.flywheels), motion.periodic)
-    folder = Path(output).absolute().parent
-    if not folder.is_dir():
-        raise UsageError(f"{output}: there is no folder {folder.name!r} to write to")
     paths = [
         Path(output).with_suffix(f".{k}{Path(output).suffix}") if k > 1 else Path(output) for k in range(1, keep + 1)
     ]
     for path in paths:
         if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
             raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
+        check_writable(path)
     with _progress() as tell:
         six = None if partition is None else tuple(partition.split(","))
         wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
@@ -91,6 +89,8 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
     """The option's value. Raises UsageError."""
     if given is None:
         return None
+    if not periodic:
+        raise UsageError("--winding goes with a periodic motion; this one is finite")
     if given in {"any", "spin", "rock"}:
         return cast("Winding", given)
     try:
@@ -99,8 +99,6 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
         raise UsageError(f"--winding {given}: expected any, spin, rock or {N} whole numbers, as 1,-1,0") from None
     if len(turns) != N:
         raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
-    if not periodic:
-        raise UsageError("--winding goes with a periodic motion; this one is finite")
     return turns
 
 

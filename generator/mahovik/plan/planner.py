@@ -10,7 +10,7 @@ import numpy as np
 
 from mahovik.errors import StateError
 from mahovik.motion.programme import Fourier, Programme
-from mahovik.motion.required import RequiredMotion
+from mahovik.motion.required import RequiredMotion, with_winding
 from mahovik.plan.bounds import bounded
 from mahovik.plan.budget import Budget
 from mahovik.plan.certificate import certified, programme_of, without_refused_tables, wrong_items
@@ -31,12 +31,13 @@ from mahovik.stand.model import Stand
 def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
     """A programme that makes the carrier of `stand` do `motion`, (12)-(13), or why there is none.
 
-    Ctrl-C while it searches gives the best so far. UsageError: the method means nothing on this stand.
+    Ctrl-C while it searches gives the best so far. UsageError: the method means nothing on this stand. MotionError: the
+    bounds exclude the winding that is wished.
     """
     asked = wishes or Wishes()
     plus = plus_asked(stand, asked)
     if asked.winding is not None:
-        motion = replace(motion, winding=asked.winding)
+        motion = with_winding(motion, asked.winding)
     whole = Budget(0, asked.seconds)
     with_tables = motion.runup is not None and motion.periodic
     asked = replace(asked, seconds=whole.left(SEARCH if with_tables else 1.0))

@@ -140,6 +140,7 @@ def test_units_bounds_and_weights() -> None:
             "a frequency is not one: write rpm or rad/s",
         ),
         ({"bounds": {"torque": [1]}}, "m.json: bounds, torque: expected 2 numbers, found 1"),
+        ({"bounds": {"speed": -1}}, "m.json: bounds, speed: -1 is not above 0: a bound is a magnitude"),
         ({"bounds": {"acceleration": -1}}, "m.json: bounds, acceleration: -1 is not above 0: a bound is a magnitude"),
         ({"bounds": {"bias": 1}}, "m.json: bounds, bias: expected 6 numbers (m, rad), found 1"),
         ({"bounds": {"start": {}}}, 'm.json: bounds, start: goes not with type "periodic", which begins where it ends'),

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
+from mahovik.errors import MotionError
 from mahovik.motion.document import Section
-from mahovik.motion.required.model import Bounds, Each, Objective, Winding
+from mahovik.motion.required.model import Bounds, Each, Objective, RequiredMotion, Winding
 from mahovik.stand.model import Stand
+from mahovik.stand.problems import Problems
 from mahovik.stand.units import ANGLE, LENGTH, PLAIN, SPEED, TORQUE, Dimension, QuantityError, number, show
 
 ANGULAR_ACCELERATION = Dimension("an angular acceleration", "rad/s^2")
@@ -86,6 +89,8 @@ def contradictions(top: Section, given: Bounds, winding: Winding, period: float 
     for s in range(N):
         most = given.speed[s] if given.speed else math.inf
         least = given.speed_min[s] if given.speed_min else 0.0
+        if most <= 0.0:  # noted already
+            continue
         if least > most:
             refuse("speed_min", f"[{s}]: {least:g} rad/s is above speed, {most:g} rad/s")
             continue
@@ -102,6 +107,16 @@ def contradictions(top: Section, given: Bounds, winding: Winding, period: float 
             refuse("speed_min", f"[{s}]: {least:g} rad/s, but with winding 0 a flywheel turns back")
         elif mean < least and winding != "spin":  # which may be more than a turn a period
             refuse("speed_min", f"[{s}]: {least:g} rad/s is above the mean speed of winding {n}, {mean:.6g} rad/s")
+
+
+def with_winding(motion: RequiredMotion, winding: Winding) -> RequiredMotion:
+    """The motion with another winding than its file's. Raises MotionError: the bounds exclude it."""
+    shown = winding if isinstance(winding, str) else ",".join(str(n) for n in winding)
+    problems = Problems(f"{motion.name}, winding {shown}")
+    contradictions(Section(problems, {}), motion.bounds, winding, motion.span if motion.periodic else None)
+    if problems.lines:
+        raise MotionError(problems.lines)
+    return replace(motion, winding=winding)
 
 
 def _each(section: Section, key: str, N: int, dimension: Dimension) -> Each:
