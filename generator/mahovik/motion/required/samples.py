@@ -103,6 +103,6 @@ def _rest(given: Sampled) -> tuple[str, str] | None:
             if share[column] > MOVING:
                 return "q", (
                     f"component {column}: {words} at the {at} is {100 * share[column]:.0f} % of the greatest; "
-                    "a finite motion starts and ends at rest, q' = q'' = 0"
+                    "a finite motion starts and ends at rest, q' = q'' = 0; if it does, more samples will show it"
                 )
     return None

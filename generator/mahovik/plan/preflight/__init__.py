@@ -26,6 +26,8 @@ def preflight(problem: Problem) -> Preflight:
     found = Preflight(np.zeros(6))
     pose = mean_pose(problem)
     found.bias = pose.bias
+    if problem.kinked:
+        found.warnings.append(f"damping by |V| has kinks: a relative residual to {problem.tolerance:g} is accepted")
     if motion.periodic:
         check_mean_wrench(problem, pose, found)
     at = prescribe(problem.mechanics, course, found.bias)

@@ -118,6 +118,8 @@ def _held(problem: Problem) -> str:
 _NONE = np.zeros(3)
 _TILTED = 0.1
 """rad: a mean tilt beyond this is worth a warning."""
+_TELLING = 1e-3
+"""rad: and what is beyond this is named in it."""
 
 
 def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> None:
@@ -146,8 +148,7 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
             f"unbalanced flywheels give at most {able:.3g} N m; "
             f"{_held(problem) or 'a suspension that is stiff in rotation would help'}",
         )
-    tilt = float(np.abs(pose.bias[3:]).max())
-    if tilt > _TILTED:
-        found.warnings.append(
-            f"the mean pose is tilted by {tilt:.3g} rad to carry the mean wrench: {np.round(pose.bias, 4).tolist()}"
-        )
+    tilts = dict(zip(("psi", "theta", "phi"), pose.bias[3:].tolist(), strict=True))
+    if max(abs(x) for x in tilts.values()) > _TILTED:
+        words = ", ".join(f"{name} {x:.3g} rad" for name, x in tilts.items() if abs(x) > _TELLING)
+        found.warnings.append(f"the mean pose is tilted to carry the mean wrench: {words}")

@@ -43,4 +43,4 @@ def direction(u: Array) -> str:
     k = int(np.argmax(np.abs(u)))
     if abs(u[k]) > 0.999:
         return AXES[k]
-    return "(" + ", ".join(f"{x:.2f}" for x in u * np.sign(u[k])) + ")"
+    return "(" + ", ".join(f"{x:.2f}" for x in np.round(u * np.sign(u[k]), 2) + 0.0) + ")"
