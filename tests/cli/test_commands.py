@@ -73,6 +73,23 @@ def test_a_misspelt_option() -> None:
     assert "--sped" in refused("check", DEMO3, "--sped", "1")
 
 
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (("--nothing",), "--nothing"),
+        (("modes",), "Missing argument 'STAND.toml'; see main modes --help"),
+        (("modes", DEMO3, "--flywheels", "maybe"), "'maybe' is not one of 'locked', 'free'; see main modes --help"),
+        (("export", "servo", DEMO3), "Missing option '--programme'; see main export servo --help"),
+        (("export", "sevro", DEMO3), 'no such command "sevro", did you mean "servo"?; see main export --help'),
+    ],
+)
+def test_wrong_usage_is_one_line(given: tuple[str, ...], words: str) -> None:
+    said = refused(*given)
+    assert said.startswith("error: ")
+    assert words in said
+    assert said.count("\n") == 1
+
+
 def test_no_command_is_a_usage_error() -> None:
     assert run().exit_code == 2
 

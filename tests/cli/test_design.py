@@ -66,6 +66,8 @@ def test_nothing_found_says_what_was_tried(tmp_path: Path) -> None:
     assert result.exit_code == 1
     assert result.stdout == "NO_DESIGN\n"
     assert "cut by time" in result.stderr
+    assert "give it more time" in result.stderr
+    assert "inf" not in result.stderr
     assert not out.exists()
 
 
@@ -76,6 +78,7 @@ def test_nothing_found_says_what_was_tried(tmp_path: Path) -> None:
         (("--free", "none.toml"), "none.toml: no such file"),
         (("--free", "position", "-o", "out.json"), "expected a stand file, a name that ends in .toml"),
         (("--free", "position", "-o", "nowhere/out.toml"), "there is no folder 'nowhere' to write to"),
+        (("--free", "position", "-o", "/proc/out.toml"), "/proc/out.toml: cannot be written"),
         (("--free", "position", "-o", SHAKER2), "is read by this command"),
         (("--free", "position", "--time", "0"), "--time"),
         (("--free", "position", "--pareto", "1"), "--pareto"),

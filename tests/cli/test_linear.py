@@ -103,3 +103,15 @@ def test_an_unstable_pose_is_named(tmp_path: Path) -> None:
         state.write_text(run("rest", SHAKER2, "--json", *phases).stdout, encoding="utf-8")
         said = run("modes", SHAKER2, "--flywheels", "free", "--at", str(state)).stdout
         assert ("warning: unstable" in said) == unstable
+
+
+def test_a_moment_of_a_motion_is_not_called_unstable(tmp_path: Path) -> None:
+    """Unbalance that turns shakes the carrier: the eigenvalues of a moment do not tell stability."""
+    state = tmp_path / "state.json"
+    state.write_text('{"phi_dot": [314, 0, 0, 0]}', encoding="utf-8")
+    said = run("modes", SAT4, "--at", str(state)).stdout
+    assert "growth" in said
+    assert "of one moment" in said
+    assert "unstable" not in said
+    assert json.loads(run("modes", SAT4, "--at", str(state), "--json").stdout)["steady"] is False
+    assert json.loads(run("modes", SAT4, "--json").stdout)["steady"] is True

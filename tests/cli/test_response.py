@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -97,6 +98,21 @@ def test_refusals_are_one_line(given: tuple[str, ...], words: str) -> None:
     said = refused("response", BENCH8, *given)
     assert words in said
     assert len(said.splitlines()) == 1
+
+
+@pytest.mark.parametrize("lacking", ["place", "matplotlib"])
+def test_what_cannot_be_written_is_told_before_anything_is_computed(
+    lacking: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*given: object, **more: object) -> None:
+        pytest.fail("computed")
+
+    monkeypatch.setattr("mahovik.study.response.sweep.sweep", never)
+    if lacking == "matplotlib":
+        monkeypatch.setitem(sys.modules, "matplotlib", None)
+        assert "plot needs matplotlib: pip install" in refused("response", *SWEEP, "-o", "r.png")
+    else:
+        assert "/proc/r.csv: cannot be written" in refused("response", *SWEEP, "-o", "/proc/r.csv")
 
 
 def test_a_stand_without_rest_is_status_1() -> None:

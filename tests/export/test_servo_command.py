@@ -67,3 +67,15 @@ def test_bad_servo_files(arguments: list[str], tmp_path: Path) -> None:
     assert 'S.toml: unknown key "gain", did you mean' in refused(*arguments)
     (tmp_path / "S.toml").unlink()
     assert "S.toml: no such file" in refused(*arguments)
+
+
+def test_a_programme_of_another_stand_is_refused(arguments: list[str], tmp_path: Path) -> None:
+    """Before a trim is computed, in one line; whatever the number of flywheels."""
+    bench8 = str(stands.path("bench8").with_name("bench8.motion.json"))
+    for name, motion in (("bench8", bench8), ("shaker2", MOTION)):
+        stand = tmp_path / "other.toml"
+        stand.write_text(stands.path(name).read_text().replace("mass = 0.5", "mass = 0.6"))
+        said = refused("export", "servo", str(stand), *arguments[3:], "--motion", motion, status=1)
+        assert "P.json: programme of another stand" in said
+        assert said.count("\n") == 1
+    assert not (tmp_path / "D").exists()

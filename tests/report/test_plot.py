@@ -12,6 +12,7 @@ from mahovik import stands
 from mahovik.cli import main
 from mahovik.motion.programme import RunUpTable, Samples, save_programme
 from mahovik.motion.required.model import Bounds
+from mahovik.report.plot import response as orders
 from mahovik.report.plot import run
 from mahovik.report.plot.draw import draw
 from mahovik.report.plot.panel import Line, Panel
@@ -140,3 +141,21 @@ def test_many_flywheels_stay_apart() -> None:
     t = np.linspace(0.0, 1.0, 5)
     lines = tuple(Line(f"w{i}", t, t * i, i) for i in range(24))
     assert draw("many", [Panel("speed", lines)], ".svg").count(b"<path") > 24
+
+
+def test_a_tag_stands_at_the_end_of_its_line_and_is_not_in_the_legend() -> None:
+    """One line ends at the right edge, one at the top, one is nowhere in the frame."""
+    x = np.linspace(0.0, 1.0, 5)
+
+    def paths(tag: str, factor: float) -> int:
+        line = Line("", x, factor * x + (9.0 if factor > 9.0 else 0.0), tag=tag)
+        return draw("orders", [Panel("f", (line,), span=(0.0, 1.0), top=2.0)], ".svg").count(b"<use")
+
+    for factor in (1.0, 4.0):
+        assert paths("1 x w1", factor) > paths("", factor)
+    assert paths("1 x w1", 10.0) == paths("", 10.0)
+
+
+def test_long_names_of_orders_are_cut() -> None:
+    assert orders._short("1 x w1, w2, w3, w4 = 2 x w5, w6") == "1 x w1 .. w4 = 2 x w5, w6"
+    assert orders._first("2 x w1, w2 = 1 x w3") == "2 x w1"

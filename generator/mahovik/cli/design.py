@@ -50,10 +50,13 @@ def design(
     stand = load_stand(stand_file)
     from mahovik.design import Wishes, design_stand, freedom_of_keys, load_freedom
     from mahovik.motion.required import load_motion
+    from mahovik.verify.files import probe
 
     in_file = free.endswith(".toml")
     freedom = load_freedom(free, stand) if in_file else freedom_of_keys(free, stand)
     path, programme_path = _paths(output, (stand_file, motion_file, *((free,) if in_file else ())))
+    for each in (path, programme_path):
+        probe(each)
     with _progress() as tell:
         found = design_stand(
             stand,

@@ -30,6 +30,20 @@ def _formulas() -> Iterator[None]:
         leave_cache()
 
 
+@contextlib.contextmanager
+def _usage_in_a_line() -> Iterator[None]:
+    """Wrong options and arguments as one line, like all bad input: click takes four. Help where nothing was given."""
+    try:
+        yield
+    except click.exceptions.NoArgsIsHelpError:
+        raise
+    except click.UsageError as error:
+        what = " ".join(error.format_message().split()).rstrip(".")
+        see = "" if error.ctx is None else f"; see {error.ctx.command_path} --help"
+        click.echo(f"error: {what}{see}", err=True)
+        raise SystemExit(error.exit_code) from None
+
+
 class Commands(click.Group):
     """A group whose commands end in `error: ...` lines and an exit status; no traceback for a user's mistake."""
 
@@ -61,14 +75,15 @@ class Commands(click.Group):
     def make_context(self, *given: Any, **more: Any) -> click.Context:
         """As click's, which makes status 1 of Ctrl-C."""
         try:
-            return super().make_context(*given, **more)
+            with _usage_in_a_line():
+                return super().make_context(*given, **more)
         except KeyboardInterrupt:
             click.echo(INTERRUPTION, err=True)
             raise SystemExit(INTERRUPTED) from None
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            with _formulas():
+            with _formulas(), _usage_in_a_line():
                 return super().invoke(ctx)
         except MahovikError as error:
             for line in str(error).splitlines() or [type(error).__name__]:

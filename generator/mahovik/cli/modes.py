@@ -44,13 +44,15 @@ def modes(stand_file: str, at: str, flywheels: str, as_json: bool) -> None:
     from mahovik.study.linear import linear_model
     from mahovik.study.linear import modes as modes_of
 
-    found = modes_of(linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked"))
+    model = linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked")
+    found = modes_of(model)
     if as_json:
         from mahovik.study.linear.files import encode_lines
 
-        click.echo(encode_lines(_values(found, stand.name, at, flywheels)))
+        click.echo(encode_lines(_values(found, stand.name, at, flywheels) | {"steady": model.steady}))
         return
-    _print(found, f"{stand.name} at {'rest' if at == 'rest' else click.format_filename(at)}, flywheels {flywheels}")
+    title = f"{stand.name} at {'rest' if at == 'rest' else click.format_filename(at)}, flywheels {flywheels}"
+    _print(found, title, model.steady)
 
 
 def _values(found: Modes, name: str, at: str, flywheels: str) -> dict[str, Any]:
@@ -77,7 +79,7 @@ def _values(found: Modes, name: str, at: str, flywheels: str) -> dict[str, Any]:
     }
 
 
-def _print(found: Modes, title: str) -> None:
+def _print(found: Modes, title: str, steady: bool) -> None:
     out = console()
     rows = table("mode", "frequency, Hz>", "damping ratio>", "shape", title=title)
     for number, mode in enumerate(found.modes, start=1):
@@ -88,7 +90,11 @@ def _print(found: Modes, title: str) -> None:
     out.print(rows)
     if any(mode.kind == "free" for mode in found.modes):
         out.print("without a frequency: free, nothing brings the stand back")
-    if found.unstable:
+    if not steady:
+        out.print(
+            "of one moment: the carrier or a flywheel accelerates here, so growth and decay do not tell stability"
+        )
+    elif found.unstable:
         out.print("warning: unstable, a mode with negative damping grows", style="yellow")
 
 

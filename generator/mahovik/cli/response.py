@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from mahovik.study.response.asked import Asked
     from mahovik.study.response.sweep import Sweep
 
-SUFFIXES = (".json", ".csv", ".svg", ".png")
+PICTURES = (".svg", ".png")
+SUFFIXES = (".json", ".csv", *PICTURES)
 
 RPM = 9.549296585513721
 """Of 1 rad/s."""
@@ -78,6 +79,8 @@ def response(
     if asked.sweep is None and given("steps"):
         raise UsageError("--steps: no speed is swept, give a range as w1=0..6000rpm")
     limits, turned = None if band is None else read_band(band), read_phases(stand, phases)
+    if output is not None:
+        _check_place(Path(output))
     _warn(stand, asked)
     end = None if seconds is None else time.monotonic() + seconds
 
@@ -123,6 +126,17 @@ def _warn(stand: Stand, asked: Asked) -> None:
         if most is not None and fastest > most * (1 + 1e-9):
             text = f"{wheel.name} turns at up to {RPM * fastest:.6g} rpm, its motor at most at {RPM * most:.6g}"
             click.echo(f"warning: {text}", err=True)
+
+
+def _check_place(path: Path) -> None:
+    """Before anything is computed: can it be written, can it be drawn? Raises UsageError."""
+    from mahovik.verify.files import probe
+
+    if path.suffix in PICTURES:
+        from mahovik.report.plot.draw import require
+
+        require()
+    probe(path)
 
 
 def _write(found: Sweep, path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any
 
 from mahovik.design.binding import lifted, words
@@ -105,13 +106,14 @@ def _designed(found: Search, asked: Wishes, budget: Budget, effort: dict[str, An
 def nothing(found: Search, budget: Budget, effort: dict[str, Any]) -> Outcome:
     """What was tried, and what binds."""
     ended = "cut by time" if found.cut else "interrupted" if found.interrupted else "all starts tried"
-    tried = ", ".join(f"{N} flywheels: {residual:.2g}" for N, residual in found.tried.items())
-    first = (
-        f"no design was found, which is no proof that there is none: {found.starts} starts, {ended}; "
-        f"least relative residual with {tried}"
+    tried = ", ".join(f"{N} flywheels: {residual:.2g}" for N, residual in found.tried.items() if residual < inf)
+    first = f"no design was found, which is no proof that there is none: {found.starts} starts, {ended}" + (
+        f"; least relative residual with {tried}" if tried else ""
     )
-    if found.nearest is None:
-        more: tuple[str, ...] = ("no start came near: other windings (`speed`), another seed, more flywheels may help",)
+    if found.nearest is None and (found.cut or found.interrupted):
+        more: tuple[str, ...] = ("it ended before the first start had come to anything: give it more time",)
+    elif found.nearest is None:
+        more = ("no start came near: other windings (`speed`), another seed, more flywheels may help",)
     elif found.refused and found.best <= found.nearest[0].freedom.quality:
         more = tuple(dict.fromkeys(found.refused))[:3]
     else:

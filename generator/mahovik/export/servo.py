@@ -16,7 +16,7 @@ from mahovik.emit.generate import PRECISIONS
 from mahovik.emit.literal import real_literal
 from mahovik.emit.servo import ServoTables, servo_files
 from mahovik.errors import UsageError
-from mahovik.export.programme import Exported, export_programme
+from mahovik.export.programme import Exported, check_belongs, export_programme
 from mahovik.lower.layout import Layout
 from mahovik.lower.servo.form import ServoForm, TrimForm
 from mahovik.lower.servo.golden import golden
@@ -57,14 +57,15 @@ def export_servo(
 ) -> ExportedServo:
     """C of a programme and of the servos that follow it. `sources` name programme and servo in messages.
 
-    CheckError where the sampled loop is not stable with enough margin, or the programme is not good enough; UsageError
-    where torques or a trim are wanted without the motion.
+    CheckError where the sampled loop is not stable with enough margin, the programme is not good enough, or stand,
+    programme and motion do not belong together; UsageError where torques or a trim are wanted without the motion.
     """
     if motion is None and (servo.feedforward or servo.trim is not None):
         what = "feedforward" if servo.feedforward else "trim"
         raise UsageError(
             f"{sources[1]}: {what}: needs the motion of the programme: give --motion MOTION.json, or {what} = false"
         )
+    check_belongs(stand, programme, motion, sources[0])
     found = check(stand, servo, sources[1])
     ticks, periods = samples(servo, programme.span, sources[1])
     layout = Layout(structure(stand), PRECISIONS[real])

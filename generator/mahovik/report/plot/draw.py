@@ -38,12 +38,17 @@ STYLE = {
 }
 
 
-def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
-    """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
+def require() -> tuple[Any, Any]:
+    """matplotlib and its figures. Raises UsageError where they are not installed."""
     try:
-        matplotlib, figures = import_module("matplotlib"), import_module("matplotlib.figure")
+        return import_module("matplotlib"), import_module("matplotlib.figure")
     except ImportError:
         raise UsageError('plot needs matplotlib: pip install "mahovik[report]"') from None
+
+
+def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
+    """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
+    matplotlib, figures = require()
     with matplotlib.rc_context(STYLE):
         heights = [panel.height for panel in panels]
         figure = figures.Figure(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
@@ -76,6 +81,9 @@ def _panel(axes: Any, panel: Panel) -> None:
         axes.set_ylim(0.0, panel.top)
     if panel.note:
         axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
+    for line in panel.lines:
+        if line.tag:
+            _tag(axes, line)
     named = sum(bool(line.name) for line in panel.lines)
     if named:
         columns = -(-named // LEGEND)
@@ -95,6 +103,20 @@ def _dots(figure: Any, axes: Any, dots: Dots) -> None:
         dots.x[order], dots.y[order], s=9, c=dots.value[order], norm=norm, cmap="viridis_r", linewidths=0, zorder=3
     )
     figure.colorbar(shown, ax=axes, label=dots.quantity, pad=0.01, aspect=30)
+
+
+def _tag(axes: Any, line: Line) -> None:
+    """The tag of a rising line where it ends: above it at the right edge, at its right where it leaves at the top."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    inside = ((line.x >= left) & (line.x <= right) & (line.y >= low) & (line.y <= high)).nonzero()[0]
+    if not len(inside):
+        return
+    end = inside[-1]
+    ha, va, shift = ("right", "bottom", (-8, 2)) if end == len(line.x) - 1 else ("left", "top", (7, -1))
+    axes.annotate(
+        line.tag, (line.x[end], line.y[end]), xytext=shift, textcoords="offset points", ha=ha, va=va, color=GREY,
+        fontsize="small",
+    )  # fmt: skip
 
 
 def _line(axes: Any, line: Line) -> None:

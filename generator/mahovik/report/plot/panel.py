@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 class Line:
     """y over x. `colour`: number of the line's colour, None for grey; `dashed`: what is required, or a limit.
 
-    Without a name it is not in the legend.
+    Without a name it is not in the legend. `tag` stands beside its end.
     """
 
     name: str
@@ -23,6 +23,7 @@ class Line:
     y: Array
     colour: int | None = 0
     dashed: bool = False
+    tag: str = ""
 
 
 @dataclass(frozen=True, eq=False)

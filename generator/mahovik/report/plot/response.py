@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
 from mahovik.report.plot.panel import Array, Dots, Line, Panel
@@ -51,7 +53,7 @@ def _span(found: Sweep) -> tuple[float, float]:
 def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top: float, floor: float) -> Panel:
     """Natural frequencies over speed, lines of orders, and by colour the amplitude of every harmonic."""
     speed = RPM * found.values
-    drawn = [Line("", speed, line.frequency, 6, dashed=True) for line in lines]
+    drawn = [Line("", speed, line.frequency, 6, dashed=True, tag=_first(line.name)) for line in lines]
     most = max((len(step.natural) for step in steps), default=0)
     for k in range(most):
         row = np.array([step.natural[k] if k < len(step.natural) else np.nan for step in found.steps])
@@ -65,6 +67,17 @@ def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top
     )  # fmt: skip
 
 
+def _first(name: str) -> str:
+    """Of the names of an order the first: "2 x w1" of "2 x w1, w2 = 1 x w3"."""
+    return re.split(" = |, ", name, maxsplit=1)[0]
+
+
+def _short(name: str) -> str:
+    """Flywheels between the first and the last left out where there are more than three: a legend has little room."""
+    parts = [part.split(", ") for part in name.split(" = ")]
+    return " = ".join(f"{part[0]} .. {part[-1]}" if len(part) > 3 else ", ".join(part) for part in parts)
+
+
 def _seen(step: Step, floor: float) -> tuple[Array, Array, Array]:
     kept = np.flatnonzero(step.sizes > floor)
     kept = kept[kept > 0]
@@ -75,7 +88,7 @@ def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
     """Amplitudes of the orders and RMS over speed."""
     speed = RPM * found.values
     kept = [line for line in lines if line.largest > floor]
-    drawn = [Line(line.name, speed, _above(line.size, floor), i) for i, line in enumerate(kept)]
+    drawn = [Line(_short(line.name), speed, _above(line.size, floor), i) for i, line in enumerate(kept)]
     drawn.append(Line("RMS", speed, _above(np.linalg.norm(found.rms(), axis=1), floor), None))
     if found.band is not None:
         low, high = found.band

@@ -25,6 +25,9 @@ Array = NDArray[np.float64]
 SPIN = both(skew(np.array([1.0, 0.0, 0.0])))
 """[<e>] (6, 6) of (5): axes of a flywheel turn by it."""
 
+STEADY = 1e-9
+"""m/s2, rad/s2: what is left of V* at rest is rounding, far below this."""
+
 
 @dataclass(frozen=True, eq=False)
 class LinearModel:
@@ -51,6 +54,11 @@ class LinearModel:
     B: Array
     C: Array
     D: Array
+
+    @property
+    def steady(self) -> bool:
+        """V* and phi'' vanish to rounding; else the matrices hold for a moment, and tell nothing of stability."""
+        return all(abs(x) <= STEADY for x in (*self.state.V_dot, *self.state.phi_ddot))
 
 
 def linear_model(
