@@ -41,7 +41,9 @@ def test_about_a_state(tmp_path: Path) -> None:
     rest = tmp_path / "rest.json"
     rest.write_text(run("rest", SHAKER2, "--json").stdout, encoding="utf-8")
     assert run("linearize", SHAKER2, "--at", str(rest), "--flywheels", "locked", "-o", str(target)).exit_code == 0
-    assert len(json.loads(target.read_text(encoding="utf-8"))["states"]) == 12
+    found = json.loads(target.read_text(encoding="utf-8"))
+    assert len(found["states"]) == 12
+    assert found["points"] == ["carrier"]  # shaker2 has no points
 
 
 @pytest.mark.parametrize(

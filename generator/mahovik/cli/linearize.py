@@ -13,7 +13,7 @@ from mahovik.cli.nominal import at_option, nominal_state
 @click.command()
 @stand_argument
 @at_option
-@click.option("--points", metavar="a,b", help="Points and instruments of the outputs; default: all.")
+@click.option("--points", metavar="a,b", help="Points and instruments of the outputs; default: all, else the carrier.")
 @click.option(
     "--flywheels",
     type=click.Choice(["free", "locked"]),
@@ -37,7 +37,9 @@ def linearize(stand_file: str, at: str, points: str | None, flywheels: str, outp
 
     target = Path(output)
     check(target)
-    names = None if points is None else [name.strip() for name in points.split(",") if name.strip()]
+    names = [name.strip() for name in points.split(",") if name.strip()] if points is not None else None
+    if names is None and not (stand.points or stand.instruments):
+        names = ["carrier"]
     model = linear_model(stand, nominal_state(stand, at), names, locked=flywheels == "locked")
     write(target, rendered(model, target.suffix))
     sizes = ((len(model.states), "states"), (len(model.inputs), "inputs"), (len(model.outputs), "outputs"))
