@@ -148,6 +148,7 @@ programme-picture: setup
 
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write
+	$(BIN)/python tools/refusal_campaign.py --stands 50 --jobs 2 --write
 	$(BIN)/python tools/runup_campaign.py --stands 10 --write
 
 bench: $(BENCH_READY)
