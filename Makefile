@@ -176,6 +176,7 @@ quiet-campaign: setup
 
 plan-campaign: setup
 	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write
+	$(BIN)/python tools/refusal_campaign.py --stands 50 --jobs 2 --write
 	$(BIN)/python tools/runup_campaign.py --stands 10 --write
 
 ocp-campaign: setup

@@ -1,0 +1,133 @@
+"""Whether what preflight refuses is out of reach indeed: a search is let loose on it. The table of docs/planning.md.
+
+python tools/refusal_campaign.py [--stands 4] [--first 8000] [--seconds 5] [--jobs 1] [--write]
+
+Four kinds of motions that cannot be, a little beyond what can be where there is such a measure. Exit status 1 where a
+search finds a programme that preflight refuses.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+from plan_stands import PERIOD, campaign_motion, campaign_stand
+
+from mahovik.motion.required import Bounds
+from mahovik.plan.budget import Budget
+from mahovik.plan.choose import Improver
+from mahovik.plan.preflight import preflight
+from mahovik.plan.problem import Problem
+from mahovik.plan.search import search
+
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning.md"
+BEGIN, END = "<!-- refusals: tools/refusal_campaign.py --write -->", "<!-- end of refusals -->"
+COUNTS = (6, 8, 12)
+ROUNDS = 3
+
+
+def unsupported(seed: int, N: int, factor: float) -> Problem:
+    """Nothing carries the weight, or the mean height is held where the suspension does not carry it."""
+    stand = campaign_stand(seed, N)
+    if seed % 2:
+        return Problem.of(replace(stand, suspension=None), campaign_motion(seed, N))
+    motion = campaign_motion(seed, N)
+    mean = np.array([0.0, 0.0, 1e-3 * factor, 0.0, 0.0, 0.0])
+    return Problem.of(stand, replace(motion, mean=mean, free_mean=(True, True, False, True, True, True)))
+
+
+def balanced(seed: int, N: int, factor: float) -> Problem:
+    """Flywheels without static unbalance: the motion needs forces."""
+    return Problem.of(campaign_stand(seed, N, 0.0), campaign_motion(seed, N, amplitude=factor))
+
+
+def too_far(seed: int, N: int, factor: float) -> Problem:
+    """`factor` times the amplitude that the first moment allows."""
+    reach = preflight(Problem.of(campaign_stand(seed, N), campaign_motion(seed, N))).reach
+    return Problem.of(campaign_stand(seed, N), campaign_motion(seed, N, amplitude=factor / reach))
+
+
+def too_slow(seed: int, N: int, factor: float) -> Problem:
+    """Bounds on acceleration and speed squared `factor` times tighter than those that preflight lets through."""
+    stand, omega2 = campaign_stand(seed, N), (2 * np.pi / PERIOD) ** 2
+
+    def within(share: float) -> Problem:
+        bounds = Bounds(speed=(float(np.sqrt(share * omega2)),) * N, acceleration=(share * omega2,) * N)
+        return Problem.of(stand, campaign_motion(seed, N, bounds=bounds))
+
+    low, high = 0.0, 1.0
+    for _ in range(12):
+        middle = (low + high) / 2
+        low, high = (middle, high) if preflight(within(middle)).refusal else (low, middle)
+    return within(low / factor)
+
+
+KINDS: dict[str, tuple[str, Callable[[int, int, float], Problem]]] = {
+    "MEAN_WRENCH": ("no suspension, or a mean height held 1 to 1.5 mm off", unsupported),
+    "SPAN": ("balanced flywheels", balanced),
+    "FIRST_MOMENT": ("amplitude 1.05 to 1.5 times the limit", too_far),
+    "BOUND_REACH": ("bounds 1.05 to 1.5 times tighter than the limit", too_slow),
+}
+
+
+def outcome(seconds: float, kind: str, seed: int) -> tuple[bool, bool, float]:
+    """Whether preflight refuses it by this reason, whether a search finds it, the search's best relative residual."""
+    factor = float(np.random.default_rng(seed).uniform(1.05, 1.5))
+    problem = KINDS[kind][1](seed, COUNTS[seed % 3], factor)
+    first = preflight(problem)
+    found = search(problem, Improver.of(problem), first.bias, 0, Budget(10**6, seconds), most=ROUNDS)
+    return first.refusal is not None and first.refusal.reason == kind, bool(found.found), found.best
+
+
+def main() -> None:
+    """Runs the kinds and writes the page."""
+    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
+    options.add_argument("--stands", type=int, default=4, help="stands a kind")
+    options.add_argument("--first", type=int, default=8000, help="first seed")
+    options.add_argument("--seconds", type=float, default=5.0, help="cut-off of a search")
+    options.add_argument("--jobs", type=int, default=1)
+    options.add_argument("--write", action="store_true", help="into docs/planning.md")
+    asked = options.parse_args()
+    seeds = range(asked.first, asked.first + asked.stands)
+    lines, false = [], 0
+    with ProcessPoolExecutor(asked.jobs) as pool:
+        for kind, (words, _) in KINDS.items():
+            found = list(pool.map(partial(outcome, asked.seconds, kind), seeds))
+            refused, reached = (sum(each[k] for each in found) for k in (0, 1))
+            false += reached
+            least = min(each[2] for each in found)
+            lines.append(f"| `{kind}` | {words} | {refused} of {len(found)} | {reached} | {least:.1g} |")
+            print(lines[-1], flush=True)
+    if asked.write:
+        write(lines, asked)
+    sys.exit(1 if false else 0)
+
+
+def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
+    """The table between the marks of the page."""
+    text = [
+        f"{asked.stands} stands a kind, seeds from {asked.first}, N = {', '.join(map(str, COUNTS))} in turn; "
+        f"a search of {ROUNDS} rounds, cut after {asked.seconds:g} s.",
+        "",
+        "| refusal | motion | refused | found by a search | least residual of a search, bounds aside |",
+        "|---|---|---|---|---|",
+        *lines,
+        "",
+    ]
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    after = rest.split(END)[1]
+    PAGE.write_text("\n".join([before + BEGIN, *text, END + after]), encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()
