@@ -53,6 +53,8 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
         (("--winding", "1,2"), "2 numbers, but the stand has 3 flywheels"),
         (("--winding", "turn"), "expected any, spin, rock or 3 whole numbers"),
         (("-o", "nowhere/p.json"), "there is no folder 'nowhere' to write to"),
+        (("-o", "."), "is a directory, expected a file to write"),
+        (("-o", "/proc/p.json"), "cannot be written"),
         (("--time", "0"), "--time"),
         (("--keep", "0"), "--keep"),
         (("--method", "ocp-partition"), "(13) needs six"),

@@ -63,6 +63,7 @@ def plan(
     from mahovik.motion.programme import save_programme
     from mahovik.motion.required import load_motion
     from mahovik.plan import Wishes, plan_motion
+    from mahovik.verify.files import probe
 
     motion = load_motion(Path(motion_file), stand)
     chosen = _winding(winding, len(stand.flywheels), motion.periodic)
@@ -75,6 +76,7 @@ def plan(
     for path in paths:
         if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
             raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
+        probe(path)
     with _progress() as tell:
         six = None if partition is None else tuple(partition.split(","))
         wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
