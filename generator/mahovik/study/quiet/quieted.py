@@ -70,7 +70,7 @@ class Quieted:
 
     @property
     def reduction(self) -> float:
-        """How many times lower: RMS before, phases not held, to RMS after, with what the simulation has beyond expected.
+        """How many times lower: RMS before, phases not held, to RMS after and what the simulation has beyond expected.
 
         inf: silence after; 1: silence before, there is nothing to lower. Lines that beat longer than is simulated are
         loud or quiet there by chance: what first order says of all time is never lowered by the simulation.
