@@ -40,6 +40,17 @@ def test_table_columns_and_panels(given: list[str], tmp_path: Path) -> None:
     assert shown[:4] == ["O1", "attitude", "error of O1", "error of attitude"]
 
 
+def test_ctrl_c_while_causes_are_asked_keeps_the_figures(given: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    def pressed(_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("mahovik.control.causes.contributions", pressed)
+    said = run(*given, "--periods", "11")
+    assert said.exit_code == 130
+    assert "error of the carrier" in said.stdout
+    assert said.stderr == "interrupted: the run is whole, what limits it is not told\n"
+
+
 @pytest.mark.slow
 def test_what_limits_it_is_told(given: list[str]) -> None:
     said = run(*given, "--periods", "11", "--mismatch", "1%", "--json")

@@ -55,6 +55,7 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
         (("-o", "nowhere/p.json"), "there is no folder 'nowhere' to write to"),
         (("-o", "."), ".: is a folder; expected the name of a file"),
         (("-o", "n" * 300), "File name too long"),
+        (("-o", "/proc/p.json"), "cannot be written"),
         (("--time", "0"), "--time"),
         (("--keep", "0"), "--keep"),
         (("--method", "ocp-partition"), "(13) needs six"),

@@ -73,6 +73,7 @@ def test_a_table_for_people() -> None:
             "--band from 0 Hz: a drift has no angle",
         ),
         (("--momentum", "0 0 14", "-o", SAT4), "is read by this command"),
+        (("--momentum", "0 0 14", "-o", "both", "--state", "./both"), "-o and --state ./both: one file for both"),
     ],
 )
 def test_bad_input_is_one_line(arguments: tuple[str, ...], said: str) -> None:

@@ -74,13 +74,21 @@ def follow(
         raise SystemExit(INTERRUPTED if record.interrupted else 1)
     found = following(record, MEASURED)
     error = step_error(case, record)
-    limits = contributions(case) if causes else []
+    limits: list[Contribution] = []
+    ended = False
+    try:
+        limits = contributions(case) if causes else []
+    except KeyboardInterrupt:  # the run itself is whole
+        ended = True
     if as_json:
         click.echo(json.dumps(_plain(case, record, found, limits, error, mismatch, seed), indent=1, allow_nan=False))
-        return
-    if output is not None:
-        click.echo(f"{click.format_filename(output)}   {len(record.t)} rows")
-    _print(case, record, found, limits, error, mismatch, seed)
+    else:
+        if output is not None:
+            click.echo(f"{click.format_filename(output)}   {len(record.t)} rows")
+        _print(case, record, found, limits, error, mismatch, seed)
+    if ended:
+        click.echo("interrupted: the run is whole, what limits it is not told", err=True)
+        raise SystemExit(INTERRUPTED)
 
 
 def share_of(text: str) -> float:

@@ -70,6 +70,8 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
             if Path(name).exists() and Path(name).samefile(stand_file):
                 raise UsageError(f"{name} is read by this command; give another name")
             probe(Path(name))
+    if None not in (output, state_file) and Path(str(output)).resolve() == Path(str(state_file)).resolve():
+        raise UsageError(f"-o and --state {state_file}: one file for both; give the state another name")
     backend, seconds = options.pop("backend"), options.pop("seconds")
     wish = _wish(options, len(stand.flywheels))
     from mahovik.study.quiet import quiet as find

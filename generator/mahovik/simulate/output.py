@@ -17,8 +17,6 @@ def check(path: Path) -> None:
     """Can the file be written at all? Raises UsageError before anything is computed."""
     if path.suffix not in SUFFIXES:
         raise UsageError(f"-o {path}: expected a name that ends in .csv or .parquet")
-    if path.is_dir():
-        raise UsageError(f"{path}: is a directory, expected a file to write")
     if path.suffix == ".parquet":
         try:
             import_module("pyarrow.parquet")

@@ -18,6 +18,8 @@ def write(path: Path, text: str | bytes) -> None:
 
 def probe(path: Path) -> None:
     """Raises UsageError where `write` could not: tries with an empty file beside it, which is taken away again."""
+    if path.is_dir():
+        raise UsageError(f"{path}: is a directory, expected a file to write")
     made = _make(path.parent)
     try:
         _draft(path.parent, path.name, b"").unlink()

@@ -69,6 +69,15 @@ def test_small_differences_of_speed_make_sat4_ten_times_quieter(sat4: Stand) -> 
     assert got.momentum_error < 1e-13
 
 
+def test_a_beat_that_is_not_over_is_no_success(sat4: Stand) -> None:
+    """Lines of a period far above what is simulated, loud there or quiet: nothing changed, and nothing is lower."""
+    still = found(sat4, speeds=tuple(x * RPM for x in (3030.3, 3030.2, 3030.1, 3030.0)), momentum=None, change=1e-4)
+    quieter = replace(still.after, simulated=0.1 * still.after.rms, expected=0.1 * still.after.rms)
+    assert replace(still, after=quieter).reduction == pytest.approx(1.0, rel=1e-3)
+    louder = replace(quieter, simulated=still.after.rms * math.hypot(0.1, 3.0))
+    assert replace(still, after=louder).reduction == pytest.approx(math.sqrt(0.1), rel=1e-3)
+
+
 def test_the_momentum_is_that_of_the_literal_reference(sat4: Stand) -> None:
     """Z of (2), mean over phase: nothing of the search is used."""
     got = found(sat4, speeds=(200.0, -100.0, 150.0, 60.0), momentum=(1.0, -0.7, 2.0))
@@ -249,7 +258,7 @@ def test_stands_that_have_nothing_free_are_refused(sat4: Stand) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(("N", "suspended"), [(5, None), (7, 12.0)])
 def test_random_satellites(monkeypatch: pytest.MonkeyPatch, N: int, suspended: float | None) -> None:
-    """In the band as long as no flywheel may be slow: lower, and as simulated by SciPy on the literal reference."""
+    """In the band as long as no flywheel may be slow: lower, and as simulated."""
     from docs.pages import ROOT
 
     monkeypatch.syspath_prepend(str(ROOT / "tools"))

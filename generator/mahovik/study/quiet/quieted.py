@@ -70,13 +70,17 @@ class Quieted:
 
     @property
     def reduction(self) -> float:
-        """How many times lower: RMS before, phases not held, to RMS after, simulated where it was.
+        """How many times lower: RMS before, phases not held, to RMS after and what the simulation has beyond expected.
 
-        inf: silence after; 1: silence before, there is nothing to lower.
+        inf: silence after; 1: silence before, there is nothing to lower. Lines that beat longer than is simulated are
+        loud or quiet there by chance: what first order says of all time is never lowered by the simulation.
         """
         if self.before.free == 0.0:
             return 1.0
-        after = self.after.rms if self.after.simulated is None else self.after.simulated
+        beyond = 0.0
+        if self.after.simulated is not None and self.after.expected is not None:
+            beyond = max(0.0, self.after.simulated**2 - self.after.expected**2)
+        after = math.sqrt(self.after.rms**2 + beyond)
         return self.before.free / after if after > 0.0 else math.inf
 
     @property
