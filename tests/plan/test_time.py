@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+import signal
+import sys
 import time
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
+from mahovik.motion.programme import Programme
+from mahovik.motion.required import Bounds, RequiredMotion
 from mahovik.plan import Wishes, plan_motion, planner
 from mahovik.plan.budget import Budget
 from mahovik.plan.outcome import Progress
 from mahovik.plan.runup import shortcomings, table, with_runup
 from mahovik.plan.search import Search
+from mahovik.stand.model import Stand
 from plan.examples import example
 from plan.test_runup import spinning
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+from plan_stands import campaign_move, campaign_stand
 
 WISHES = Wishes(verify=False)
 
@@ -85,3 +93,32 @@ def test_ctrl_c_in_a_run_up_keeps_the_programme(monkeypatch: pytest.MonkeyPatch)
         "run-down: interrupted after 0 of 5 attempts, none was found",
     )
     assert len(found.programmes) == 1
+
+
+def pressing(times: int) -> Any:
+    """A verification during which Ctrl-C is pressed; it accepts everything."""
+
+    def certified(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:
+        for _ in range(times):
+            signal.raise_signal(signal.SIGINT)
+        return replace(programme, report={**programme.report, "verified": True})
+
+    return certified
+
+
+@pytest.mark.parametrize("where", ["periodic", "finite"])
+def test_ctrl_c_in_the_verification_waits_for_its_end(where: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The programme is given, as interrupted; a second Ctrl-C does not wait."""
+    stand, motion = example("shaker2", "shaker2_spin")
+    place = "mahovik.plan.planner.certified"
+    if where == "finite":
+        stand, motion = campaign_stand(5000, 8), campaign_move(5000, 8)
+        place = "mahovik.plan.finite.plan.certified"
+    monkeypatch.setattr(place, pressing(1))
+    found = plan_motion(stand, motion)
+    assert found.interrupted and found.programmes[0].report["verified"]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    monkeypatch.setattr(place, pressing(2))
+    with pytest.raises(KeyboardInterrupt):
+        plan_motion(stand, motion)
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler

@@ -29,6 +29,10 @@ class Budget:
         self.taken += 1
         return True
 
+    def interrupt(self) -> None:
+        """By Ctrl-C."""
+        self.interrupted = True
+
     def over(self) -> bool:
         """Whether time has run out or Ctrl-C was pressed, where steps are not counted."""
         if self.seconds is not None and self.elapsed > self.seconds:

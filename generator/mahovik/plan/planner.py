@@ -17,6 +17,7 @@ from mahovik.plan.certificate import certified, programme_of, without_refused_ta
 from mahovik.plan.choose import Improver, choose
 from mahovik.plan.figures import figures
 from mahovik.plan.finite import plan_finite
+from mahovik.plan.interrupt import deferred
 from mahovik.plan.ocp import plus_asked
 from mahovik.plan.outcome import Plan, Status, Tell, Ways
 from mahovik.plan.preflight import Preflight, preflight
@@ -31,8 +32,8 @@ from mahovik.stand.model import Stand
 def plan_motion(stand: Stand, motion: RequiredMotion, wishes: Wishes | None = None, tell: Tell | None = None) -> Plan:
     """A programme that makes the carrier of `stand` do `motion`, (12)-(13), or why there is none.
 
-    Ctrl-C while it searches gives the best so far. UsageError: the method means nothing on this stand. MotionError: the
-    bounds exclude the winding that is wished.
+    Ctrl-C gives the best so far; a second one in its verification ends without it. UsageError: the method means nothing
+    on this stand. MotionError: the bounds exclude the winding that is wished.
     """
     asked = wishes or Wishes()
     plus = plus_asked(stand, asked)
@@ -77,7 +78,7 @@ SEARCH = 0.5
 
 @dataclass(frozen=True, eq=False)
 class After:
-    """What comes after the search: run-ups in what is left of the time, then the verification, which nothing cuts."""
+    """What comes after the search: run-ups in what is left of the time, then the verification, whatever its time."""
 
     whole: Budget
     say: Callable[[str], None]
@@ -89,7 +90,8 @@ class After:
         if not self.verify:
             return programme
         self.say("verifying")
-        return without_refused_tables(certified(stand, motion, programme))
+        with deferred(self.whole.interrupt, again=True):
+            return without_refused_tables(certified(stand, motion, programme))
 
 
 def _plan(
@@ -117,14 +119,15 @@ def _plan(
         return Plan("NO_PROGRAM", ways.reason, tuple(ways.words), tuple(first.warnings), (), effort, found.interrupted)
     programmes, refused = [], []
     for each, told in ways.found:
-        programme = _programme(problem, motion, each, {"search": effort, **told})
+        with deferred(after.whole.interrupt, again=True):
+            programme = _programme(problem, motion, each, {"search": effort, **told})
         programme = after.completed(problem.stand, motion, programme, asked.seed)
         wrong = wrong_items(programme)
         if wrong:
             refused.append(f"a programme was found and refused by the verification: {wrong}")
         else:
             programmes.append((each, programme))
-        if len(programmes) == asked.keep:
+        if len(programmes) == asked.keep or (programmes and after.whole.interrupted):
             break
     interrupted = found.interrupted or after.whole.interrupted
     if not programmes:

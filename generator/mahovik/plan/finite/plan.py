@@ -12,6 +12,7 @@ from mahovik.plan.certificate import certified, programme_of, wrong_items
 from mahovik.plan.figures import singular_values
 from mahovik.plan.finite.search import FiniteProblem, FiniteSearch, Solved, search_finite, table_of
 from mahovik.plan.fourier import Angles
+from mahovik.plan.interrupt import deferred
 from mahovik.plan.objective import Cost
 from mahovik.plan.outcome import Plan, Tell, Ways
 from mahovik.plan.preflight import Preflight
@@ -68,12 +69,16 @@ def plan_finite(
         table = table_of(problem, ways.found[k][0])
         programme = programme_of(own.stand, own.motion, motion.bias, (0,) * own.N, table, report)
         if asked.verify:
-            programme = certified(own.stand, own.motion, programme)
+            with deferred(budget.interrupt, again=True):
+                programme = certified(own.stand, own.motion, programme)
         wrong = wrong_items(programme)
         if wrong:
             refused.append(f"a programme was found and refused by the verification: {wrong}")
         else:
             programmes.append(programme)
+        if programmes and budget.interrupted:
+            break
+    found.interrupted |= budget.interrupted
     if not programmes:
         words = tuple(refused) or tuple(ways.words)
         return Plan("NO_PROGRAM", ways.reason, words, tuple(first.warnings), (), effort, found.interrupted)

@@ -10,12 +10,13 @@ import numpy as np
 
 from mahovik.plan.array import Array
 from mahovik.plan.fourier import Angles
+from mahovik.plan.interrupt import deferred
 from mahovik.plan.ocp.coefficients import Scaled
 from mahovik.plan.ocp.limits import of_rows, of_unknowns
 from mahovik.plan.ocp.mesh import Mesh
 from mahovik.plan.ocp.structure import Formulation, Structure, Unknowns
 from mahovik.plan.ocp.transcription import transcription
-from mahovik.plan.ocp.watch import Seen, interruptible
+from mahovik.plan.ocp.watch import Seen
 from mahovik.plan.problem import Problem
 from mahovik.plan.residual import prescribe, residual
 
@@ -86,7 +87,7 @@ def solve(
     low, high = of_unknowns(scaled, own.structure, start.winding, start.bias, part)
     rows_low, rows_high = of_rows(scaled, own.structure, start.winding, part, own.rows(first, given))
     seen = own.watch.begin(rows_low, rows_high, tell, until)
-    with interruptible(seen):
+    with deferred(seen.interrupt, again=False):
         found = own.solver(x0=first, p=given, lbx=low, ubx=high, lbg=rows_low, ubg=rows_high)
     end = _ended(scaled, own.structure, start, found, own.solver.stats(), seen)
     return replace(end, residual=between(problem, end))

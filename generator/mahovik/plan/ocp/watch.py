@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import signal
-import threading
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,6 +37,10 @@ class Seen:
     def words(self) -> str:
         """The line of progress."""
         return f"IPOPT: iteration {self.iterations}, objective {self.objective:.4g}, violation {self.violation:.1e}"
+
+    def interrupt(self) -> None:
+        """By Ctrl-C: IPOPT ends at its next iteration."""
+        self.interrupted = True
 
 
 class Watch(ca.Callback):
@@ -82,20 +83,3 @@ class Watch(ca.Callback):
         seen.iterations += 1
         seen.cut |= self._until is not None and time.monotonic() > self._until
         return [int(seen.cut or seen.interrupted)]
-
-
-@contextmanager
-def interruptible(seen: Seen) -> Iterator[None]:
-    """Ctrl-C marks the run; IPOPT ends at its next iteration. Elsewhere than in the main thread nothing changes."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def mark(*_: object) -> None:
-        seen.interrupted = True
-
-    before = signal.signal(signal.SIGINT, mark)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
