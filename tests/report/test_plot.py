@@ -12,8 +12,8 @@ from mahovik import stands
 from mahovik.cli import main
 from mahovik.motion.programme import RunUpTable, Samples, save_programme
 from mahovik.motion.required.model import Bounds
+from mahovik.report.plot import following, run
 from mahovik.report.plot import response as orders
-from mahovik.report.plot import run
 from mahovik.report.plot.draw import draw
 from mahovik.report.plot.panel import Line, Panel
 from mahovik.report.plot.programme import RPM, panels
@@ -104,6 +104,19 @@ def test_a_run_is_drawn(tmp_path: Path) -> None:
     assert by_quantity(shown, "speed").lines[0].y[-1] == pytest.approx(40.0 * RPM)
     assert {line.name for panel in shown for line in panel.lines} >= {"x", "y", "z", "w1"}
     assert plot(path, "-o", tmp_path / "run.png").exit_code == 0
+
+
+def test_a_run_that_follows_is_shown_at_its_end_and_its_error_all_along() -> None:
+    t = np.arange(1000) * 1e-3
+    wave = 1e-3 * np.sin(20 * np.pi * t)
+    columns = {"t [s]": t, "tau w1 [N m]": wave, "omega_x [rad/s]": wave}
+    for name, unit in (("x", "m"), ("y", "m"), ("z", "m"), ("psi", "rad"), ("theta", "rad"), ("phi", "rad")):
+        columns |= {f"{name} [{unit}]": 1.1 * wave, f"required_{name} [{unit}]": wave}
+    shown = run.panels(columns)
+    for word in ("O1", "attitude", "carrier", "drive torque"):
+        assert by_quantity(shown, word).lines[0].x[0] == t[-following.SHOWN]
+    error = by_quantity(shown, "error of O1").lines[0]
+    assert len(error.x) == 1000 and np.abs(error.y).max() == pytest.approx(0.1, rel=0.01)
 
 
 @pytest.mark.parametrize(

@@ -124,7 +124,12 @@ class _Run(Generic[Kind]):
         starts = [(each, self.along(each, plus)) for each in warm]
         if self.asked.method == "ocp-partition":
             starts.sort(key=lambda each: -each[1].least)
-            outcome.words = [each[1].words(self.names) for each in starts if each[1].crossings.size]
+            which = "programme {} of {} found: " if len(starts) > 1 else ""
+            outcome.words = [
+                which.format(k, len(starts)) + along.words(self.names)
+                for k, (_, along) in enumerate(starts, start=1)
+                if along.crossings.size
+            ]
             starts = [each for each in starts if not each[1].crossings.size]
             outcome.reason = "SEARCH" if starts else SINGULAR
         for one, along in starts:

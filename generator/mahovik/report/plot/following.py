@@ -20,6 +20,11 @@ def follows(columns: Mapping[str, Array]) -> bool:
     return all(name in columns for name in names)
 
 
+def end(columns: Mapping[str, Array]) -> dict[str, Array]:
+    """The last samples of all columns."""
+    return {name: values[-SHOWN:] for name, values in columns.items()}
+
+
 def panels(columns: Mapping[str, Array]) -> list[Panel]:
     """Motion about its mean over the last samples, with what is required; errors about their mean at the end."""
     t = columns["t [s]"]

@@ -56,11 +56,13 @@ def _parquet(path: Path) -> dict[str, Array]:
 def panels(columns: Mapping[str, Array]) -> list[Panel]:
     """What there is of: place of O1, turn of the carrier, speeds and torques of the flywheels, margins of motors.
 
-    Of a run that follows a programme: what is required beside what is achieved, and the error.
+    Of a run that follows a programme: what is required beside what is achieved, and the error; only the last has all
+    of the run.
     """
     t = columns["t [s]"]
     if following.follows(columns):
-        carrier = following.panels(columns)
+        carrier, columns = following.panels(columns), following.end(columns)
+        t = columns["t [s]"]
     else:
         place = _group("O1, mm, from the start", t, columns, [f"{a} [m]" for a in "xyz"], 1e3, from_start=True)
         carrier = [place, _turn(t, columns)]
