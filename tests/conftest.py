@@ -14,6 +14,6 @@ for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(Path(__file__).resolve().parents[1] / ".pytest_cache" / "formulas")
 
+settings.register_profile("daily", deadline=None)
 settings.register_profile("ci", derandomize=True, deadline=None)
-if os.environ.get("CI"):
-    settings.load_profile("ci")
+settings.load_profile("ci" if os.environ.get("CI") else "daily")
