@@ -1,4 +1,4 @@
-"""docs/planning.md: its table is that of tools/plan_campaign.py, row by row, and nothing was found that cannot be."""
+"""docs/planning.md: its tables are those of the campaign and of the refusals; nothing was found that cannot be."""
 
 from __future__ import annotations
 
@@ -14,17 +14,26 @@ from docs.pages import ROOT, cells
 TOOLS = ROOT / "tools"
 
 
-@pytest.fixture
-def tool(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """The tool, with the module of stands beside it."""
+def loaded(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """A tool, with the module of stands beside it."""
     monkeypatch.syspath_prepend(str(TOOLS))
-    spec = importlib.util.spec_from_file_location("plan_campaign_tool", TOOLS / "plan_campaign.py")
+    spec = importlib.util.spec_from_file_location(f"{name}_tool", TOOLS / f"{name}.py")
     assert spec is not None
     assert spec.loader is not None
     found = importlib.util.module_from_spec(spec)
     monkeypatch.setitem(sys.modules, spec.name, found)  # its data classes look for their module
     spec.loader.exec_module(found)
     return found
+
+
+@pytest.fixture
+def tool(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    return loaded("plan_campaign", monkeypatch)
+
+
+@pytest.fixture
+def refusals(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    return loaded("refusal_campaign", monkeypatch)
 
 
 def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
@@ -36,10 +45,18 @@ def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
         some, of = map(int, found.split(" of "))
         assert 0 < some <= of
         assert float(median) <= float(longest)
-    refused = re.search(r"preflight refused (\d+); of these a search found (\d+)", text)
-    assert refused is not None
-    assert int(refused[1]) > 0
-    assert refused[2] == "0"
+    assert "verification, which refused 0." in " ".join(text.split())
+
+
+def test_every_kind_of_refusal_was_put_before_a_search(refusals: ModuleType) -> None:
+    """All are refused, none is found."""
+    text = refusals.PAGE.read_text(encoding="utf-8").split(refusals.BEGIN)[1].split(refusals.END)[0]
+    rows = [cells(line) for line in text.splitlines() if line.startswith("| `")]
+    assert [row[0].strip("`") for row in rows] == list(refusals.KINDS)
+    for _, _, refused, found, _ in rows:
+        some, of = map(int, refused.split(" of "))
+        assert some == of > 0
+        assert found == "0"
 
 
 def test_stands_and_motions_are_the_same_for_the_same_seed(tool: ModuleType) -> None:
@@ -57,7 +74,13 @@ def test_stands_and_motions_are_the_same_for_the_same_seed(tool: ModuleType) -> 
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [0, 3], ids=["6 rock", "8 spin"])
 def test_a_small_sample_of_the_campaign(tool: ModuleType, number: int) -> None:
-    """A stand of a row has a programme that the verification accepts; too great a motion is refused, and not found."""
+    """A stand of a row has a programme that the verification accepts."""
     found = tool.outcome(tool.ROWS[number], 31, 60.0, verify=True)
     assert (found.status, found.wrong) == ("OK", "")
-    assert tool.beyond(31 + number, 5.0) == (True, False)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH"])
+def test_a_small_sample_of_the_refusals(refusals: ModuleType, kind: str) -> None:
+    """Refused for this reason, and not found."""
+    assert refusals.outcome(5.0, kind, 31)[:2] == (True, False)

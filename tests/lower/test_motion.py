@@ -120,11 +120,12 @@ def test_step_agrees_with_an_adaptive_integration_of_the_reference(function: str
         return np.concatenate([position, attitude, found["V_dot"], y[13 + count :], found["phi_ddot"]])
 
     y0 = np.concatenate([x["position"], x["attitude"], x["V"], x["phi"], x["phi_dot"]])
-    judged = solve_ivp(rates, (0, DURATION), y0, method="DOP853", rtol=1e-10, atol=1e-12).y[:, -1]
+    # at 1e-10 the kinks of |V| V let it be 5e-8 off, by where its steps fall
+    judged = solve_ivp(rates, (0, DURATION), y0, method="DOP853", rtol=1e-12, atol=1e-14).y[:, -1]
     ours = stepped(c, function, 4000, 4)
     expected = dict(zip(("position", "attitude", "V"), np.split(judged[:13], [3, 7]), strict=True))
     expected |= {"phi": judged[13 : 13 + count], "phi_dot": judged[13 + count :]}
-    # 4,000 steps are within 1e-9 of 16,000; the integrator is asked for 1e-10 a step
+    # 4,000 steps are within 1e-9 of 16,000
     assert flat(ours) == pytest.approx(flat(expected), rel=1e-8, abs=2e-8)
 
 

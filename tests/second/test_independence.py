@@ -8,7 +8,7 @@ import pytest
 import mahovik.second
 
 FILES = sorted(Path(mahovik.second.__file__).parent.glob("**/*.py"))
-STANDARD = {"__future__", "collections", "functools", "math", "typing"}
+STANDARD = {"__future__", "collections", "dataclasses", "functools", "math", "typing"}
 ALLOWED = ("mahovik.errors", "mahovik.stand", "mahovik.second")
 
 
