@@ -57,7 +57,7 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
     are speeds that hold none, and phases of flywheels that turn together. Jitter before and after is checked by a
     simulation of the whole stand.
 
-    Exit status: 0 lower, and as simulated; 1 nothing allowed, not lower as wanted, or the simulation disagrees;
+    Exit status: 0 lower, and as simulated; 1 nothing allowed, not lower or not as wanted, or the simulation disagrees;
     2 bad input; 130 Ctrl-C.
     """
     import json
@@ -200,6 +200,9 @@ def _end(found: Quieted) -> None:
         click.echo("warning: --time cut the search: another run may find more", err=True)
     if not found.agrees:
         click.echo("error: the simulation differs from first order by more than 1 % of the RMS before", err=True)
+        raise SystemExit(1)
+    if found.reduction < 1.0:
+        click.echo("error: nothing that is allowed is lower than before; this is the lowest of it", err=True)
         raise SystemExit(1)
     wanted = found.wish.reduction
     if wanted is not None and found.reduction < wanted:
