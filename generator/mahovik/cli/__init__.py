@@ -10,6 +10,7 @@ import click
 
 from mahovik import __version__
 from mahovik.cli.check import check
+from mahovik.cli.completion import completion
 from mahovik.cli.cost import cost
 from mahovik.cli.derive import derive
 from mahovik.cli.design import design
@@ -40,7 +41,7 @@ SECTIONS = {
     "Motion in time": (evaluate, simulate, replay),
     "Vibration": (modes, linearize, response, quiet),
     "Programmes of the flywheels": (plan, design, verify_programme),
-    "Around it": (plot, export, doctor),
+    "Around it": (plot, export, doctor, completion),
 }
 """Commands under the headings of `--help`, in the order in which one uses them."""
 

@@ -10,7 +10,7 @@ from mahovik.errors import UsageError
 
 
 @click.command()
-@click.argument("name", required=False)
+@click.argument("name", required=False, shell_complete=lambda _context, _argument, typed: _examples(typed))
 @click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Where to; default ./NAME.toml.")
 @click.option("--list", "listed", is_flag=True, help="List the examples and stop.")
 def new(name: str | None, output: str | None, listed: bool) -> None:
@@ -38,6 +38,13 @@ def new(name: str | None, output: str | None, listed: bool) -> None:
     texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
     for path in write_all(target.parent, texts):
         click.echo(click.format_filename(path))
+
+
+def _examples(typed: str) -> list[str]:
+    """For a shell that completes."""
+    from mahovik import stands
+
+    return [name for name in stands.names() if name.startswith(typed)]
 
 
 def _first_comment(path: Path) -> str:
