@@ -23,6 +23,7 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
+from marked import put
 from quiet_stands import satellite, speeds_before
 
 from mahovik.stand import load
@@ -223,9 +224,7 @@ def main() -> None:
 
 def write(lines: Sequence[str]) -> None:
     """The tables between the marks of the page."""
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    after = rest.split(END)[1]
-    PAGE.write_text("\n".join([before + BEGIN, *lines, END + after]), encoding="utf-8", newline="\n")
+    put(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
+from marked import put
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
 from mahovik.motion.required import Bounds
@@ -124,9 +125,7 @@ def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
         *lines,
         "",
     ]
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    after = rest.split(END)[1]
-    PAGE.write_text("\n".join([before + BEGIN, *text, END + after]), encoding="utf-8", newline="\n")
+    put(PAGE, BEGIN, END, text)
 
 
 if __name__ == "__main__":

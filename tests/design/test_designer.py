@@ -21,6 +21,7 @@ from mahovik.errors import DesignError
 from mahovik.plan.fourier import uniform
 from mahovik.plan.residual import Mechanics, Norm, prescribe, residual
 from mahovik.stand import loads
+from mahovik.stand.model import Flywheel
 from mahovik.stand.write import dumps
 
 
@@ -62,21 +63,22 @@ def test_the_object_is_strict_json() -> None:
 def test_sensitivities_are_those_of_stands_that_are_built_so() -> None:
     """1 mm and 1 g mm of error: the residual that the programme then has."""
     found = one_axis()
-    assert found.stand is not None
-    assert found.programme is not None
-    motion = motion_of(found.stand)
+    built, programme = found.stand, found.programme
+    assert built is not None
+    assert programme is not None
+    motion = motion_of(built)
     t = uniform(motion.span, 256)
     told = {(each.flywheel, each.name): each for each in found.changes}
     assert len(told) == 2 * 7
 
-    def relative(wheel: object) -> float:
-        stand = replace(found.stand, flywheels=(wheel, found.stand.flywheels[1]))  # type: ignore[union-attr,type-var]
-        at = prescribe(Mechanics.of(stand), motion.at(t), np.array(found.programme.bias))  # type: ignore[union-attr]
-        angles = found.programme.at(t)  # type: ignore[union-attr]
-        own = Norm.of(prescribe(Mechanics.of(found.stand), motion.at(t)), motion.span)  # type: ignore[arg-type]
+    def relative(wheel: Flywheel) -> float:
+        stand = replace(built, flywheels=(wheel, built.flywheels[1]))
+        at = prescribe(Mechanics.of(stand), motion.at(t), np.array(programme.bias))
+        angles = programme.at(t)
+        own = Norm.of(prescribe(Mechanics.of(built), motion.at(t)), motion.span)
         return own.relative(residual(at, angles.phi, angles.phi_dot, angles.phi_ddot))
 
-    wheel = found.stand.flywheels[0]
+    wheel = built.flywheels[0]
     x, y, z = wheel.position
     along, y_c, z_c = wheel.center_of_mass
     longer = 1.0 + 1e-6 / (wheel.mass * float(np.hypot(y_c, z_c)))

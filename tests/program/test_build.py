@@ -108,9 +108,9 @@ def test_places_are_what_their_variable_is():
     with pytest.raises(TypeError, match="is not an array"):
         a[0]
     with pytest.raises(TypeError, match="struct pair has no member c"):
-        pair.c  # noqa: B018
+        pair.c  # noqa: B018  the access itself must raise
     with pytest.raises(TypeError, match="is not a struct"):
-        a.b  # noqa: B018
+        a.b  # noqa: B018  the access itself must raise
 
 
 def test_only_scalars_are_set():
@@ -181,7 +181,7 @@ def test_what_returns_nothing_is_no_expression():
 def test_blocks_are_closed_and_otherwise_follows_when():
     body = Body()
     with pytest.raises(AssertionError), body.loop("i", 3):
-        body.statements  # noqa: B018
+        body.statements  # noqa: B018  the access itself must raise
     body = Body()
     body.note("no when before")
     with pytest.raises(AssertionError), body.otherwise():

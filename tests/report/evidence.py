@@ -28,7 +28,7 @@ def piece(name: str, said: Outcome | BaseException, *needs: Need) -> Piece:
 
 def passed(**more: object) -> Outcome:
     """A good outcome."""
-    return Outcome(Verdict.PASSED, "a figure", ("gcc 1.2.3",), **more)  # type: ignore[arg-type]
+    return Outcome(Verdict.PASSED, "a figure", ("gcc 1.2.3",), **more)  # type: ignore[arg-type]  # what a test gives by name is not typed
 
 
 ABSENT = Need("no-such-tool", lambda: False, "apt-get install no-such-tool")
@@ -44,4 +44,4 @@ def refusing(error: MahovikError) -> Piece:
 
 def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[Collected]:
     """The evidence of demo3."""
-    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, **options)  # type: ignore[arg-type]
+    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, **options)  # type: ignore[arg-type]  # what a test gives by name is not typed

@@ -27,6 +27,12 @@ def manifest(
     stand: Stand, real: str, files: Mapping[str, str], project: str = "", lanes: int = 1, fast: bool = False
 ) -> str:
     """Text of the manifest of files, name to content; `project`: the target whose exported project they are."""
+    more = {"lanes": lanes, **({"fast": True} if fast else {}), **({"project": project} if project else {})}
+    return manifest_with(stand, real, files, more)
+
+
+def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mapping[str, Any]) -> str:
+    """The same of any files of a stand, with what else is to be told of them."""
     found = identities(stand)
     return as_text(
         {
@@ -36,9 +42,7 @@ def manifest(
             "structure": found.structure,
             "physics": found.physics,
             "real": real,
-            "lanes": lanes,
-            **({"fast": True} if fast else {}),
-            **({"project": project} if project else {}),
+            **more,
             "files": {name: digest(files[name]) for name in sorted(files)},
         }
     )

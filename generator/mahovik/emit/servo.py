@@ -13,7 +13,7 @@ from mahovik.emit.expression import Expressions
 from mahovik.emit.hexadecimal import hex_literal
 from mahovik.emit.layout import paragraph, wrapped
 from mahovik.emit.literal import real_literal
-from mahovik.emit.manifest import as_text, digest
+from mahovik.emit.manifest import manifest_with
 from mahovik.emit.names import Names
 from mahovik.emit.statement import Statements
 from mahovik.emit.templates import template
@@ -148,19 +148,7 @@ class _Printer:
 
     def manifest(self, files: Mapping[str, str], what: str) -> str:
         """Whose it is and the hash of every file; no dates."""
-        found = identities(self._stand)
-        return as_text(
-            {
-                "format": 1,
-                "generator": f"mahovik {__version__}",
-                "stand": self._stand.name,
-                "structure": found.structure,
-                "physics": found.physics,
-                "real": self._precision.name,
-                "servo": what,
-                "files": {name: digest(files[name]) for name in sorted(files)},
-            }
-        )
+        return manifest_with(self._stand, self._precision.name, files, {"servo": what})
 
     def rendered(self, name: str, **more: Any) -> str:
         """A template with what all of them know."""

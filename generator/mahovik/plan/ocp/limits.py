@@ -42,7 +42,8 @@ def _states(scaled: Scaled, own: Structure, winding: Array, part: float) -> tupl
         slow = np.where((least > 0.0) & ~back, least, slow)
         fast = np.where((least > 0.0) & back, -least, fast)
     free = np.full(N, np.inf)
-    return tuple(np.tile(np.concatenate(each)[:, None], columns) for each in ((-free, slow), (free, fast)))  # type: ignore[return-value]
+    low, high = (np.tile(np.concatenate(each)[:, None], columns) for each in ((-free, slow), (free, fast)))
+    return low, high
 
 
 def of_rows(scaled: Scaled, own: Structure, winding: Array, part: float, first: Array) -> tuple[Array, Array]:

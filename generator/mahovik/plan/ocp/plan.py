@@ -19,6 +19,7 @@ from mahovik.plan.ocp.mesh import Mesh
 from mahovik.plan.ocp.partition import Along, Plus, best_partition, order_of
 from mahovik.plan.ocp.refine import exact, finite_exact, finite_start, start_of
 from mahovik.plan.ocp.solve import Collocated, Start, solve
+from mahovik.plan.ocp.structure import Formulation
 from mahovik.plan.outcome import Tell, Ways
 from mahovik.plan.problem import Problem
 from mahovik.plan.search import Candidate
@@ -107,6 +108,12 @@ class _Run(Generic[Kind]):
     tell: Tell | None
 
     @property
+    def formulation(self) -> Formulation:
+        """Of (13), by the method; `fourier` has none."""
+        assert self.asked.method != "fourier"
+        return self.asked.method
+
+    @property
     def names(self) -> list[str]:
         """Of the flywheels."""
         return [s.name for s in self.problem.stand.flywheels]
@@ -150,7 +157,7 @@ class _Run(Generic[Kind]):
         try:
             for part in PARTS:
                 start = self.task.start(warm)
-                run = solve(scaled, self.asked.method, self.task.mesh, start, part, self.tell, until)  # type: ignore[arg-type]
+                run = solve(scaled, self.formulation, self.task.mesh, start, part, self.tell, until)
                 tries.append(run)
                 outcome.interrupted |= run.interrupted
                 outcome.cut |= run.cut
