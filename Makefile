@@ -53,6 +53,7 @@ help:
 	@echo "make static-checks  compilers, analyser, cppcheck with MISRA C:2012: fails at a new deviation"
 	@echo "make commands-page  what every command says of itself, into docs/commands.md"
 	@echo "make lint       format, lint and type checks"
+	@echo "make docs       the pages of docs/ as a site: build/docs/index.html; any warning is an error"
 	@echo "make clean      remove what the other targets made"
 
 demo: setup
@@ -218,6 +219,10 @@ lint: setup
 	$(BIN)/ruff check generator tests tools bench
 	$(BIN)/ruff format --check generator tests tools bench
 	MYPYPATH=bench $(BIN)/mypy generator/mahovik bench/mahovik_bench
+
+docs: setup
+	$(BIN)/python -m sphinx -W --keep-going -n -q -b html docs build/docs
+	@echo "build/docs/index.html"
 
 clean:
 	rm -rf $(VENV) $(BENCH) build dist .pytest_cache .hypothesis .mypy_cache .ruff_cache

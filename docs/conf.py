@@ -1,0 +1,59 @@
+"""The site of the documentation: `make docs`. Pages are those of this folder, as they are read in the repository."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from docutils import nodes
+from sphinx import addnodes
+from sphinx.util import osutil
+
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
+
+project = "mahovik"
+html_title = "mahovik"
+extensions = ["myst_parser"]
+exclude_patterns: list[str] = []
+nitpicky = True
+
+highlight_language = "text"  # of fences without a language
+myst_heading_anchors = 6  # anchors of headings as in the repository
+
+html_theme = "furo"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_copyright = False
+
+
+def contents(page: str) -> str:
+    """The lists of links under the headings of index.md, as tables of contents with these headings."""
+    text = ""
+    for section in page.split("\n## ")[1:]:
+        heading, _, listed = section.partition("\n")
+        pages = re.findall(r"^\* .*?\]\((\S+\.md)\)", listed, re.MULTILINE)
+        text += "\n".join(["", "```{toctree}", ":hidden:", f":caption: {heading}", "", *pages, "```", ""])
+    return text
+
+
+def read(app: Sphinx, name: str, source: list[str]) -> None:
+    """What is written for the repository, for the site: lists of index.md as tables of contents too; Markdown that is
+    not a page of this folder as a file."""
+    if name == "index":
+        source[0] += contents(source[0])
+    source[0] = re.sub(r"\]\((\.\./[^)#]*\.md)", r"](path:\1", source[0])
+
+
+def show(app: Sphinx, tree: nodes.document, name: str) -> None:
+    """Files of the repository that pages link to (C, templates) are shown by the browser instead of saved."""
+    page = app.builder.get_target_uri(name)
+    for link in list(tree.findall(addnodes.download_reference)):
+        target = osutil.relative_uri(page, f"_downloads/{link['filename']}")
+        link.replace_self(nodes.reference("", "", *link.children, refuri=target, internal=True))
+
+
+def setup(app: Sphinx) -> None:
+    app.connect("source-read", read)
+    app.connect("doctree-resolved", show)
