@@ -1,0 +1,106 @@
+"""Markup of tables and figures of the report: numbers to a few digits, text escaped."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+from markupsafe import Markup, escape
+
+from mahovik.report.derivation import mathml
+from mahovik.report.derivation.parse import parse
+
+Cell = str | Markup
+
+DIGITS = 5
+"""Significant digits of a figure, where nothing else is said."""
+
+
+def figure(value: float, digits: int = DIGITS) -> Markup:
+    """A number to some significant digits, with a minus sign and powers of ten as one prints them; "–" for none."""
+    if not math.isfinite(value):
+        return Markup("–") if math.isnan(value) else Markup("−∞" if value < 0 else "∞")
+    text, _, exponent = f"{abs(value):.{digits}g}".partition("e")
+    sign = "−" if value < 0 else ""
+    if not exponent:
+        return Markup(sign + text)
+    power = str(int(exponent)).replace("-", "−")
+    return Markup(f"{sign}{text}·10<sup>{power}</sup>")
+
+
+def share(value: float) -> Markup:
+    """A relative difference to two digits; a plain zero where there is none."""
+    return figure(value, 2) if value else Markup("0")
+
+
+def math_text(notation: str, display: bool = False) -> Markup:
+    """Notation of docs/model.md (report/derivation/parse) as MathML."""
+    return Markup(mathml.mathml(parse(notation), display))
+
+
+def paragraph(text: str) -> Markup:
+    """Running text; notation between backticks, words of a command between double backticks."""
+    found = []
+    for i, part in enumerate(re.split(r"``([^`]*)``", text)):
+        if i % 2:
+            found.append(Markup("<code>{}</code>").format(part))
+            continue
+        pieces = enumerate(re.split(r"`([^`]*)`", part))
+        found += [math_text(piece) if k % 2 else escape(piece) for k, piece in pieces]
+    return Markup("<p>{}</p>\n").format(Markup("").join(found))
+
+
+def table(
+    head: Sequence[Cell],
+    groups: Iterable[Sequence[Sequence[Cell]]],
+    caption: str = "",
+    foot: Sequence[Cell] = (),
+    kind: str = "",
+) -> Markup:
+    """A table that scrolls where it is too wide; columns whose name ends in ">" are right-aligned.
+
+    `groups`: rows, group by group. The first cell of a row is its heading.
+    """
+    right = [name.endswith(">") for name in head]
+    names = [_without_mark(name) for name in head]
+    lines = [Markup('<div class="scroll" tabindex="0"><table class="{}">\n').format(kind)]
+    if caption:
+        lines.append(Markup("<caption>{}</caption>\n").format(caption))
+    tops = Markup("").join(_cell("th", name, r, ' scope="col"') for name, r in zip(names, right, strict=True))
+    lines.append(Markup("<thead><tr>{}</tr></thead>\n").format(tops))
+    for rows in groups:
+        lines.append(Markup("<tbody>\n"))
+        lines += [_row(row, right) for row in rows]
+        lines.append(Markup("</tbody>\n"))
+    if foot:
+        lines += [Markup("<tfoot>\n"), _row(foot, right), Markup("</tfoot>\n")]
+    return Markup("").join([*lines, Markup("</table></div>\n")])
+
+
+def definitions(pairs: Mapping[str, Cell]) -> Markup:
+    """Terms and what is said of them."""
+    found = Markup("").join(Markup("<dt>{}</dt><dd>{}</dd>\n").format(term, words) for term, words in pairs.items())
+    return Markup("<dl>\n{}</dl>\n").format(found)
+
+
+def verdict(words: str, style: str) -> Markup:
+    """A verdict: style good, bad, warn or muted."""
+    return Markup('<span class="verdict {}">{}</span>').format(style, words)
+
+
+def _without_mark(name: Cell) -> Cell:
+    return Markup(name.removesuffix(">")) if isinstance(name, Markup) else name.removesuffix(">")
+
+
+def _row(row: Sequence[Cell], right: Sequence[bool]) -> Markup:
+    cells = [
+        _cell("td" if i else "th", cell, r, "" if i else ' scope="row"')
+        for i, (cell, r) in enumerate(zip(row, right, strict=True))
+    ]
+    return Markup("<tr>{}</tr>\n").format(Markup("").join(cells))
+
+
+def _cell(tag: str, content: Cell, right: bool, more: str) -> Markup:
+    kind = ' class="right"' if right else ""
+    return Markup(f"<{tag}{kind}{more}>{{}}</{tag}>").format(content)
