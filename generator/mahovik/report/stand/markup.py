@@ -16,17 +16,46 @@ Cell = str | Markup
 DIGITS = 5
 """Significant digits of a figure, where nothing else is said."""
 
+LEAST, MOST = -4, 7
+"""Powers of ten of the first digit between which a figure is printed without a power."""
+
 
 def figure(value: float, digits: int = DIGITS) -> Markup:
-    """A number to some significant digits, with a minus sign and powers of ten as one prints them; "–" for none."""
+    """A number to some significant digits as one prints it: minus sign, thousands apart, powers of ten; "–" for none."""
     if not math.isfinite(value):
         return Markup("–") if math.isnan(value) else Markup("−∞" if value < 0 else "∞")
-    text, _, exponent = f"{abs(value):.{digits}g}".partition("e")
+    text, _, exponent = f"{abs(value):.{digits - 1}e}".partition("e")
+    power = int(exponent)
     sign = "−" if value < 0 else ""
-    if not exponent:
-        return Markup(sign + text)
-    power = str(int(exponent)).replace("-", "−")
-    return Markup(f"{sign}{text}·10<sup>{power}</sup>")
+    if LEAST <= power < MOST or value == 0.0:
+        return Markup(sign + _apart(_short(f"{abs(value):.{max(0, digits - 1 - power)}f}")))
+    return Markup(f"{sign}{_short(text)}·10<sup>{str(power).replace('-', '−')}</sup>")
+
+
+def figures(values: Sequence[float], digits: int = DIGITS) -> list[Markup]:
+    """Numbers of one column: with the same decimals where they are of like size, so that their points align."""
+    given = [abs(x) for x in values if math.isfinite(x) and x != 0.0]
+    low, high = (math.floor(math.log10(end(given))) if given else 0 for end in (min, max))
+    if low < LEAST or high >= MOST or high - low >= digits or not given:
+        return [figure(x, digits) for x in values]
+    printed = [f"{abs(x):.{max(0, digits - 1 - high)}f}" for x in values if math.isfinite(x)]
+    decimals = max((len(_short(text).partition(".")[2]) for text in printed), default=0)
+    return [
+        Markup(("−" if x < 0 else "") + _apart(f"{abs(x):.{decimals}f}")) if math.isfinite(x) else figure(x)
+        for x in values
+    ]
+
+
+def _short(text: str) -> str:
+    """Without zeros at the end of decimals."""
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def _apart(text: str) -> str:
+    """Five digits and more before the point in threes, with thin spaces."""
+    whole, point, decimals = text.partition(".")
+    grouped = f"{int(whole):,}".replace(",", "\u202f") if len(whole) > 4 else whole
+    return grouped + point + decimals
 
 
 def share(value: float) -> Markup:
@@ -58,12 +87,13 @@ def table(
     foot: Sequence[Cell] = (),
     kind: str = "",
 ) -> Markup:
-    """A table that scrolls where it is too wide; columns whose name ends in ">" are right-aligned.
+    """A table that scrolls where it is too wide; columns whose name ends in ">" are right-aligned, what follows the
+    last comma of a name is its unit.
 
     `groups`: rows, group by group. The first cell of a row is its heading.
     """
     right = [name.endswith(">") for name in head]
-    names = [_without_mark(name) for name in head]
+    names = [_heading(name) for name in head]
     lines = [Markup('<div class="scroll" tabindex="0"><table class="{}">\n').format(kind)]
     if caption:
         lines.append(Markup("<caption>{}</caption>\n").format(caption))
@@ -89,8 +119,11 @@ def verdict(words: str, style: str) -> Markup:
     return Markup('<span class="verdict {}">{}</span>').format(style, words)
 
 
-def _without_mark(name: Cell) -> Cell:
-    return Markup(name.removesuffix(">")) if isinstance(name, Markup) else name.removesuffix(">")
+def _heading(name: Cell) -> Markup:
+    """The name of a column, its unit on a line of its own."""
+    text = escape(name).removesuffix("&gt;").removesuffix(">")
+    what, comma, unit = text.rpartition(", ")
+    return Markup('{}<br><span class="unit">{}</span>').format(Markup(what), Markup(unit)) if comma else Markup(text)
 
 
 def _row(row: Sequence[Cell], right: Sequence[bool]) -> Markup:

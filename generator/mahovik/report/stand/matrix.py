@@ -19,7 +19,7 @@ DIGITS = 4
 SHADES = 6
 """Steps of shading; the darkest is the largest of its block."""
 
-DECADES = 4.0
+DECADES = 3.0
 """Below the largest of its block by as many powers of ten, an element has the lightest shade."""
 
 ROUNDING = 1e-13
