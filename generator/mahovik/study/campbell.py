@@ -1,4 +1,4 @@
-"""Campbell diagram: natural frequencies of the carrier against a common speed of the flywheels, and what crosses them."""
+"""Campbell diagram: natural frequencies of the carrier against a common speed of the flywheels, and what meets them."""
 
 from __future__ import annotations
 
@@ -73,12 +73,7 @@ def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
 
 def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
     """Natural frequencies (S, 6; Hz), damping ratios (S, 6), growth (S, 1/s) at speeds (S, rad/s)."""
-    N = scene.chart.mechanics.N
-    M = NODES * len(speed)
-    phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, len(speed))
-    given = scene.drive(np.tile(phi[:, None], N), np.tile(np.repeat(speed, NODES)[:, None], N))
-    A = scene.jacobian(given, np.zeros((M, 12)), np.zeros((M, 6))).reshape(-1, NODES, 12, 12).mean(axis=1)
-    values = np.linalg.eigvals(A)
+    values = np.linalg.eigvals(mean_equations(scene, speed))
     size = np.abs(values).max(axis=1, initial=0.0, keepdims=True)
     swinging = values.imag > np.maximum(1e-6 * size, 1e-6)
     order = np.argsort(np.where(swinging, np.abs(values), np.inf), axis=1)[:, :6]
@@ -88,6 +83,27 @@ def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
     real = values.real.max(axis=1)
     growth = np.where(real > np.maximum(GROWING * size[:, 0], np.sqrt(1e-9)), real, 0.0)
     return natural / (2.0 * np.pi), -chosen.real / natural, growth
+
+
+def mean_equations(scene: Scene, speed: Array) -> Array:
+    """A (S, 12, 12) of y' = A y about rest, y of `Scene`: mean over a turn, at speeds (S, rad/s).
+
+    Where no flywheel has damping of the second degree A is linear in the speed, and two speeds tell all.
+    """
+    laws = [s.damping for s in scene.stand.flywheels if s.damping is not None]
+    fastest = float(np.abs(speed).max(initial=0.0))
+    if len(speed) <= 2 or fastest == 0.0 or any(law.quadratic is not None or law.terms for law in laws):
+        return _averaged(scene, speed)
+    still, fast = _averaged(scene, np.array([0.0, fastest]))
+    return np.asarray(still + (speed / fastest)[:, None, None] * (fast - still))
+
+
+def _averaged(scene: Scene, speed: Array) -> Array:
+    N, M = scene.chart.mechanics.N, NODES * len(speed)
+    phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, len(speed))
+    given = scene.drive(np.tile(phi[:, None], N), np.tile(np.repeat(speed, NODES)[:, None], N))
+    J = scene.jacobian(given, np.zeros((M, 12)), np.zeros((M, 6)))
+    return np.asarray(J.reshape(-1, NODES, 12, 12).mean(axis=1))
 
 
 def _crossings(scene: Scene, speed: Array, natural: Array, order: int) -> list[Crossing]:

@@ -106,7 +106,8 @@ def _meeting(found: Campbell) -> float:
 def _nothing(scene: Scene) -> str:
     return (
         "Nothing brings the carrier back along or about any axis, and flywheels at one common speed have no net "
-        f"momentum that would make it swing: their spin inertias add up as vectors to {_net(scene)}. There is no natural frequency."
+        f"momentum that would make it swing: their spin inertias add up as vectors to {_net(scene)}. "
+        "There is no natural frequency."
     )
 
 
@@ -123,16 +124,16 @@ def _net(scene: Scene) -> str:
 def _words(scene: Scene, found: Campbell) -> str:
     free = scene.free.shape[1]
     words = (
-        "Small motions of the carrier about rest, (8) made linear, while all flywheels keep one common speed; means over a "
-        "turn. What splits and bends the lines is gyroscopic: the flywheels' spin inertias, which add up as vectors to "
+        "Small motions of the carrier about rest, (8) made linear, while all flywheels keep one common speed; means "
+        "over a turn. What splits and bends the lines is gyroscopic: the flywheels' spin inertias, which add up as vectors to "
         f"{_net(scene)}. "
     )
     if free == 6:
-        words += "Nothing brings the carrier back: at rest there is no natural frequency, what swings here does so by spin alone. "
+        words += "Nothing brings the carrier back: what swings here does so by spin alone. "
     elif free:
         words += f"{free} of 6 directions are free and have no natural frequency at rest. "
-    words += "1× is the order that unbalance drives"
-    words += "; at 2× asymmetric flywheels vary K. " if 2 in found.orders else "; no flywheel is asymmetric, so there is no 2×. "
+    twice = "at 2× asymmetric flywheels vary K" if 2 in found.orders else "no flywheel is asymmetric, so there is no 2×"
+    words += f"1× is the order that unbalance drives; {twice}. "
     if found.growth.any():
         first = RPM * float(found.speed[np.flatnonzero(found.growth)[0]])
         words += f"From {first:.4g} rpm on a mode grows: the stand is unstable there."

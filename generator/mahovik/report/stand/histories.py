@@ -43,8 +43,9 @@ def section(material: Material) -> Section | None:
         shown.append(checked)
         largest = max(float(line.y.max(initial=0.0)) for line in checked.lines)
         words += (
-            "Residual: `F - K V_r* - M V_r - J phi' - I phi''` of (8), and drive torques less those of the run, by equations "
-            f"that share no code with the C, at {len(rows)} rows; largest {largest:.2g} of the largest wrench or torque. "
+            "Residual: `F - K V_r* - M V_r - J phi' - I phi''` of (8), and drive torques less those of the run, by "
+            f"equations that share no code with the C, at {len(rows)} rows; largest {largest:.2g} of the largest wrench or "
+            "torque. "
             "A run-time wrench of the regime is not among the columns, and would stand here in full. "
         )
         summary += f"; residual of (8) at most {largest:.2g}"
@@ -92,7 +93,7 @@ def twists(stand: Stand, run: Run, rows: Rows) -> Twists:
 
 
 def energy(stand: Stand, run: Run, rows: Rows) -> Panel:
-    """Kinetic energy of all bodies: V^T K V / 2 + V^T I phi' + phi'^T Theta_ff phi' / 2; without added mass of a stream."""
+    """Kinetic energy V^T K V / 2 + V^T I phi' + phi'^T Theta_ff phi' / 2, and its first term alone; V_r in a stream."""
     own = Mechanics.of(stand)
     K, I = mass_and_coupling(own, run.phi[rows])
     V, phi_dot = run.V[rows], run.phi_dot[rows]

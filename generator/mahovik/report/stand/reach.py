@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from markupsafe import Markup
 
 from mahovik.report.plot.panel import Array, Line, Panel, border, family
 from mahovik.report.plot.prefix import prefixed
@@ -21,6 +22,9 @@ BEYOND = 1.1
 """Of the limit of speed: how far the abscissa goes."""
 
 POINTS = 60
+
+LONG = 16
+"""Rows of a table beyond which it is closed until it is asked for."""
 
 NOTHING = 1e-9
 """Of the largest: a wrench along an axis below this is rounding."""
@@ -52,7 +56,7 @@ def panels(found: Reach) -> list[Panel]:
         _panel("unbalance force, all flywheels", "N", AXES, speed, together[:, :3], top),
         _panel("unbalance moment about O1, all flywheels", "N m", AXES, speed, together[:, 3:], top),
         _panel("unbalance force of each flywheel, m e ω²", "N", names, speed, force, top),
-        _panel("dynamic unbalance moment of each flywheel about its origin", "N m", names, speed, moment, top),
+        _panel("dynamic unbalance moment of each flywheel", "N m", names, speed, moment, top),
     ]
     if found.driven:
         about = [f"about {a}" for a in AXES]
@@ -60,9 +64,7 @@ def panels(found: Reach) -> list[Panel]:
     return [panel for panel in shown if panel is not None]
 
 
-def _panel(
-    what: str, unit: str, names: Sequence[str], speed: Array, values: Array, limit: float
-) -> Panel | None:
+def _panel(what: str, unit: str, names: Sequence[str], speed: Array, values: Array, limit: float) -> Panel | None:
     """A line a column, with the limit of speed; None where nothing acts."""
     largest = float(np.nanmax(values, initial=0.0))
     if largest <= 0.0:
@@ -97,7 +99,7 @@ def _words(found: Reach) -> str:
     )
 
 
-def _table(found: Reach) -> str:
+def _table(found: Reach) -> Markup:
     """Figures at the limit of each flywheel."""
     square = found.limits**2
     alone = found.unbalance * square
@@ -120,7 +122,11 @@ def _table(found: Reach) -> str:
     foot += [figure(float(x)) for x in (*(f * _clean(total[:3])), *(g * _clean(total[3:])))]
     if found.driven:
         foot.append("")
-    return table(head, [rows], "Each flywheel at its limit of speed; along E1, moments about O1", foot)
+    words = "Each flywheel at its limit of speed; along E1, moments about O1"
+    if len(rows) <= LONG:
+        return table(head, [rows], words, foot)
+    closed = Markup("<details><summary>{} flywheels</summary>\n{}</details>\n")
+    return table(head, [], words, foot) + closed.format(len(rows), table(head, [rows]))
 
 
 def _clean(values: Array) -> Array:

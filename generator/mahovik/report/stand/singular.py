@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.plan.figures import singular_values
 from mahovik.plan.residual import Mechanics
@@ -40,8 +41,8 @@ def section(material: Material) -> Section | None:
     told = f"condition number {_number(found.min())} to {_number(found[worst])}"
     place = f"largest at {abscissa.split(',')[0]} = {x[worst]:.4g} {abscissa.split(', ')[1]}"
     words = (
-        f"Of ``K^-1/2 I Theta_ff^-1/2`` in (12), as ``inverse`` scales it: the same for any units, origin and axes, and "
-        f"always below 1. {where} The {told}, {place}. "
+        f"Of ``K^-1/2 I Theta_ff^-1/2`` in (12), as ``inverse`` scales it: the same for any units, origin and axes, "
+        f"and always below 1. {where} The {told}, {place}. "
     )
     words += _rank(sigma)
     return Section(
@@ -88,7 +89,7 @@ def condition(sigma: Array) -> Array:
         return np.asarray(np.where(sigma[:, -1] > LEAST * sigma[:, 0], sigma[:, 0] / sigma[:, -1], np.inf))
 
 
-def stretches(x: Array, flags: Array) -> tuple[tuple[float, float], ...]:
+def stretches(x: Array, flags: NDArray[np.bool_]) -> tuple[tuple[float, float], ...]:
     """From where to where flags (M) stand, to the middle of the neighbours."""
     if not len(x):
         return ()
@@ -101,8 +102,8 @@ def _rank(sigma: Array) -> str:
     """What the number of flywheels and of zeros means."""
     columns = sigma.shape[1]
     if columns < 6:
-        words = f"{columns} flywheels move the carrier in at most {columns} of its 6 directions at once. "
-        return words if columns > 1 else words.replace("flywheels move", "flywheel moves").replace("directions", "directions")
+        who = "1 flywheel moves" if columns == 1 else f"{columns} flywheels move"
+        return f"{who} the carrier in at most {columns} of its 6 directions at once. "
     lost = float((sigma[:, -1] < NEAR * sigma[:, 0]).mean())
     if lost:
         return f"For {100.0 * lost:.3g} % of it the least is below {NEAR:g} of the largest: accelerations grow there. "

@@ -1,7 +1,7 @@
 """A panel as a figure of HTML: words above, then inline SVG whose text keeps its size at any width.
 
-The frame is as wide as its place. Text and grid stand in it by per cent, paths in a frame of their own that is stretched;
-strokes are not. `templates/report_chart.js.j2` reads values under the pointer out of the paths.
+The frame is as wide as its place. Text and grid stand in it by per cent, paths in a frame of their own that is
+stretched; strokes are not. `templates/report_chart.js.j2` reads values under the pointer out of the paths.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def _legend(panel: Panel, filled: Band | None) -> str:
         return ""
     items = [f"<li>{_key(_style(line))}{escape(line.name)}</li>" for line in named]
     if filled is not None:
-        items.insert(0, f'<li>{_key("band")}all {filled.count}</li>')
+        items.insert(0, f"<li>{_key('band')}all {filled.count}</li>")
     return f'<ul class="legend">{"".join(items)}</ul>'
 
 

@@ -44,8 +44,8 @@ def placed(x: Array, y: Array, across: Axis, down: Axis) -> tuple[Whole, Whole, 
     """Where points are in the frame, whole units, y downward; and whether they are anywhere."""
     u, v = ACROSS * across.share(x), DOWN * (1.0 - down.share(y))
     there = np.isfinite(u) & np.isfinite(v)
-    u, v = (np.clip(np.where(there, each, 0.0), -_FAR, _FAR).round().astype(np.int64) for each in (u, v))
-    return u, v, there
+    whole = np.clip(np.where(there, np.stack([u, v]), 0.0), -_FAR, _FAR).round().astype(np.int64)
+    return whole[0], whole[1], there
 
 
 def path(x: Array, y: Array, across: Axis, down: Axis) -> str:
