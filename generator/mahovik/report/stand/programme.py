@@ -28,8 +28,8 @@ def section(material: Material) -> Section | None:
         words += "With ``--motion`` its carrier's motion, torques and the residual of (12) are shown as well."
     else:
         words += (
-            "The carrier as (8) moves it from the required state at t = 0 under the programme, beside what is required; "
-            f"residual of (12) by the literal reference at {TIMES} times: ``mahovik verify-programme`` judges it closely."
+            "The carrier as (8) moves it from the required state at t = 0 under the programme, beside what is required. "
+            f"Residual of (12) by the literal reference at {TIMES} times; ``mahovik verify-programme`` looks closer."
         )
     try:
         shown = panels(programme, material.stand, material.motion, TIMES)
