@@ -35,7 +35,7 @@ def section(material: Material) -> Section | None:
 
 
 def _bodies(stand: Stand, summary: Summary) -> Markup:
-    head = (
+    head: tuple[Cell, ...] = (
         "body", "kind", "on", "mass, kg>", "x, mm>", "y, mm>", "z, mm>", Markup("J<sub>11</sub>, kg m²>"),
         Markup("J<sub>22</sub>, kg m²>"), Markup("J<sub>33</sub>, kg m²>"), "displaced, kg>",
     )  # fmt: skip
@@ -70,8 +70,8 @@ def _bodies(stand: Stand, summary: Summary) -> Markup:
 def _flywheels(stand: Stand, summary: Summary) -> Markup:
     head = (
         "flywheel", "spin inertia, kg m²>", "transverse, kg m²>", "static, g mm>", "dynamic, g mm²>",
-        "dynamic about mass centre, g mm²>", Markup("J<sub>22</sub> − J<sub>33</sub>, g mm²>"), Markup("J<sub>23</sub>, g mm²>"),
-        "at, rpm>", "force, N>", "moment, N m>", "e Ω, mm/s>",
+        "dynamic about mass centre, g mm²>", Markup("J<sub>22</sub> − J<sub>33</sub>, g mm²>"),
+        Markup("J<sub>23</sub>, g mm²>"), "at, rpm>", "force, N>", "moment, N m>", "e Ω, mm/s>",
     )  # fmt: skip
     numbers = [_flywheel(row, body) for row, body in zip(summary.unbalance, stand.flywheels, strict=True)]
     columns = [figures(column, 4) for column in zip(*numbers, strict=True)]
@@ -103,14 +103,13 @@ def _drives(stand: Stand) -> Markup:
         motor, encoder = s.motor, s.encoder
         if motor is None and encoder is None:
             continue
-        cells: list[Cell] = [s.name]
-        for value, unit in (
-            (motor and motor.torque, 1.0), (motor and motor.speed, RPM), (motor and motor.constant, 1.0),
-            (motor and motor.coulomb, 1.0), (motor and motor.viscous, 1.0), (encoder and encoder.counts, 1.0),
-            (encoder and encoder.latency, 1e6),
-        ):  # fmt: skip
-            cells.append("–" if value is None else figure(unit * value))
-        rows.append(cells)
+        values: list[float | None] = [None] * 7
+        if motor is not None:
+            no_load = None if motor.speed is None else RPM * motor.speed
+            values[:5] = [motor.torque, no_load, motor.constant, motor.coulomb, motor.viscous]
+        if encoder is not None:
+            values[5:] = [encoder.counts, 1e6 * encoder.latency]
+        rows.append([s.name, *("–" if value is None else figure(value) for value in values)])
     if not rows:
         return Markup("")
     head = (

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from mahovik.errors import UsageError
 from mahovik.motion.programme import Programme, load_programme
@@ -12,7 +15,11 @@ from mahovik.report.stand.material import Material
 from mahovik.report.stand.run import Run
 from mahovik.report.stand.run_of_stand import refuse_foreign_run
 from mahovik.report.stand.state import WORDS, chosen_state
+from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
+from mahovik.study.cost.page import accepted
+from mahovik.verify.cost_files import FIGURES
+from mahovik.verify.delivery import accepted_figures
 from mahovik.verify.programme.identity import motion_finding, stand_finding
 from mahovik.verify.targets import asked
 
@@ -41,9 +48,7 @@ def gather(
     motion = None if motion_file is None else load_motion(motion_file, stand)
     if programme is not None and programme_file is not None:
         _refuse_foreign_programme(programme_file, stand, programme, motion)
-    folder = None if cost_folder is None else Path(cost_folder)
-    if folder is not None and not folder.is_dir():
-        raise UsageError(f"--cost {cost_folder}: no such folder; expected one of `mahovik generate`, with cost.json")
+    costs = () if cost_folder is None else _costs(Path(cost_folder), stand)
     return Material(
         stand=stand,
         state=chosen_state(stand) if run is None else run.state(-1),
@@ -54,7 +59,8 @@ def gather(
         programme_file=_name(programme_file),
         motion=motion,
         motion_file=_name(motion_file),
-        delivered=folder,
+        costs=costs,
+        cost_file="" if cost_folder is None else FIGURES,
         targets=targets or "",
     )
 
@@ -71,9 +77,24 @@ def _run(path: Path, stand: Stand) -> Run:
     return run
 
 
-def _refuse_foreign_programme(
-    source: str, stand: Stand, programme: Programme, motion: RequiredMotion | None
-) -> None:
+def _costs(folder: Path, stand: Stand) -> tuple[Mapping[str, Any], ...]:
+    """The accepted figures in a folder of generated C."""
+    if not folder.is_dir():
+        raise UsageError(f"--cost {folder}: no such folder; expected one of `mahovik cost`, with {FIGURES}")
+    text = accepted_figures(folder, stand)
+    if text is None:
+        raise UsageError(f"--cost {folder}: has no {FIGURES}: `mahovik cost` measures and writes it")
+    whole = json.loads(text)  # an object of this name, or it would have been refused
+    own = identities(stand)
+    for key, ours in (("structure", own.structure), ("physics", own.physics)):
+        if whole.get(key) != ours:
+            raise UsageError(
+                f"--cost {folder}: figures of another stand: {key} is {whole.get(key)}, of the stand {ours}"
+            )
+    return tuple(accepted(text, str(folder / FIGURES), whole.get("lanes", 1)))
+
+
+def _refuse_foreign_programme(source: str, stand: Stand, programme: Programme, motion: RequiredMotion | None) -> None:
     findings = [stand_finding(stand, programme)]
     findings += [] if motion is None else [motion_finding(motion, programme)]
     for each in findings:

@@ -21,7 +21,7 @@ LEAST, MOST = -4, 7
 
 
 def figure(value: float, digits: int = DIGITS) -> Markup:
-    """A number to some significant digits as one prints it: minus sign, thousands apart, powers of ten; "–" for none."""
+    """A number to some significant digits as one prints it: minus sign, thousands apart, powers of ten; NaN as "–"."""
     if not math.isfinite(value):
         return Markup("–") if math.isnan(value) else Markup("−∞" if value < 0 else "∞")
     text, _, exponent = f"{abs(value):.{digits - 1}e}".partition("e")
@@ -44,6 +44,11 @@ def figures(values: Sequence[float], digits: int = DIGITS) -> list[Markup]:
         Markup(("−" if x < 0 else "") + _apart(f"{abs(x):.{decimals}f}")) if math.isfinite(x) else figure(x)
         for x in values
     ]
+
+
+def sentence(words: str) -> str:
+    """With a capital letter."""
+    return words[:1].upper() + words[1:]
 
 
 def _short(text: str) -> str:

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from mahovik import reference
 from mahovik.errors import StateError
 from mahovik.reference.forward import forward
-from mahovik.report.stand.markup import Cell, figure, math_text, paragraph, table
+from mahovik.report.stand.markup import Cell, figure, math_text, paragraph, sentence, table
 from mahovik.report.stand.material import Material
 from mahovik.report.stand.matrix import Array, Side, matrix
 from mahovik.report.stand.section import Section
@@ -52,7 +52,7 @@ def section(material: Material) -> Section | None:
             "tells the magnitude within its block, over three powers of ten, blue above zero and orange below."
         ),
         _equations(),
-        Markup("<h3>State</h3>\n<p>{}.</p>\n").format(_sentence(material.state_words)),
+        Markup("<h3>State</h3>\n<p>{}.</p>\n").format(sentence(material.state_words)),
         _state(stand, state),
         Markup("<h3>Carrier, (2), (6), (9)</h3>\n"),
         Markup('<div class="side">\n'),
@@ -93,9 +93,7 @@ def _equations() -> Markup:
 
 
 def _caption(name: str, equation: str, units: str) -> Markup:
-    return Markup('<b>{}</b> <a href="#equation-{}">({})</a>, {}').format(
-        math_text(name), equation, equation, units
-    )
+    return Markup('<b>{}</b> <a href="#equation-{}">({})</a>, {}').format(math_text(name), equation, equation, units)
 
 
 def _twist(linear: str, angular: str) -> Side:
@@ -196,7 +194,3 @@ def _balance(at: reference.Pieces, state: State) -> Markup:
         "", "force 1, N>", "2>", "3>", "moment 1, N m>", "2>", "3>",
     )  # fmt: skip
     return Markup("<h3>Balance of (8)</h3>\n") + words + table(head, [rows, total, solved])
-
-
-def _sentence(words: str) -> str:
-    return words[:1].upper() + words[1:]

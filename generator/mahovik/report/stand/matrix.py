@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from markupsafe import Markup
@@ -106,7 +107,7 @@ def _largest(values: Array, rows: Side, columns: Side, i: int, j: int) -> float:
 
 
 def _span(starts: Sequence[int], index: int) -> tuple[int, int]:
-    return next((a, b) for a, b in zip(starts, starts[1:], strict=False) if a <= index < b)
+    return next((a, b) for a, b in pairwise(starts) if a <= index < b)
 
 
 def _cell(value: float, scale: float, largest: float, edge: bool) -> Markup:

@@ -45,7 +45,7 @@ def refuse_foreign_run(stand: Stand, run: Run, identity: Mapping[str, str] | Non
 
 
 def _refuse_names(stand: Stand, run: Run, where: str) -> None:
-    points = [p.name for p in (*stand.instruments, *stand.points)]
+    points = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
     has_points = any(_POINT.fullmatch(name) for name in run.columns)
     pairs: list[tuple[str, re.Pattern[str], list[str]]] = [("flywheels", _FLYWHEEL, [s.name for s in stand.flywheels])]
     if has_points or run.V_dot is not None:
@@ -95,5 +95,7 @@ def _disagreement(stand: Stand, run: Run) -> str | None:
             off, _ = difference(found[keep], expected[keep], natural[keep])
             if off > AGREES:
                 what = "the acceleration of its carrier" if want == "forward" else "a drive torque"
-                return f"{what} at t = {run.t[row]:.6g} s is not that of the stand, {off:.1e} of its natural scale apart"
+                return (
+                    f"{what} at t = {run.t[row]:.6g} s is not that of the stand, {off:.1e} of its natural scale apart"
+                )
     return None

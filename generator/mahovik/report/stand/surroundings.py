@@ -10,8 +10,7 @@ from markupsafe import Markup
 
 from mahovik.derive.order import SEQUENCES
 from mahovik.report.stand.markup import Cell, figure
-from mahovik.stand.model import Leg, Stand, Suspension
-
+from mahovik.stand.model import Carrier, Instrument, Leg, Stand, Suspension
 
 
 def surroundings(stand: Stand) -> dict[str, Cell]:
@@ -37,15 +36,16 @@ def _vector(numbers: Sequence[float], unit: str, nothing: str) -> Markup:
 
 def _fluid(stand: Stand) -> Markup:
     parts = []
-    added = [b.name for b in (stand.carrier, *stand.instruments) if b.added_mass is not None]
+    bearers: list[Carrier | Instrument] = [stand.carrier, *stand.instruments]
+    added = [body.name for body in bearers if body.added_mass is not None]
     floating = [body.name for body in stand.bodies if body.buoyancy is not None]
     damped = [body.name for body in stand.bodies if body.damping is not None]
     for what, names in (("added mass of", added), ("buoyancy of", floating), ("damping of", damped)):
         if names:
             parts.append(Markup("{} {}").format(what, ", ".join(names)))
     if stand.stream is not None:
-        still = "stream may be set at run time, still by default"
-        parts.append(Markup("stream {}").format(_vector(stand.stream, "m/s", "")) if any(stand.stream) else still)
+        still = "still, unless it is set at run time"
+        parts.append(Markup("stream {}").format(_vector(stand.stream, "m/s", still)))
     if any(stand.gravity) and floating:
         parts.append(_balance(stand))
     return Markup("; ").join(parts) if parts else Markup("none")
