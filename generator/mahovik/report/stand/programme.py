@@ -28,7 +28,7 @@ def section(material: Material) -> Section | None:
         words += "With ``--motion`` its carrier's motion, torques and the residual of (12) are shown as well."
     else:
         words += (
-            "The carrier as (8) moves it from the required state at t = 0 under the programme, beside what is required. "
+            "The carrier as (8) moves it from the required state at t = 0 under the programme, and as it is required. "
             f"Residual of (12) by the literal reference at {TIMES} times; ``mahovik verify-programme`` looks closer."
         )
     try:
