@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import csv
+import json
 import re
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.report.plot import following
 from mahovik.report.plot.panel import Array, Line, Panel
+from mahovik.simulate.output import IDENTITY
 
 SUFFIXES = (".csv", ".parquet")
 
@@ -34,6 +37,21 @@ def read(path: Path) -> dict[str, Array]:
     return found
 
 
+def identity(path: Path) -> dict[str, str] | None:
+    """Whose run a file says it is: name, structure and physics of the stand; None where it does not say.
+
+    Raises UsageError.
+    """
+    if path.suffix == ".csv":
+        return None
+    try:
+        given = (_parquet_module(path).read_schema(path).metadata or {}).get(IDENTITY.encode())
+        found = None if given is None else json.loads(given)
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: no run of `mahovik simulate`: {error}") from None
+    return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else None
+
+
 def _csv(path: Path) -> dict[str, Array]:
     with path.open(encoding="utf-8", newline="") as file:
         head, *rows = list(csv.reader(file)) or [[]]
@@ -44,13 +62,16 @@ def _csv(path: Path) -> dict[str, Array]:
 
 
 def _parquet(path: Path) -> dict[str, Array]:
+    with path.open("rb") as file:
+        table = _parquet_module(path).read_table(file)
+    return {name: np.asarray(table[name], dtype=np.float64) for name in table.column_names}
+
+
+def _parquet_module(path: Path) -> Any:
     try:
-        parquet = import_module("pyarrow.parquet")
+        return import_module("pyarrow.parquet")
     except ImportError:
         raise UsageError(f'{path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
-    with path.open("rb") as file:
-        table = parquet.read_table(file)
-    return {name: np.asarray(table[name], dtype=np.float64) for name in table.column_names}
 
 
 def panels(columns: Mapping[str, Array]) -> list[Panel]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from typing import Any
 
 from mahovik.motion.programme import Programme
 from mahovik.motion.required import RequiredMotion
@@ -19,7 +20,8 @@ class Material:
     state, state_words   at which matrices are shown, and which state that is, in words
     run          of this stand; None: none was given
     programme, motion    of this stand; a motion goes with a programme
-    delivered    folder of the generated C, whose measured cost is shown; None: none was given
+    costs        figures of `mahovik cost` for this stand, a target each, as its JSON holds them; none were given: ()
+    cost_file    its name
     targets      of `--targets`: processors on which the self-test is run now; "" for none
     """
 
@@ -32,5 +34,6 @@ class Material:
     programme_file: str = ""
     motion: RequiredMotion | None = None
     motion_file: str = ""
-    delivered: Path | None = None
+    costs: tuple[Mapping[str, Any], ...] = ()
+    cost_file: str = ""
     targets: str = ""
