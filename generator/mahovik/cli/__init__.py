@@ -29,6 +29,7 @@ from mahovik.cli.plan import plan
 from mahovik.cli.plot import plot
 from mahovik.cli.quiet import quiet
 from mahovik.cli.replay import replay
+from mahovik.cli.report import report
 from mahovik.cli.response import response
 from mahovik.cli.rest import rest
 from mahovik.cli.simulate import simulate
@@ -41,7 +42,7 @@ SECTIONS = {
     "Motion in time": (evaluate, simulate, replay),
     "Vibration": (modes, linearize, response, quiet),
     "Programmes of the flywheels": (plan, design, verify_programme),
-    "Around it": (plot, export, doctor, completion),
+    "Around it": (report, plot, export, doctor, completion),
 }
 """Commands under the headings of `--help`, in the order in which one uses them."""
 

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.control.plant import Plant
 from mahovik.control.wanted import Wanted
 from mahovik.plan.array import Array
-from mahovik.simulate.run import Run
+from mahovik.simulate.run import Run, identity_of
 from mahovik.stand.state import State
 
 _AXES = "xyz"
@@ -96,4 +96,4 @@ class Record:
             names += [f"{kind} {s.name} [{unit}]" for s in self.wanted.stand.flywheels]
             parts.append(columns)
         data = np.hstack([self.t[:, None], *parts])
-        return Run(("t [s]", *names), data, self.stopped, self.interrupted)
+        return Run(("t [s]", *names), data, self.stopped, self.interrupted, identity_of(self.wanted.stand))

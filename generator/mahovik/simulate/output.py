@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 from importlib import import_module
 from pathlib import Path
 
@@ -11,6 +12,9 @@ from mahovik.simulate.run import Run
 from mahovik.verify.files import probe, write
 
 SUFFIXES = (".csv", ".parquet")
+
+IDENTITY = "mahovik"
+"""Key of a Parquet file's metadata: an object with the stand's name, structure and physics. CSV has no such place."""
 
 
 def check(path: Path) -> None:
@@ -38,9 +42,11 @@ def csv_text(run: Run) -> str:
 
 
 def parquet_bytes(run: Run) -> bytes:
-    """A table of doubles."""
+    """A table of doubles; in its metadata, under IDENTITY, whose run it is."""
     arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     table = arrow.table({name: run.data[:, i].copy() for i, name in enumerate(run.names)})
+    if run.identity:
+        table = table.replace_schema_metadata({IDENTITY: json.dumps(dict(run.identity))})
     buffer = io.BytesIO()
     parquet.write_table(table, buffer)
     return buffer.getvalue()

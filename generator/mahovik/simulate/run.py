@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -11,18 +11,24 @@ from mahovik.errors import StateError, UsageError
 from mahovik.simulate import columns
 from mahovik.simulate.case import Array, Case
 from mahovik.simulate.moment import Motion
+from mahovik.stand.identity import identities
+from mahovik.stand.model import Stand
 
 BACKENDS = ("c", "scipy")
 
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """Columns by name. `stopped`: why it ended early, or None; `interrupted`: by the user."""
+    """Columns by name. `stopped`: why it ended early, or None; `interrupted`: by the user.
+
+    `identity`: name and identities of the stand, as `identity_of` gives them; a file of columns may carry them.
+    """
 
     names: tuple[str, ...]
     data: Array
     stopped: str | None = None
     interrupted: bool = False
+    identity: Mapping[str, str] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Array:
         """A column by its whole name, unit and all."""
@@ -67,7 +73,13 @@ def simulate(
             raise
         stopped, interrupted = f"stopped at t = {rows[-1][0]:.6g} s of {case.until:g} s", True
     data = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
-    return Run(names, data, stopped, interrupted)
+    return Run(names, data, stopped, interrupted, identity_of(case.stand))
+
+
+def identity_of(stand: Stand) -> dict[str, str]:
+    """Whose run it is: `stand`, its name; `structure`, `physics`."""
+    found = identities(stand)
+    return {"stand": stand.name, "structure": found.structure, "physics": found.physics}
 
 
 def _motion(case: Case, backend: str) -> Motion:

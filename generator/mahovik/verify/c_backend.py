@@ -50,7 +50,8 @@ class CBackend(ProgramBackend):
     """Compiled C of a stand: freshly generated, or with `folder` what lies there as <name>.h and <name>.c.
 
     `lanes`: None for those of the C that lies there, of fresh C 1, or what suits the host where it is `fast`. C that
-    lies there is compiled for speed where its header says so.
+    lies there is compiled for speed where its header says so. `generated`: what `generate_all` gives, with these
+    options, where the caller has it.
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
     Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
@@ -63,6 +64,7 @@ class CBackend(ProgramBackend):
         folder: Path | None = None,
         lanes: int | None = None,
         fast: bool = False,
+        generated: Generated | None = None,
     ) -> None:
         self._stand = stand
         self._precision_name = precision_name
@@ -73,7 +75,7 @@ class CBackend(ProgramBackend):
         elif lanes is None:
             lanes = host_lanes(len(stand.flywheels)) if fast else 1
         self.fast = fast or says_fast
-        self.generated = generate_all(stand, precision_name, lanes, says_fast)
+        self.generated = generated or generate_all(stand, precision_name, lanes, says_fast)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
             place = folder if folder is not None else _written(self.generated.files, Path(scratch))

@@ -73,18 +73,22 @@ def verify_c(
     lanes: int | None = None,
     fast: bool = False,
     progress: Progress | None = None,
+    wrenches: bool = True,
+    backend: CBackend | None = None,
 ) -> Report:
     """Generated C, fresh or as it lies in `against`: compiled without a warning, and judged three ways.
 
     `lanes`, `fast`: as CBackend has them. C for speed is held to the same tolerances, not to the interpreter's bits.
+    `wrenches`: run-time wrenches on every body, for which fresh C is compiled once more, with all its inputs.
+    `backend`: of these options, where the caller has it.
     Batch C in `against` must be what this version generates.
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
     from mahovik.verify.c_backend import CBackend
 
-    backend = CBackend(stand, real, against, lanes, fast)
-    states = draw(stand, seed, count, real, wrenches=against is None)
+    backend = backend or CBackend(stand, real, against, lanes, fast)
+    states = draw(stand, seed, count, real, wrenches=wrenches and against is None)
     rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, Second(stand))
     rows.append(bits(backend, states, against))
     rows.append(refusals(backend.program, _good_inputs(backend, states), _raw(backend)))

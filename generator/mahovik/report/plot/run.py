@@ -1,23 +1,31 @@
-"""Panels of a run that `mahovik simulate` wrote: the carrier's motion, speeds and torques of the flywheels."""
+"""Panels of a run that `mahovik simulate` wrote: motion of carrier and points, speeds and torques of the flywheels."""
 
 from __future__ import annotations
 
 import csv
+import json
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.report.plot import following
 from mahovik.report.plot.panel import Array, Line, Panel
+from mahovik.simulate.output import IDENTITY
 
 SUFFIXES = (".csv", ".parquet")
 
 RPM = 30 / np.pi
 
+MOST = 6
+"""Points whose readings are shown."""
+
+_POINT = re.compile(r"force_x (\w+) \[m/s2\]")
 _FLYWHEEL = re.compile(r"(phi_dot|tau|margin) (\w+) \[[^]]*\]")
 
 
@@ -34,6 +42,21 @@ def read(path: Path) -> dict[str, Array]:
     return found
 
 
+def identity(path: Path) -> dict[str, str] | None:
+    """Whose run a file says it is: name, structure and physics of the stand; None where it does not say.
+
+    Raises UsageError.
+    """
+    if path.suffix == ".csv":
+        return None
+    try:
+        given = (_parquet_module(path).read_schema(path).metadata or {}).get(IDENTITY.encode())
+        found = None if given is None else json.loads(given)
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: no run of `mahovik simulate`: {error}") from None
+    return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else None
+
+
 def _csv(path: Path) -> dict[str, Array]:
     with path.open(encoding="utf-8", newline="") as file:
         head, *rows = list(csv.reader(file)) or [[]]
@@ -44,17 +67,21 @@ def _csv(path: Path) -> dict[str, Array]:
 
 
 def _parquet(path: Path) -> dict[str, Array]:
-    try:
-        parquet = import_module("pyarrow.parquet")
-    except ImportError:
-        raise UsageError(f'{path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
     with path.open("rb") as file:
-        table = parquet.read_table(file)
+        table = _parquet_module(path).read_table(file)
     return {name: np.asarray(table[name], dtype=np.float64) for name in table.column_names}
 
 
+def _parquet_module(path: Path) -> Any:
+    try:
+        return import_module("pyarrow.parquet")
+    except ImportError:
+        raise UsageError(f'{path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
+
+
 def panels(columns: Mapping[str, Array]) -> list[Panel]:
-    """What there is of: place of O1, turn of the carrier, speeds and torques of the flywheels, margins of motors.
+    """What there is of: place of O1, turn and velocities of the carrier, speeds and torques of the flywheels, margins
+    of motors, readings of points.
 
     Of a run that follows a programme: what is required beside what is achieved, and the error; only the last has all
     of the run.
@@ -68,8 +95,10 @@ def panels(columns: Mapping[str, Array]) -> list[Panel]:
         carrier = [place, _turn(t, columns)]
     found = [
         *carrier,
-        _group("carrier, rad/s", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
+        _group("carrier, m/s, in E1", t, columns, [f"v_{a} [m/s]" for a in "xyz"]),
+        _group("carrier, rad/s, in E1", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
         *(_flywheels(quantity, t, columns, kind, unit) for quantity, kind, unit in _WHEELS),
+        *_points(t, columns),
     ]
     return [panel for panel in found if panel.lines]
 
@@ -91,6 +120,18 @@ def _group(
         y = columns[name] - columns[name][0] if from_start else columns[name]
         lines.append(Line(name.split(" ")[0], t, unit * y, i))
     return Panel(quantity, tuple(lines))
+
+
+def _points(t: Array, columns: Mapping[str, Array]) -> list[Panel]:
+    """Specific force of the first points, on their own axes."""
+    names = [match[1] for column in columns if (match := _POINT.fullmatch(column))]
+    panels = [
+        _group(f"specific force at {name}, m/s2", t, columns, [f"force_{a} {name} [m/s2]" for a in "xyz"])
+        for name in names[:MOST]
+    ]
+    if len(names) > MOST:
+        panels[-1] = replace(panels[-1], note=f"and {len(names) - MOST} more points in the run")
+    return panels
 
 
 def _turn(t: Array, columns: Mapping[str, Array]) -> Panel:

@@ -14,6 +14,7 @@ from mahovik import reference
 from mahovik.errors import UsageError
 from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.state import State
+from mahovik.verify.backends import Backend
 from mahovik.verify.bounds import DOUBLE
 from mahovik.verify.c_backend import CBackend
 from mahovik.verify.compare import Row, difference
@@ -125,9 +126,13 @@ def verify_by(
     seed: int = 1,
     count: int = 200,
     until: float = UNTIL,
-    backend: CBackend | None = None,
+    backend: Backend | None = None,
+    judged: str = "generated C",
 ) -> Report:
-    """The same by judges that have the stand already; `backend`: its C, where it is compiled already."""
+    """The same by judges that have the stand already.
+
+    `backend`: what is judged, where that is not fresh C; `judged`: its name. `until` 0: no free motion.
+    """
     backend = backend or CBackend(stand)
     rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
     for name, drawn in draw(stand, seed, count):
@@ -140,14 +145,14 @@ def verify_by(
                     continue  # no flywheels, no points: nothing to agree on
                 off, reason = difference(own[key], value, natural[key])
                 rows[judge.name, key].note(off, request, reason)
-    moved = [_motion_row(stand, backend, judge, seed, until) for judge in judges]
+    moved = [_motion_row(stand, backend, judge, seed, until) for judge in judges if until > 0.0]
     noted = [row for row in (*rows.values(), *moved) if row.states]
     for row in noted:
         row.tolerance = row.tolerance or DOUBLE.default
         row.verdict = "ok" if row.worst <= row.tolerance else "FAILED"
     ordered = [row for judge in judges for row in noted if row.want == judge.name]
     who = ", ".join(f"{judge.name} {judge.version}" for judge in judges)
-    return report(stand, f"generated C against {who}", seed, count, DOUBLE.default, ordered)
+    return report(stand, f"{judged} against {who}", seed, count, DOUBLE.default, ordered)
 
 
 def near(state: State) -> State:
@@ -159,8 +164,8 @@ def near(state: State) -> State:
     return replace(state, position=cast(Vec3, tuple(map(float, position))))
 
 
-def ours(backend: CBackend, state: State) -> Values:
-    """The quantities of a judge from the generated C."""
+def ours(backend: Backend, state: State) -> Values:
+    """The quantities of a judge from what is judged."""
     found: Values = {}
     for want in ("matrices", "torque", "mounts", "points", "coupled"):
         found |= backend.evaluate(state, (want,))
@@ -196,7 +201,7 @@ def _empty(value: Any) -> bool:
     return not value if isinstance(value, dict) else np.size(value) == 0
 
 
-def _motion_row(stand: Stand, backend: CBackend, judge: Judge, seed: int, until: float) -> Row:
+def _motion_row(stand: Stand, backend: Backend, judge: Judge, seed: int, until: float) -> Row:
     """Where the stand is in the end, by the C and by the judge, each integrated by itself."""
     state = moderate(stand, seed)
     row = Row(judge.name, motion_of(until), tolerance=MOTION_TOLERANCE)

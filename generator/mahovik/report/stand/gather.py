@@ -1,0 +1,102 @@
+"""Reads what a report is made from, and refuses what is of another stand."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from mahovik.errors import UsageError
+from mahovik.motion.programme import Programme, load_programme
+from mahovik.motion.required import RequiredMotion, load_motion
+from mahovik.report.plot.run import SUFFIXES, identity, read
+from mahovik.report.stand.material import Material
+from mahovik.report.stand.run import Run
+from mahovik.report.stand.run_of_stand import refuse_foreign_run
+from mahovik.report.stand.state import WORDS, chosen_state
+from mahovik.stand.identity import identities
+from mahovik.stand.model import Stand
+from mahovik.study.cost.page import accepted
+from mahovik.verify.cost_files import FIGURES
+from mahovik.verify.delivery import accepted_figures
+from mahovik.verify.programme.identity import motion_finding, stand_finding
+from mahovik.verify.targets import asked
+
+
+def gather(
+    stand: Stand,
+    stand_file: str,
+    *,
+    run_file: str | None = None,
+    programme_file: str | None = None,
+    motion_file: str | None = None,
+    cost_folder: str | None = None,
+    targets: str | None = None,
+) -> Material:
+    """The material of a report; nothing is computed yet.
+
+    Raises UsageError, ProgrammeError, MotionError: a file that cannot be read, that is none of its kind, or that is of
+    another stand or motion.
+    """
+    if motion_file is not None and programme_file is None:
+        raise UsageError(f"--motion {motion_file}: goes with --programme P.json, which is missing")
+    if targets is not None:
+        asked(targets)
+    run = None if run_file is None else _run(Path(run_file), stand)
+    programme = None if programme_file is None else load_programme(programme_file)
+    motion = None if motion_file is None else load_motion(motion_file, stand)
+    if programme is not None and programme_file is not None:
+        _refuse_foreign_programme(programme_file, stand, programme, motion)
+    costs = () if cost_folder is None else _costs(Path(cost_folder), stand)
+    return Material(
+        stand=stand,
+        state=chosen_state(stand) if run is None else run.state(-1),
+        state_words=WORDS if run is None else f"the last row of the run, t = {run.t[-1]:.6g} s",
+        stand_file=Path(stand_file).name,
+        run=run,
+        programme=programme,
+        programme_file=_name(programme_file),
+        motion=motion,
+        motion_file=_name(motion_file),
+        costs=costs,
+        cost_file="" if cost_folder is None else FIGURES,
+        targets=targets or "",
+    )
+
+
+def _name(path: str | None) -> str:
+    return "" if path is None else Path(path).name
+
+
+def _run(path: Path, stand: Stand) -> Run:
+    if path.suffix not in SUFFIXES:
+        raise UsageError(f"--run {path}: expected a name that ends in {' or '.join(SUFFIXES)}")
+    run = Run(path.name, tuple(s.name for s in stand.flywheels), read(path))
+    refuse_foreign_run(stand, run, identity(path), f"--run {path}")
+    return run
+
+
+def _costs(folder: Path, stand: Stand) -> tuple[Mapping[str, Any], ...]:
+    """The accepted figures in a folder of generated C."""
+    if not folder.is_dir():
+        raise UsageError(f"--cost {folder}: no such folder; expected one of `mahovik cost`, with {FIGURES}")
+    text = accepted_figures(folder, stand)
+    if text is None:
+        raise UsageError(f"--cost {folder}: has no {FIGURES}: `mahovik cost` measures and writes it")
+    whole = json.loads(text)  # an object of this name, or it would have been refused
+    own = identities(stand)
+    for key, ours in (("structure", own.structure), ("physics", own.physics)):
+        if whole.get(key) != ours:
+            raise UsageError(
+                f"--cost {folder}: figures of another stand: {key} is {whole.get(key)}, of the stand {ours}"
+            )
+    return tuple(accepted(text, str(folder / FIGURES), whole.get("lanes", 1)))
+
+
+def _refuse_foreign_programme(source: str, stand: Stand, programme: Programme, motion: RequiredMotion | None) -> None:
+    findings = [stand_finding(stand, programme)]
+    findings += [] if motion is None else [motion_finding(motion, programme)]
+    for each in findings:
+        if not each.passed:
+            raise UsageError(f"--programme {source}: {each.words}")
