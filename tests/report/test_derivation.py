@@ -14,7 +14,7 @@ import pytest
 
 from mahovik import __version__
 from mahovik.reference.evaluate import evaluate
-from mahovik.report.derivation import html, latex
+from mahovik.report.derivation.page import html, latex
 from mahovik.report.derivation.numbers import numbers
 from mahovik.report.derivation.page import significant
 from mahovik.stand import Stand, State, load

@@ -23,7 +23,7 @@ def derive(stand_file: str, output: str | None) -> None:
     if output is not None and not output.endswith((".html", ".tex")):
         raise UsageError(f"-o {output}: expected a name that ends in .html or .tex")
     stand = load_stand(stand_file)
-    from mahovik.report.derivation import html, latex
+    from mahovik.report.derivation.page import html, latex
     from mahovik.verify.files import write
 
     text = html(stand) if output is not None and output.endswith(".html") else latex(stand)

@@ -1,5 +1,1 @@
 """The derivation for a person to read: one generic flywheel in symbols, then the numbers of the stand."""
-
-from mahovik.report.derivation.page import html, latex
-
-__all__ = ["html", "latex"]

@@ -25,7 +25,7 @@ from mahovik.toolchain.footprint import STACK_FLAGS, footprint
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.verify.targets import asked
 
-COMPILED = (("m7", "double"), ("m4", "float"))
+COMPILED = (("m7", "double"),)
 """Compiled for where nothing was measured: code and stack are the compiler's, and need no emulator."""
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import import_module
 
 from mahovik import __version__
 from mahovik.emit.generate import described
 from mahovik.emit.templates import template
+from mahovik.report.stand.generated import generated
 from mahovik.report.stand.material import Material
 from mahovik.report.stand.section import Section
 from mahovik.stand.identity import identities
@@ -27,6 +29,9 @@ ORDER = (
 )
 """Modules of this folder, each with a function `section`: in the order of the page."""
 
+BESIDE = ("verification", "cost")
+"""Those that wait for compilers: they are made beside the others."""
+
 
 @dataclass(frozen=True)
 class Page:
@@ -38,7 +43,7 @@ class Page:
 
 def page(material: Material) -> Page:
     """The report of a stand. The same material gives the same bytes."""
-    found = [each for name in ORDER if (each := section(name, material)) is not None]
+    found = _sections(material)
     failures = tuple(line for each in found for line in each.failures)
     names = identities(material.stand)
     html = template("report.html.j2").render(
@@ -55,10 +60,15 @@ def page(material: Material) -> Page:
     return Page(html, failures)
 
 
-def section(name: str, material: Material) -> Section | None:
-    """The section that a module of this folder makes; None where there is nothing to show."""
-    found: Section | None = import_module(f"mahovik.report.stand.{name}").section(material)
-    return found
+def _sections(material: Material) -> list[Section]:
+    """Those that have something to show, in their order."""
+    make = {name: import_module(f"mahovik.report.stand.{name}").section for name in ORDER}
+    generated(material.stand)
+    with ThreadPoolExecutor(max_workers=len(BESIDE)) as pool:
+        beside = {name: pool.submit(make[name], material) for name in BESIDE}
+        made = {name: make[name](material) for name in ORDER if name not in beside}
+        made |= {name: task.result() for name, task in beside.items()}
+    return [each for name in ORDER if (each := made[name]) is not None]
 
 
 def _files(material: Material) -> list[tuple[str, str]]:

@@ -8,7 +8,6 @@ from types import MappingProxyType
 from typing import Any, cast
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from mahovik import reference
 from mahovik.stand.model import Stand, Vec3, Vec6
@@ -97,6 +96,8 @@ def _parts(values: tuple[Array, ...], sizes: tuple[Array, ...]) -> dict[str, Par
 
 def integrated(rates: Callable[[Array], Array], begin: Array, until: float = UNTIL) -> Array:
     """y after `until` s."""
+    from scipy.integrate import solve_ivp  # slow to import, and not all who compare states integrate
+
     options: dict[str, Any] = {"method": "DOP853", "rtol": INTEGRATION, "atol": INTEGRATION}
     found = solve_ivp(lambda _, y: rates(y), (0.0, until), begin, **options)
     return np.asarray(found.y[:, -1])
