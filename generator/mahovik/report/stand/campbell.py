@@ -125,8 +125,8 @@ def _words(scene: Scene, found: Campbell) -> str:
     free = scene.free.shape[1]
     words = (
         "Small motions of the carrier about rest, (8) made linear, while all flywheels keep one common speed; means "
-        "over a turn. What splits and bends the lines is gyroscopic: the flywheels' spin inertias, which add up as vectors to "
-        f"{_net(scene)}. "
+        "over a turn. What splits and bends the lines is gyroscopic: the flywheels' spin inertias, which add up as "
+        f"vectors to {_net(scene)}. "
     )
     if free == 6:
         words += "Nothing brings the carrier back: what swings here does so by spin alone. "

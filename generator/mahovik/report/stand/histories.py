@@ -44,8 +44,8 @@ def section(material: Material) -> Section | None:
         largest = max(float(line.y.max(initial=0.0)) for line in checked.lines)
         words += (
             "Residual: `F - K V_r* - M V_r - J phi' - I phi''` of (8), and drive torques less those of the run, by "
-            f"equations that share no code with the C, at {len(rows)} rows; largest {largest:.2g} of the largest wrench or "
-            "torque. "
+            f"equations that share no code with the C, at {len(rows)} rows; largest {largest:.2g} of the largest "
+            "wrench or torque. "
             "A run-time wrench of the regime is not among the columns, and would stand here in full. "
         )
         summary += f"; residual of (8) at most {largest:.2g}"
@@ -81,23 +81,34 @@ def residuals(stand: Stand, run: Run, rows: Rows) -> Panel | None:
 
 def twists(stand: Stand, run: Run, rows: Rows) -> Twists:
     """The carrier's motion in rows of a run that has accelerations."""
-    from scipy.spatial.transform import Rotation
-
     assert run.V_dot is not None
-    V, V_dot = run.V[rows], run.V_dot[rows]
-    C = Rotation.from_quat(run.quaternion[rows][:, [1, 2, 3, 0]]).as_matrix()
+    V, V_dot, C = run.V[rows], run.V_dot[rows], attitude(run, rows)
     u = in_E1(C, np.broadcast_to(stand.stream or (0.0, 0.0, 0.0), (len(V), 3)))
     none = np.zeros_like(u)
     rate = np.hstack([np.cross(V[:, 3:], u), none])
     return Twists(C, run.position[rows], V, V - np.hstack([u, none]), V_dot + rate)
 
 
+def attitude(run: Run, rows: Rows) -> Array:
+    """C (M, 3, 3), x0 = C x1."""
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_quat(run.quaternion[rows][:, [1, 2, 3, 0]]).as_matrix())
+
+
 def energy(stand: Stand, run: Run, rows: Rows) -> Panel:
-    """Kinetic energy V^T K V / 2 + V^T I phi' + phi'^T Theta_ff phi' / 2, and its first term alone; V_r in a stream."""
+    """Kinetic energy V^T K V / 2 + V^T I phi' + phi'^T Theta_ff phi' / 2, and its first term alone.
+
+    Added mass takes V_r in place of V.
+    """
     own = Mechanics.of(stand)
     K, I = mass_and_coupling(own, run.phi[rows])
     V, phi_dot = run.V[rows], run.phi_dot[rows]
     carried = np.einsum("mi,mij,mj->m", V, K, V) / 2.0
+    added = sum(np.array(b.added_mass) for b in (stand.carrier, *stand.instruments) if b.added_mass is not None)
+    if stand.stream is not None and np.any(added):
+        V_r = V - np.hstack([in_E1(attitude(run, rows), np.broadcast_to(stand.stream, (len(V), 3))), 0.0 * V[:, 3:]])
+        carried += (np.sum(V_r @ added * V_r, axis=1) - np.sum(V @ added * V, axis=1)) / 2.0
     both = np.einsum("mi,min,mn->m", V, I, phi_dot)
     spin: Array = (phi_dot**2 @ own.tables.Theta_ff) / 2.0
     t = run.t[rows]

@@ -9,7 +9,7 @@ from mahovik.report.stand.markup import figure, paragraph
 from mahovik.report.stand.material import Material
 from mahovik.report.stand.section import Section
 
-TIMES = 400
+TIMES = 200
 """At which the reference evaluates (12)."""
 
 
@@ -28,9 +28,8 @@ def section(material: Material) -> Section | None:
         words += "With ``--motion`` its carrier's motion, torques and the residual of (12) are shown as well."
     else:
         words += (
-            "The carrier as (8) moves it from the required state at t = 0 under the programme, beside what is "
-            f"required; residual of (12) by the literal reference at {TIMES} times. ``mahovik verify-programme`` judges it "
-            "closely."
+            "The carrier as (8) moves it from the required state at t = 0 under the programme, and as it is required. "
+            f"Residual of (12) by the literal reference at {TIMES} times; ``mahovik verify-programme`` looks closer."
         )
     try:
         shown = panels(programme, material.stand, material.motion, TIMES)
