@@ -38,7 +38,9 @@ def test_the_reading_goes_with_the_pointer(opened):
 @pytest.mark.parametrize("width", [360, 1300])
 def test_charts_fit(opened, width):
     page = opened("bench8", viewport={"width": width, "height": 800}).page
-    right = "Math.max(...[...document.querySelectorAll('.chart, .chart *')].map((e) => e.getBoundingClientRect().right))"
+    right = (
+        "Math.max(...[...document.querySelectorAll('.chart, .chart *')].map((e) => e.getBoundingClientRect().right))"
+    )
     assert page.evaluate(right) <= width
     sizes = page.evaluate(
         "[...document.querySelectorAll('.chart text')].map((text) => parseFloat(getComputedStyle(text).fontSize))"
