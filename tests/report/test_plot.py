@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ from mahovik.motion.required.model import Bounds
 from mahovik.report.plot import following, run
 from mahovik.report.plot import response as orders
 from mahovik.report.plot.draw import draw
-from mahovik.report.plot.panel import Line, Panel
+from mahovik.report.plot.panel import Line, Mark, Panel, border
 from mahovik.report.plot.programme import RPM, panels
 from verify.programme.programmes import shaker
 
@@ -62,8 +63,6 @@ def test_speeds_are_the_windings() -> None:
 
 
 def test_bounds_are_shown_where_they_matter() -> None:
-    from dataclasses import replace
-
     stand, motion, found = shaker()
     fast = replace(motion, bounds=Bounds(speed=(130.0, 130.0)))
     assert [line.y[0] for line in by_quantity(panels(found, stand, fast), "speed").lines[2:]] == [
@@ -75,8 +74,6 @@ def test_bounds_are_shown_where_they_matter() -> None:
 
 
 def test_run_ups_have_a_panel_of_their_own() -> None:
-    from dataclasses import replace
-
     _, _, found = shaker()
     rest = np.zeros((2, 2))
     table = RunUpTable(1.0, Samples(np.array([0.0, 1.0]), rest, np.array([[0.0, 0.0], [100.0, -100.0]]), rest))
@@ -167,6 +164,25 @@ def test_a_tag_stands_at_the_end_of_its_line_and_is_not_in_the_legend() -> None:
     for factor in (1.0, 4.0):
         assert paths("1 x w1", factor) > paths("", factor)
     assert paths("1 x w1", 10.0) == paths("", 10.0)
+
+
+def test_marks_stretches_and_borders_are_drawn() -> None:
+    x = np.linspace(1.0, 10.0, 5)
+    plain = Panel("f", (Line("a", x, x),))
+    rich = replace(plain, marks=(Mark(2.0, 2.0, "meets"),), shaded=((3.0, 4.0),), log_abscissa=True)
+    bare = draw("t", [plain], ".svg")
+    assert draw("t", [rich], ".svg") != bare
+    for change in ({"marks": rich.marks}, {"shaded": rich.shaded}, {"log_abscissa": True}):
+        assert draw("t", [replace(plain, **change)], ".svg") != bare
+    assert border("limit", 5.0, 1.0, 10.0).x.tolist() == [5.0, 5.0]
+
+
+def test_readings_of_points_have_panels() -> None:
+    t = np.linspace(0.0, 1.0, 4)
+    columns = {"t [s]": t} | {f"force_{a} p{k} [m/s2]": k * t for k in range(9) for a in "xyz"}
+    shown = [panel for panel in run.panels(columns) if panel.quantity.startswith("specific force")]
+    assert [panel.quantity for panel in shown] == [f"specific force at p{k}, m/s2" for k in range(run.MOST)]
+    assert shown[-1].note == "and 3 more points in the run" and shown[2].lines[1].y[-1] == 2.0
 
 
 def test_long_names_of_orders_are_cut() -> None:

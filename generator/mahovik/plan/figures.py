@@ -54,9 +54,14 @@ def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:
 
     The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I.
     """
-    h, _ = waves(phi)
-    K = own.housing.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
-    I = np.einsum("hmn,hni->min", h, own.tables.coupling)
+    K, I = mass_and_coupling(own, phi)
     scaled = np.linalg.solve(np.linalg.cholesky(K), I / np.sqrt(own.tables.Theta_ff))
     determinants = np.linalg.det(scaled) if own.N == 6 else None
     return np.linalg.svd(scaled, compute_uv=False), determinants
+
+
+def mass_and_coupling(own: Mechanics, phi: Array) -> tuple[Array, Array]:
+    """K of (2) (M, 6, 6) and I of (9) (M, 6, N) at angles (M, N; rad), in E1 about O1."""
+    h, _ = waves(phi)
+    K = own.housing.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
+    return K, np.einsum("hmn,hni->min", h, own.tables.coupling)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from mahovik.errors import CheckError, StateError
 from mahovik.reference import Pieces, pieces
+from mahovik.reference.bodies import bodies_of
 from mahovik.reference.forward import bias
 from mahovik.stand.model import Stand, Vec3, Vec6
 from mahovik.stand.state import Quaternion, State, rest_state
@@ -69,6 +70,7 @@ class _Search:
 
     def __init__(self, stand: Stand, state: State) -> None:
         self.stand = stand
+        self.bodies = bodies_of(stand)
         self.state = state
         self.scale = np.linalg.inv(np.linalg.cholesky(pieces(stand, state).K))  # G^-1; K depends on phases alone
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]
@@ -157,7 +159,7 @@ class _Search:
 
     def at(self, state: State) -> Pieces:
         """The pieces of the equations at a state."""
-        return pieces(self.stand, state)
+        return pieces(self.stand, state, self.bodies)
 
     def acceleration(self, at: Pieces) -> Array:
         """V_dot (6) by (8) with flywheels held."""

@@ -69,12 +69,18 @@ def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
 def _panel(axes: Any, panel: Panel) -> None:
     for line in panel.lines:
         _line(axes, line)
+    for start, end in panel.shaded:
+        axes.axvspan(start, end, color=GREY, alpha=0.2, linewidth=0)
+    for mark in panel.marks:
+        axes.plot(mark.x, mark.y, "o", color="black", markersize=3.5)
     axes.set_title(panel.quantity, loc="left", fontsize="medium")
     axes.margins(x=0)
     if panel.least and max(abs(y) for y in axes.get_ylim()) < panel.least:
         axes.set_ylim(-panel.least, panel.least)
     if panel.log:
         axes.set_yscale("log")
+    if panel.log_abscissa:
+        axes.set_xscale("log")
     if panel.span is not None:
         axes.set_xlim(*panel.span)
     if panel.top is not None:

@@ -37,13 +37,23 @@ class Dots:
     least: float
 
 
+@dataclass(frozen=True)
+class Mark:
+    """A place that is pointed out; `name` says what is there."""
+
+    x: float
+    y: float
+    name: str
+
+
 @dataclass(frozen=True, eq=False)
 class Panel:
     """Lines in one frame. `quantity` stands above with its unit; `log`: by powers of ten.
 
     `least`: the ordinate reaches at least so far up and down: rounding is no picture. `note`: above, at the right.
     `abscissa`: below, where it is not time; `height`: in those of other panels; `span`: first and last abscissa;
-    `top`: the ordinate ends there.
+    `top`: the ordinate ends there. `log_abscissa`: powers of ten across as well. `shaded`: stretches (from, to) of the
+    abscissa.
     """
 
     quantity: str
@@ -56,6 +66,9 @@ class Panel:
     height: float = 1.0
     span: tuple[float, float] | None = None
     top: float | None = None
+    log_abscissa: bool = False
+    marks: tuple[Mark, ...] = ()
+    shaded: tuple[tuple[float, float], ...] = ()
 
 
 def family(names: Sequence[str], x: Array, columns: Array, dashed: bool = False) -> tuple[Line, ...]:
@@ -66,3 +79,8 @@ def family(names: Sequence[str], x: Array, columns: Array, dashed: bool = False)
 def limit(name: str, x: Array, value: float) -> Line:
     """A level."""
     return Line(name, x[[0, -1]], np.full(2, value), None, dashed=True)
+
+
+def border(tag: str, x: float, low: float, high: float) -> Line:
+    """A limit of the abscissa."""
+    return Line("", np.full(2, x), np.array([low, high]), None, dashed=True, tag=tag)

@@ -33,14 +33,19 @@ AXES = ("x", "y", "z")
 ANGLES = ("psi", "theta", "phi")
 
 
-def panels(programme: Programme, stand: Stand | None = None, motion: RequiredMotion | None = None) -> list[Panel]:
-    """All that can be shown: motion, torques and residual need the stand and the motion. Raises StateError."""
+def panels(
+    programme: Programme, stand: Stand | None = None, motion: RequiredMotion | None = None, times: int | None = None
+) -> list[Panel]:
+    """All that can be shown: motion, torques and residual need the stand and the motion. Raises StateError.
+
+    `times` of the residual and the torques; None: 20 a node of the programme.
+    """
     t = np.linspace(0.0, programme.span, POINTS + 1)
     found = programme.at(t)
     if stand is None or motion is None:
         return [*_wheels(programme, t, found, None), *_transients(programme)]
     scale = scale_of(stand, motion, programme)
-    seen = along(stand, motion, programme, scale)
+    seen = along(stand, motion, programme, scale, times)
     residual = family(("of (12), relative",), seen.t, np.maximum(seen.residual, 1e-17)[:, None])
     level = tolerance_for(stand, None).residual
     return [

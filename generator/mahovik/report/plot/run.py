@@ -1,4 +1,4 @@
-"""Panels of a run that `mahovik simulate` wrote: the carrier's motion, speeds and torques of the flywheels."""
+"""Panels of a run that `mahovik simulate` wrote: motion of carrier and points, speeds and torques of the flywheels."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import csv
 import json
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,10 @@ SUFFIXES = (".csv", ".parquet")
 
 RPM = 30 / np.pi
 
+MOST = 6
+"""Points whose readings are shown."""
+
+_POINT = re.compile(r"force_x (\w+) \[m/s2\]")
 _FLYWHEEL = re.compile(r"(phi_dot|tau|margin) (\w+) \[[^]]*\]")
 
 
@@ -75,7 +80,8 @@ def _parquet_module(path: Path) -> Any:
 
 
 def panels(columns: Mapping[str, Array]) -> list[Panel]:
-    """What there is of: place of O1, turn of the carrier, speeds and torques of the flywheels, margins of motors.
+    """What there is of: place of O1, turn and velocities of the carrier, speeds and torques of the flywheels, margins
+    of motors, readings of points.
 
     Of a run that follows a programme: what is required beside what is achieved, and the error; only the last has all
     of the run.
@@ -89,8 +95,10 @@ def panels(columns: Mapping[str, Array]) -> list[Panel]:
         carrier = [place, _turn(t, columns)]
     found = [
         *carrier,
-        _group("carrier, rad/s", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
+        _group("carrier, m/s, in E1", t, columns, [f"v_{a} [m/s]" for a in "xyz"]),
+        _group("carrier, rad/s, in E1", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
         *(_flywheels(quantity, t, columns, kind, unit) for quantity, kind, unit in _WHEELS),
+        *_points(t, columns),
     ]
     return [panel for panel in found if panel.lines]
 
@@ -112,6 +120,18 @@ def _group(
         y = columns[name] - columns[name][0] if from_start else columns[name]
         lines.append(Line(name.split(" ")[0], t, unit * y, i))
     return Panel(quantity, tuple(lines))
+
+
+def _points(t: Array, columns: Mapping[str, Array]) -> list[Panel]:
+    """Specific force of the first points, on their own axes."""
+    names = [match[1] for column in columns if (match := _POINT.fullmatch(column))]
+    panels = [
+        _group(f"specific force at {name}, m/s2", t, columns, [f"force_{a} {name} [m/s2]" for a in "xyz"])
+        for name in names[:MOST]
+    ]
+    if len(names) > MOST:
+        panels[-1] = replace(panels[-1], note=f"and {len(names) - MOST} more points in the run")
+    return panels
 
 
 def _turn(t: Array, columns: Mapping[str, Array]) -> Panel:

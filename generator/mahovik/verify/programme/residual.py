@@ -47,9 +47,9 @@ def fine_grid(programme: Programme, motion: RequiredMotion) -> Array:
     return programme.span * (np.arange(M) + OFFSET) / M
 
 
-def along(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale) -> Along:
-    """The whole span on the fine grid."""
-    t = fine_grid(programme, motion)
+def along(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, times: int | None = None) -> Along:
+    """The whole span on the fine grid, or at so many times."""
+    t = fine_grid(programme, motion) if times is None else programme.span * (np.arange(times) + OFFSET) / times
     R, tau = [], []
     for instant in instants(stand, motion.at(t, programme.bias), programme.at(t)):
         R.append(instant.residual())

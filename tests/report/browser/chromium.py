@@ -1,0 +1,60 @@
+"""A headless browser for tests of pages, and what it says of them."""
+
+import shutil
+from contextlib import contextmanager
+
+import pytest
+
+from toolchain.tools import require
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+QUIET = (
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+)
+
+
+@contextmanager
+def launched():
+    """The browser; the test is skipped where there is none, with the command that installs it."""
+    program = next(filter(None, map(shutil.which, NAMES)), None) or require(NAMES[0], NAMES[0])
+    sync_api = pytest.importorskip("playwright.sync_api", reason='no playwright: pip install "mahovik[test]"')
+    with sync_api.sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=program, args=QUIET)
+        yield browser
+        browser.close()
+
+
+class Opened:
+    """A page in the browser that notes errors and requests: `complaints`, `requests`."""
+
+    def __init__(self, browser, path, **context):
+        self.context = browser.new_context(**{"viewport": {"width": 1100, "height": 900}} | context)
+        self.page = self.context.new_page()
+        self.complaints, self.requests = [], []
+        self.page.on("console", lambda message: self.complaints.append(message.text))
+        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        self.address = path.as_uri()
+        self.page.goto(self.address)
+
+    def picture(self):
+        """The canvas as it is, after what is due is drawn."""
+        return self.page.evaluate(
+            """() => new Promise((found) => requestAnimationFrame(() => requestAnimationFrame(() =>
+               found(document.getElementById("stage").toDataURL()))))"""
+        )
+
+    def show(self):
+        """Brings the animation into sight."""
+        self.page.locator("#stage").scroll_into_view_if_needed()
+
+    def wait_until(self, script):
+        """Waits for a condition on the page."""
+        self.page.wait_for_function(script, timeout=10_000)

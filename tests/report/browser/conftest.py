@@ -1,0 +1,73 @@
+"""One browser and a few reports for all tests of this folder."""
+
+from dataclasses import replace
+from importlib import import_module
+
+import numpy as np
+import pytest
+
+from mahovik.report.stand.gather import gather
+from mahovik.report.stand.run import Run
+from mahovik.simulate.columns import names
+from mahovik.stand import load
+from mahovik.stand.random import BARE, Features, random_stand
+from mahovik.stands import path
+
+from .chromium import Opened, launched
+
+assembled = import_module("mahovik.report.stand.page")  # its name is that of its function, too
+
+
+def made_run(stand, rows=400, span=0.4, amplitude=3e-5):
+    """A run that no simulation has made: the carrier vibrates by tens of micrometres, flywheels turn evenly."""
+    t = np.linspace(0.0, span, rows)
+    columns = {name: np.sin(40.0 * t + i) for i, name in enumerate(names(stand, False))}
+    turn = amplitude * np.sin(60.0 * t)
+    columns |= {"t [s]": t, "qw": np.sqrt(1 - turn**2), "qx": turn, "qy": 0 * t, "qz": 0 * t}
+    columns |= {f"{a} [m]": amplitude * np.sin(60.0 * t + k) for k, a in enumerate("xyz")}
+    for s, wheel in enumerate(stand.flywheels):
+        speed = 100.0 + 5.0 * s
+        columns |= {f"phi {wheel.name} [rad]": speed * t + s, f"phi_dot {wheel.name} [rad/s]": 0 * t + speed}
+    return Run("made.csv", tuple(wheel.name for wheel in stand.flywheels), columns)
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """Headless Chromium."""
+    with launched() as found:
+        yield found
+
+
+@pytest.fixture(scope="session")
+def reports(tmp_path_factory):
+    """Reports by name: whole ones of bench8 with a run; of other stands drawing and animation alone."""
+    folder = tmp_path_factory.mktemp("reports")
+    bench8 = load(path("bench8"))
+    scenes = {
+        "demo3": load(path("demo3")),
+        "none": random_stand(np.random.default_rng(1), 0, BARE),
+        "many": random_stand(np.random.default_rng(2), 64, Features(legs=2, points=2, instruments=2, fluid=True)),
+    }
+    found = {name: folder / f"{name}.html" for name in ("bench8", *scenes)}
+    material = replace(gather(bench8, "bench8.toml"), run=made_run(bench8))
+    found["bench8"].write_text(assembled.page(material).html, encoding="utf-8")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(assembled, "ORDER", ("drawing", "animation"))
+        patch.setattr(assembled, "generated", lambda stand: None)  # no C for these
+        for name, stand in scenes.items():
+            found[name].write_text(assembled.page(gather(stand, f"{name}.toml")).html, encoding="utf-8")
+    return found
+
+
+@pytest.fixture
+def opened(browser, reports):
+    """Opens a report by its name; options are those of a browser's context."""
+    open_ones = []
+
+    def one(name, **context):
+        open_ones.append(Opened(browser, reports[name], **context))
+        return open_ones[-1]
+
+    yield one
+    for each in open_ones:
+        each.context.close()

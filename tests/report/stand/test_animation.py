@@ -1,0 +1,148 @@
+"""What the animation is given: the motion in few numbers, nothing lost that is seen."""
+
+import base64
+import json
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from mahovik.motion.required import load_motion
+from mahovik.report.stand.animated import Motion, motion_of, thinned
+from mahovik.report.stand.animation import BYTES, magnifications, reference, relative, section
+from mahovik.report.stand.gather import gather
+from mahovik.report.stand.run import Run
+from mahovik.stand import load
+from mahovik.stands import path
+
+
+def vibration(rows, span, frequency, amplitude=1e-5, N=2):
+    """The carrier on a circle of `amplitude` and turning as much; flywheels at even speed."""
+    t = np.linspace(0.0, span, rows)
+    angle = 2 * np.pi * frequency * t
+    place = amplitude * np.stack([np.cos(angle), np.sin(angle), 0 * t], axis=1) + [1.0, 2.0, 3.0]
+    half = amplitude * np.sin(angle) / 2
+    turn = np.stack([np.cos(half), np.sin(half), 0 * t, 0 * t], axis=1)
+    return Motion("made", t, place, turn, np.outer(t, np.linspace(200.0, 300.0, N)) + 50.0, True)
+
+
+def data_of(html):
+    """What the page gives to the canvas."""
+    return json.loads(re.search(r'id="moving-data">(.*?)</script>', html, re.DOTALL)[1])
+
+
+def test_a_slow_motion_is_thinned_over_the_whole():
+    """Enough rows remain for straight lines between them; the last row is one of them."""
+    motion = vibration(20_000, 20.0, 2.0)
+    found, words = thinned(motion, 1500)
+    assert len(found.t) <= 1500
+    assert found.t[-1] == motion.t[-1]
+    assert found.t[0] < 0.02
+    assert words == "every 14th row"
+
+
+def test_of_a_fast_motion_the_end_is_kept_instead():
+    """A vibration at 90 Hz cannot be seen in rows 20 ms apart."""
+    motion = vibration(20_000, 20.0, 90.0)
+    found, words = thinned(motion, 1000)
+    assert len(found.t) <= 1000
+    assert np.diff(found.t).max() < 1 / (90.0 * 5)
+    assert found.t[-1] == motion.t[-1]
+    assert "of the end, from" in words
+
+
+def test_what_fits_is_left_alone():
+    """No words, every row."""
+    motion = vibration(500, 1.0, 90.0)
+    assert thinned(motion, 500) == (motion, "")
+
+
+def test_rows_give_the_motion_back():
+    """Single precision keeps a vibration of 10 um three metres from the origin."""
+    motion = vibration(300, 1.0, 5.0)
+    position, quaternion = reference(motion)
+    rows, moved, turned = relative(motion, position, quaternion)
+    few = rows.astype(np.float32).astype(np.float64)
+    assert few[:, 1:4] + position == approx(motion.position, abs=1e-11)
+    assert few[:, 4:7] == approx(rows[:, 4:7], abs=1e-12)
+    assert moved == approx(1e-5, rel=1e-2)
+    assert turned == approx(1e-5, rel=2e-2)
+    assert np.diff(few[:, 7:], axis=0) == approx(np.diff(motion.phi, axis=0), abs=1e-4)
+
+
+def test_an_attitude_and_its_negative_are_one():
+    """A run whose quaternion changes sign does not turn."""
+    motion = vibration(10, 1.0, 5.0)
+    sign = np.where(np.arange(10) % 2, -1.0, 1.0)[:, None]
+    turned = relative(replace(motion, quaternion=sign * motion.quaternion), *reference(motion))[2]
+    assert turned < 1e-4
+
+
+@pytest.mark.parametrize(("moved", "turned"), [(1e-6, 1e-7), (3e-4, 0.0), (0.0, 1e-9), (2e-3, 1e-3)])
+def test_magnified_motion_is_seen_and_stays_in_sight(moved, turned):
+    """Steps of 1, 2, 5; begins where motion is a part of the stand; ends before it is larger than that."""
+    steps, begin = magnifications(moved, turned, 0.4)
+    assert steps[0] == 1.0
+    assert steps == sorted(set(steps))
+    assert 0.005 < max(steps[begin] * moved / 0.4, steps[begin] * turned) <= 0.3
+    assert steps[-1] * moved <= 0.4 * (1 + 1e-9)
+    assert steps[-1] * turned <= np.pi / 2 * (1 + 1e-9)
+
+
+def test_large_motion_is_not_magnified():
+    """Nor one that is not there."""
+    assert magnifications(0.3, 0.0, 0.4) == ([1.0], 0)
+    assert magnifications(0.0, 0.0, 0.4) == ([1.0], 0)
+
+
+def test_without_a_run_flywheels_turn_in_a_carrier_at_rest_and_it_says_so():
+    """Nothing is invented: the words say that no run was given, no control speaks of the carrier's motion."""
+    html = section(gather(load(path("bench8")), "bench8.toml")).html
+    assert "no run was given" in html
+    assert 'id="magnify"' not in html
+    assert 'id="trace"' not in html
+
+
+def test_a_programme_moves_the_carrier_as_its_motion_requires():
+    """q of the motion file at the start of the rows; the phases wind."""
+    stand = load(path("bench8"))
+    motion = load_motion(path("bench8").with_name("bench8.motion.json"), stand)
+    material = replace(
+        gather(stand, "bench8.toml"), motion=motion, programme=Constant(motion, 8), programme_file="p.json"
+    )
+    found = motion_of(material)
+    assert found.position[0] == approx(motion.at(np.zeros(1)).q[0, :3])
+    assert found.quaternion[0, 0] > 0.99
+    assert "p.json" in found.words
+    assert not motion_of(replace(material, motion=None)).moves
+
+
+class Constant:
+    """As much of a programme as is asked here: flywheels that turn once a period."""
+
+    def __init__(self, motion, N):
+        self.span, self.periodic, self.bias, self.N = motion.span, True, np.zeros(6), N
+
+    def at(self, t):
+        """Phases as of a programme."""
+        phi = np.outer(2 * np.pi * t / self.span, np.ones(self.N))
+        return type("Angles", (), {"phi": phi})
+
+
+def test_a_long_run_stays_small():
+    """Ten seconds of eight flywheels at a millisecond and the scene, in less than 1.5 MB."""
+    stand = load(path("bench8"))
+    motion = vibration(10_001, 10.0, 10.0, N=8)
+    wheels = tuple(s.name for s in stand.flywheels)
+    columns = {"t [s]": motion.t} | {f"{a} [m]": motion.position[:, i] for i, a in enumerate("xyz")}
+    columns |= {f"q{a}": motion.quaternion[:, i] for i, a in enumerate("wxyz")}
+    columns |= {f"phi {name} [rad]": motion.phi[:, i] for i, name in enumerate(wheels)}
+    html = section(replace(gather(stand, "bench8.toml"), run=Run("made.csv", wheels, columns))).html
+    data = data_of(html)
+    assert len(html) < 1_500_000
+    rows = np.frombuffer(base64.b64decode(data["rows"]), dtype="<f4").reshape(-1, 15)
+    assert rows.nbytes <= BYTES + 60
+    assert rows[-1, 0] == approx(10.0)
+    assert data["magnifications"][0] == 1.0

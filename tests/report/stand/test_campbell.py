@@ -1,0 +1,97 @@
+"""Campbell diagrams: eigenvalues of the linear model averaged over a turn, crossings, nutation by Euler's equations."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mahovik.report.stand import campbell as section
+from mahovik.stand import Stand
+from mahovik.study.campbell import NODES, _averaged, campbell, mean_equations, natural_at
+from mahovik.study.linear import linear_model
+from mahovik.study.response.scene import Scene
+from report.stand.runs import example, material
+
+
+def linear_frequencies(stand: Stand, speed: float) -> np.ndarray:
+    """Hz: of A of `study/linear`, mean over a turn, about the rest."""
+    rest, N = Scene.of(stand).rest, len(stand.flywheels)
+    found = []
+    for phi in 2 * np.pi * np.arange(2 * NODES) / (2 * NODES):
+        state = replace(rest, phi=(phi,) * N, phi_dot=(speed,) * N)
+        found.append(linear_model(stand, state, [], locked=True).A)
+    values = np.linalg.eig(np.mean(found, axis=0))[0]
+    return np.sort(np.abs(values[values.imag > 1e-4])) / (2 * np.pi)
+
+
+@pytest.mark.parametrize("name", ["bench8", "shaker2", "auv6"])
+@pytest.mark.parametrize("speed", [0.0, 200.0])
+def test_natural_frequencies_are_those_of_the_linear_model(name: str, speed: float) -> None:
+    stand = example(name)
+    natural = natural_at(Scene.of(stand), np.array([speed]))[0][0]
+    assert natural[np.isfinite(natural)] == pytest.approx(linear_frequencies(stand, speed), rel=1e-6)
+
+
+def test_at_rest_they_are_those_of_modes_but_for_the_phases() -> None:
+    """`mahovik modes` has the flywheels at phi = 0; unbalance moves the masses a little."""
+    stand = example("bench8")
+    A = linear_model(stand, Scene.of(stand).rest, [], locked=True).A
+    values = np.linalg.eigvals(A)
+    still = np.sort(np.abs(values[values.imag > 1e-4])) / (2 * np.pi)
+    assert natural_at(Scene.of(stand), np.zeros(1))[0][0] == pytest.approx(still, rel=5e-3)
+
+
+def test_spin_splits_a_pair() -> None:
+    found = campbell(example("shaker2"), np.array([0.0, 300.0]))
+    still, fast = found.natural
+    assert fast[3] < still[3] and fast[5] > still[5]
+
+
+def test_two_speeds_tell_all_where_no_damping_is_of_second_degree() -> None:
+    scene, speed = Scene.of(example("bench8")), np.array([0.0, 11.0, 120.0, 300.0])
+    assert np.allclose(mean_equations(scene, speed), _averaged(scene, speed), rtol=1e-9, atol=1e-9)
+
+
+def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:
+    stand = example("bench8")
+    found = campbell(stand, np.linspace(0.0, 30.0, 40))
+    assert found.orders == (1, 2) and len(found.crossings) == 12
+    for each in found.crossings[::5]:
+        assert each.order * each.speed / (2 * np.pi) == pytest.approx(each.frequency, rel=1e-9)
+        assert linear_frequencies(stand, each.speed)[each.mode - 1] == pytest.approx(each.frequency, rel=1e-6)
+        assert 0.0 < each.damping < 1.0
+
+
+def test_a_free_stand_nutates() -> None:
+    """J omega' = -omega x H of a gyrostat about its mass centre: the one frequency there is."""
+    stand, speed = example("sat4"), 500.0
+    scene = Scene.of(stand)
+    own = scene.chart.mechanics
+    K = own.mean_inertia
+    m, moment = K[0, 0], K[3:, :3]
+    J = K[3:, 3:] + moment @ moment / m
+    H = speed * own.tables.Theta_ff @ own.tables.axis
+    cross = np.array([[0, -H[2], H[1]], [H[2], 0, -H[0]], [-H[1], H[0], 0]])
+    expected = np.abs(np.linalg.eigvals(np.linalg.solve(J, cross)).imag).max() / (2 * np.pi)
+    natural = natural_at(scene, np.array([0.0, speed]))[0]
+    assert not np.isfinite(natural[0]).any() and np.isfinite(natural[1]).sum() == 1
+    assert natural[1][0] == pytest.approx(expected, rel=1e-4)
+    found = section.section(material(stand))
+    assert found is not None and "by spin alone" in found.html and "No order crosses" in found.html
+
+
+def test_no_equilibrium_is_said() -> None:
+    found = section.section(material(example("remus6")))
+    assert found is not None and "no static equilibrium" in found.html and "<svg" not in found.html
+
+
+def test_crossings_are_listed_and_marked() -> None:
+    found = section.section(material(example("shaker2")))
+    assert found is not None and found.html.count("<tr>") == 13
+    assert found.html.count('class="mark"') == 24 and "where the orders cross" in found.html
+
+
+def test_without_flywheels_there_is_nothing_to_turn() -> None:
+    assert section.section(material(replace(example("shaker2"), flywheels=()))) is None
