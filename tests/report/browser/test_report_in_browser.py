@@ -107,6 +107,30 @@ def test_wheel_zooms_the_chosen_picture_and_scrolls_the_page_otherwise(still):
     assert still.picture() != first
 
 
+def test_a_finger_turns_the_view(opened):
+    """Sideways; up and down it scrolls the page, which would be caught otherwise."""
+    found = opened("bench8", has_touch=True, is_mobile=True, viewport={"width": 400, "height": 800}, **REDUCED)
+    found.show()
+    box, first = found.page.locator("#stage").bounding_box(), found.picture()
+    touch = found.context.new_cdp_session(found.page)
+    x, y = box["x"] + 100, box["y"] + 100
+    for kind, dx in (("touchStart", 0), ("touchMove", 30), ("touchMove", 60), ("touchMove", 90)):
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x + dx, "y": y}]})
+    touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    assert found.picture() != first
+
+
+def test_fine_screens_have_fine_pictures(opened):
+    """As many pixels as the screen has."""
+    found = opened("demo3", device_scale_factor=2, **REDUCED)
+    found.show()
+    found.picture()
+    shown, drawn = found.page.evaluate(
+        "(c => [c.getBoundingClientRect().width, c.width])(document.getElementById('stage'))"
+    )
+    assert drawn == round(2 * shown)
+
+
 def test_views_magnification_and_trace_change_the_picture(still):
     """Each control does something, and the magnification is written beside its slider."""
     page = still.page

@@ -78,7 +78,7 @@ def motion_of(material: Material) -> Motion:
     turn = 2 * np.pi / float(speeds.min())
     words = (
         "flywheels at constant speed, those of the table of bodies, in a carrier drawn at rest: no run was given "
-        "(`mahovik simulate` makes one, --run shows it)"
+        "(mahovik simulate makes one, --run shows it)"
     )
     return _still(words, np.array([0.0, 60 * turn]), np.outer([0.0, 60 * turn], speeds))
 

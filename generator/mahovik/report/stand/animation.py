@@ -15,7 +15,7 @@ from mahovik.report.stand.material import Material
 from mahovik.report.stand.projection import round_length
 from mahovik.report.stand.section import Section
 from mahovik.report.stand.shape import Shape, Solid, shape_of
-from mahovik.report.stand.views import names
+from mahovik.report.stand.views import axis_length, names
 
 BYTES = 900_000
 """Of the rows of a motion, before base64 makes four of three."""
@@ -70,6 +70,8 @@ def scene(shape: Shape) -> dict[str, Any]:
 
     return {
         "size": shape.size,
+        "tall": float(max(shape.extent(basis(shape))[1:].max(), 0.25 * shape.size)),
+        "axes": 1.25 * axis_length(shape),
         "basis": basis(shape).tolist(),
         "carrier": solid(shape.carrier),
         "instruments": [solid(each) for each in shape.instruments],
@@ -119,10 +121,10 @@ def relative(motion: Motion, position: Array, quaternion: Array) -> tuple[Array,
 def magnifications(moved: float, turned: float, size: float) -> tuple[list[float], int]:
     """Factors by which motion may be magnified, 1, 2, 5, 10, ..., and the number of the one to begin with.
 
-    The largest brings the motion to the stand's size or to a quarter of a turn; a motion that is seen is left alone.
+    The largest brings the motion to the stand's size or to a quarter of a turn.
     """
     share = max(moved / (SHOWN * size), turned / TURNED)
-    if not share > 0.0 or share >= 0.5:
+    if not share > 0.0:
         return [1.0], 0
     begin = max(round_length(1.0 / share), 1.0)
     last = max(min(size / moved if moved else np.inf, 0.5 * np.pi / turned if turned else np.inf), begin)

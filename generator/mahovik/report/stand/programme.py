@@ -9,7 +9,7 @@ from mahovik.report.stand.markup import figure, paragraph
 from mahovik.report.stand.material import Material
 from mahovik.report.stand.section import Section
 
-TIMES = 400
+TIMES = 200
 """At which the reference evaluates (12)."""
 
 
