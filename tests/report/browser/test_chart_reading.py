@@ -3,6 +3,12 @@
 import numpy as np
 import pytest
 
+from mahovik.emit.templates import template
+from mahovik.report.plot.panel import Line, Panel
+from mahovik.report.stand.chart import charts
+
+from .chromium import Opened
+
 READING = "[...document.querySelectorAll('.reading tr')].map((row) => [...row.cells].map((cell) => cell.textContent))"
 LABEL = "svg[aria-label^='{}']"
 
@@ -26,6 +32,19 @@ def test_values_under_the_pointer(opened):
         assert found[axis] == pytest.approx(expected, abs=1e-3)
     speeds = read(page, "speed, rpm", 0.9)
     assert speeds["w3"] == pytest.approx(110.0 * 30.0 / np.pi, rel=1e-3)
+
+
+def test_of_an_envelope_least_and_largest_are_told(browser, tmp_path):
+    t = np.linspace(0.0, 1.0, 100_000)
+    panel = Panel("y, m", (Line("a", t, 3.0 * np.sin(1e4 * t)), Line("b", t, 2.0 + 0.0 * t)))
+    script = template("report_chart.js.j2").render()
+    style = template("report_chart.css.j2").render()
+    path = tmp_path / "chart.html"
+    path.write_text(f"<!DOCTYPE html><style>{style}</style>{charts([panel])}<script>{script}</script>", "utf-8")
+    page = Opened(browser, path).page
+    frame = page.locator(".frame").bounding_box()
+    page.mouse.move(frame["x"] + 0.25 * frame["width"], frame["y"] + 20)
+    assert page.evaluate(READING) == [["t", "0.25"], ["a", "\N{MINUS SIGN}3 \N{HORIZONTAL ELLIPSIS} 3"], ["b", "2"]]
 
 
 def test_the_reading_goes_with_the_pointer(opened):

@@ -105,8 +105,10 @@ def energy(stand: Stand, run: Run, rows: Rows) -> Panel:
     K, I = mass_and_coupling(own, run.phi[rows])
     V, phi_dot = run.V[rows], run.phi_dot[rows]
     carried = np.einsum("mi,mij,mj->m", V, K, V) / 2.0
-    added = sum(np.array(b.added_mass) for b in (stand.carrier, *stand.instruments) if b.added_mass is not None)
-    if stand.stream is not None and np.any(added):
+    added = np.zeros((6, 6))
+    for Lambda in (stand.carrier.added_mass, *(p.added_mass for p in stand.instruments)):
+        added += 0.0 if Lambda is None else np.array(Lambda)
+    if stand.stream is not None:
         V_r = V - np.hstack([in_E1(attitude(run, rows), np.broadcast_to(stand.stream, (len(V), 3))), 0.0 * V[:, 3:]])
         carried += (np.sum(V_r @ added * V_r, axis=1) - np.sum(V @ added * V, axis=1)) / 2.0
     both = np.einsum("mi,min,mn->m", V, I, phi_dot)

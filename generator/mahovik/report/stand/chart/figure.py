@@ -17,7 +17,7 @@ from markupsafe import Markup
 from mahovik.report.plot.panel import Line, Panel
 from mahovik.report.stand.chart.axis import Axis, axis, power_of_ten
 from mahovik.report.stand.chart.many import Band, condensed
-from mahovik.report.stand.chart.outline import ACROSS, DOWN, band, path
+from mahovik.report.stand.chart.outline import ACROSS, BINS, DOWN, band, path
 
 COLOURS = 8
 """Of series, --c1 to --c8; then dashes."""
@@ -127,6 +127,7 @@ def _frame(panel: Panel, filled: Band | None, across: Axis, down: Axis) -> str:
         paths.append(f'<path class="band" d="{band(filled.x, filled.low, filled.high, across, down)}"/>')
     for line in panel.lines:
         name = f' data-n="{escape(line.name)}"' if line.name else ""
+        name += ' data-e=""' * (len(line.y) > 2 * BINS)
         paths.append(f'<path class="{_style(line)}"{name} d="{path(line.x, line.y, across, down)}"/>')
     return (
         f'{shaded}{_grid(across, down)}<svg class="paths" viewBox="0 0 {ACROSS} {DOWN}" preserveAspectRatio="none" '
