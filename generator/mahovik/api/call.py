@@ -14,7 +14,7 @@ from mahovik.api.fields import Array, Field, field
 from mahovik.api.inputs import by_component
 from mahovik.api.refusal import refused
 from mahovik.errors import InputError
-from mahovik.program.arrays import ArrayFunction, Passed, record
+from mahovik.program.arrays import ArrayFunction, Member, Passed, record
 from mahovik.stand.model import WRENCH_LETTERS, Stand
 
 OnError = Literal["raise", "nan"]
@@ -84,8 +84,10 @@ class Caller:
         found: list[Field] = []
         if f.name == "mounts":
             names = tuple(s.name for s in self._stand.flywheels)
-            a = f.arguments[-1].members[0]
-            return (Field("mount_wrench", (len(names), 6), a.unit, a.meaning, (names, WRENCH_LETTERS)),)
+            loads = f.arguments[-1].members[0]
+            return (Field("mount_wrench", (len(names), 6), loads.unit, loads.meaning, (names, WRENCH_LETTERS)),)
+        if f.name == "matrices" and not self._stand.flywheels:
+            found += [field(Member(name, "real", (6, 0), ("", "N")), self._stand, ()) for name in ("I", "J")]
         for a in f.arguments:
             if a.direction == "in":
                 continue

@@ -51,7 +51,9 @@ def compiled(stand: Stand, real: str, compiler: str | None, parallel: bool) -> C
         return _loaded(stand, library, facts, command, parallel)
 
 
-def _loaded(stand: Stand, library: Path, facts: Mapping[str, Any], command: tuple[str, ...], parallel: bool) -> Compiled:
+def _loaded(
+    stand: Stand, library: Path, facts: Mapping[str, Any], command: tuple[str, ...], parallel: bool
+) -> Compiled:
     functions = from_plain(facts["functions"])
     return Compiled(
         ArrayLibrary(library, stand.name, [f.name for f in functions], parallel),

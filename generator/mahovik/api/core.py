@@ -60,6 +60,13 @@ class Built:
         self._state = tuple(field(m, stand, ()) for m in state.members)
         self._components = state.components
         self._flywheels = tuple(s.name for s in stand.flywheels)
+        self._bodies = tuple(body.name for body in stand.bodies)
+        self._labels: dict[str, tuple[str, ...]] = {
+            "V_dot": TWIST_LETTERS,
+            "angles": ("psi", "theta", "phi"),
+            "phi_ddot": self._flywheels,
+            "tau": self._flywheels,
+        }
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self._stand, self._real, *self._given)
@@ -70,6 +77,11 @@ class Built:
     def stand(self) -> Stand:
         """The stand it was built of."""
         return self._stand
+
+    @property
+    def compiler(self) -> str:
+        """Command of the compiler of its C."""
+        return " ".join(self._made.compiler)
 
     @property
     def flywheels(self) -> tuple[str, ...]:
@@ -190,22 +202,23 @@ class Built:
             raise InputError(f"{_METHODS.get(function, function)}: the stand has no {what}")
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}
-        bodies = [body.name for body in self._stand.bodies]
-        wrench_parts = wrenches(wrench, self._made.inputs, bodies)
+        if wrench is not None or self._made.inputs:
+            by_body = wrenches(wrench, self._made.inputs, self._bodies)
         for a in f.arguments:
             if a.direction != "in":
                 continue
             if a.name == "x":
                 parts["x"] = self._array(x)
             elif a.name == "wrench":
-                parts["wrench"] = wrench_parts
+                parts["wrench"] = by_body
             elif a.order == "alike":
                 value = given[a.name]
                 alike[a.name] = inputs.flags(value, self._flywheels) if a.name == "locked" else value
             else:
                 parts[a.name] = self._read(a, given[a.name])
-        for name in given.keys() - {a.name for a in f.arguments}:  # of flywheels that the stand has not
-            inputs.read(given[name], name, 0, (), "flywheel")
+        if not self._flywheels:
+            for name in given.keys() - {a.name for a in f.arguments}:
+                inputs.read(given[name], name, 0, (), "flywheel")
         n = inputs.common(parts)
         found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error)
         return found, status, n is None
@@ -222,8 +235,8 @@ class Built:
         return found
 
     def _read(self, a: Passed, value: Any) -> Array:
-        labels = field(a.members[0], self._stand, ()).labels[0]
-        noun = "flywheel" if labels == self._flywheels else "component"
+        labels = self._labels[a.name]
+        noun = "flywheel" if labels is self._flywheels else "component"
         return inputs.read(value, a.name, a.components, labels, noun)
 
     def _number(self, value: float, what: str) -> Array:
@@ -242,7 +255,10 @@ class Built:
         for name, value in self._made.options.items():
             found[name] = value
         for name, given in by_flywheel.items():
-            if given is not None:
+            if isinstance(given, Mapping):
+                for i, value in inputs.places(given, name, self._flywheels, "flywheel").items():
+                    found[name][0, i] = self._number(value, f"{name} of {self._flywheels[i]}")[0]
+            elif given is not None:
                 part = inputs.read(given, name, len(self._flywheels), self._flywheels, "flywheel")
                 if part.ndim == 2:
                     raise InputError(f"{name}: expected shape ({len(self._flywheels)},), the same for all states")
@@ -254,7 +270,7 @@ class Built:
 
     def __repr__(self) -> str:
         count = self._given[1]
-        how = f"{self._real}, {' '.join(self._made.compiler)}, {count} thread{'' if count == 1 else 's'}"
+        how = f"{self._real}, {count} thread{'' if count == 1 else 's'}"
         return f"<Model of {self._stand.name}: {len(self._flywheels)} flywheels; {how}>"
 
     def _repr_html_(self) -> str:

@@ -23,7 +23,7 @@ def numbers(given: Any, what: str) -> Array:
     try:
         found = np.asarray(given)
     except (ValueError, TypeError) as error:
-        raise InputError(f"{what}: no array of numbers: {str(error).splitlines()[0]}") from None
+        raise InputError(f"{what}: no array of numbers: {str(error).split('. ')[0]}") from None
     if found.dtype.kind not in _NUMBERS:
         if found.size == 0:
             return found.astype(np.float64)
@@ -43,18 +43,26 @@ def read(given: Given, what: str, count: int, names: Sequence[str], noun: str) -
 
 
 def _by_name(given: Mapping[str, ArrayLike], what: str, names: Sequence[str], noun: str) -> Array:
-    parts: dict[str, Array] = {}
+    parts: dict[int, Array] = {}
+    for i, value in places(given, what, names, noun).items():
+        parts[i] = numbers(value, f"{what} of {names[i]}")
+        if parts[i].ndim > 1:
+            raise InputError(f"{what} of {names[i]}: expected a number or shape (n,), found {parts[i].shape}")
+    n = common({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
+    found = np.zeros((len(names),) if n is None else (n, len(names)))
+    for i, part in parts.items():
+        found[..., i] = part
+    return found
+
+
+def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str) -> dict[int, Any]:
+    """What is given by name, by its place. Raises InputError for an unknown name."""
+    found = {}
     for name, value in given.items():
         if name not in names:
             hint = f", did you mean {nearest(str(name), list(names))!r}?" if names else ": there is none"
             raise InputError(f"{what}: no {noun} {name!r}{hint}")
-        parts[name] = numbers(value, f"{what} of {name}")
-        if parts[name].ndim > 1:
-            raise InputError(f"{what} of {name}: expected a number or shape (n,), found {parts[name].shape}")
-    n = common({f"{what} of {name}": part for name, part in parts.items()}, 1)
-    found = np.zeros((len(names),) if n is None else (n, len(names)))
-    for name, part in parts.items():
-        found[..., list(names).index(name)] = part
+        found[list(names).index(name)] = value
     return found
 
 
@@ -95,4 +103,4 @@ def flags(given: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.
     found = np.asarray(given)
     if found.shape != (len(names),) or found.dtype.kind not in "biu":
         raise InputError(f"locked: expected names of flywheels or {len(names)} flags, found {given!r:.60}")
-    return (found != 0).astype(np.int32)
+    return np.asarray(found != 0, dtype=np.int32)

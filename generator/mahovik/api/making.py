@@ -32,9 +32,7 @@ def packed(parts: Mapping[str, tuple[Array, int]], n: int | None, real: np.dtype
     return memory
 
 
-def attitudes(
-    attitude: ArrayLike | None, angles: ArrayLike | None, quaternions: Callable[[Array], Array]
-) -> Array:
+def attitudes(attitude: ArrayLike | None, angles: ArrayLike | None, quaternions: Callable[[Array], Array]) -> Array:
     """Unit quaternions, (4,) or (n, 4), of quaternions or angles. Raises InputError, RefusedError."""
     if attitude is not None and angles is not None:
         raise InputError("attitude, angles: both given, expected one of them")

@@ -147,8 +147,8 @@ class Model(Built):
     ) -> results.Inverse:
         """Flywheel accelerations for a wanted motion of the carrier, (12): least residual, then least weighted phi''.
 
-        weight   of each flywheel in the norm of phi''; else those of the stand file
-        limit    rad/s2; of each |phi''|; else none
+        weight   of each flywheel in the norm of phi''; of those not given what the stand file says
+        limit    rad/s2; of each |phi''|; of those not given none
         near     NEAR_SINGULAR below this part of the largest singular value
         damping  of small singular values, a part of the largest; else none
 
@@ -158,9 +158,7 @@ class Model(Built):
         options = self._options({"weight": weight, "limit": limit}, {"near": near, "damping": damping})
         return self._result(results.Inverse, "inverse", x, on_error, wrench, V_dot=V_dot, options=options)
 
-    def wrench(
-        self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise"
-    ) -> results.Wrench:
+    def wrench(self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise") -> results.Wrench:
         """Total external wrench `F` on the carrier, (7). State by state. Raises InputError, RefusedError."""
         return self._result(results.Wrench, "wrench", x, on_error, wrench)
 
@@ -174,9 +172,7 @@ class Model(Built):
         """`Z`, `Z0`, `energy`, `center_of_mass`, (1), (2). State by state. Raises InputError, RefusedError."""
         return self._result(results.Momentum, "momentum", x, on_error, None)
 
-    def points(
-        self, x: States | ArrayLike, V_dot: Given = 0.0, *, on_error: OnError = "raise"
-    ) -> results.Points:
+    def points(self, x: States | ArrayLike, V_dot: Given = 0.0, *, on_error: OnError = "raise") -> results.Points:
         """What accelerometers and gyros read at instruments and points. State by state.
 
         Gives `position`, `C`, `twist`, `specific_force`, `angular_acceleration`, each with an axis of `sensors`.

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mahovik.api.fields import Array, field
 from mahovik.api.results import words
 from mahovik.errors import RefusedError
-from mahovik.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, limits
+from mahovik.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.program.arrays import Passed
 from mahovik.program.types import DOUBLE, FLOAT
 from mahovik.stand.model import WRENCH_LETTERS, Stand
@@ -52,6 +52,8 @@ def _blamed(
     index: int, inputs: Mapping[str, tuple[Passed, Array]], stand: Stand, wrenches: Sequence[str]
 ) -> Iterator[str]:
     for argument, memory in inputs.values():
+        if argument.name == "dt" and not 0.0 < memory[0] <= _bounds(memory)["MAX_STEP"].value:
+            yield f"dt is {memory[0]:.9g} s, expected above 0 and at most {_bounds(memory)['MAX_STEP'].value:g}"
         if argument.order != "components":
             continue
         row = 0
@@ -65,7 +67,7 @@ def _blamed(
 
 
 def _wrong(name: str, column: NDArray[Any], labels: Sequence[str], unit: str) -> Iterator[str]:
-    bounds = limits(FLOAT if column.dtype == np.float32 else DOUBLE)
+    bounds = _bounds(column)
     for i, x in enumerate(column.tolist()):
         what = f"{name} {labels[i]}" if labels else f"{name}[{i}]"
         if not np.isfinite(x):
@@ -77,3 +79,7 @@ def _wrong(name: str, column: NDArray[Any], labels: Sequence[str], unit: str) ->
     if name == "attitude" and not UNIT_SQUARE_MIN <= float(np.sum(column.astype(np.float64) ** 2)) <= UNIT_SQUARE_MAX:
         length = float(np.linalg.norm(column.astype(np.float64)))
         yield f"attitude has length {length:.9g}, expected 1 within 0.001"
+
+
+def _bounds(a: Array) -> dict[str, Limit]:
+    return limits(FLOAT if a.dtype == np.float32 else DOUBLE)

@@ -1,28 +1,16 @@
-"""Tables for notebooks: plain HTML without colours of its own, so that it follows the notebook's."""
+"""What notebooks show of states, results and models."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from html import escape
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from mahovik.api.fields import Named, spread
+from mahovik.stand.notebook import table
 
 if TYPE_CHECKING:
     from mahovik.api.core import Built
-
-
-def table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], note: str = "") -> str:
-    """A table with a caption; every text is escaped."""
-    cells = "".join(f"<th style='text-align:left'>{escape(text)}</th>" for text in head)
-    body = "".join(
-        "<tr>" + "".join(f"<td style='text-align:left'>{escape(text)}</td>" for text in row) + "</tr>" for row in rows
-    )
-    after = f"<div>{escape(note)}</div>" if note else ""
-    caption = f"<div><strong>{escape(title)}</strong></div>"
-    return f"{caption}<table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>{after}"
 
 
 def arrays(title: str, named: Named) -> str:

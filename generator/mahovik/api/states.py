@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.api import inputs
-from mahovik.api.fields import Array, Field, Named
+from mahovik.api.fields import Field, Named
 from mahovik.errors import InputError
 
 Real = NDArray[Any]

@@ -25,6 +25,7 @@ from mahovik.toolchain.arrays import machine
 KEPT = 256
 """Libraries kept; the one not used for the longest time goes first."""
 
+_DIGEST = "digest"
 _PACKAGE = Path(__file__).resolve().parents[1]
 _STAGES = ("emit", "lower", "program", "routines", "toolchain")
 _TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.j2")
@@ -54,17 +55,22 @@ def folder() -> Path | None:
 
 
 def find(name: str) -> tuple[Path, dict[str, Any]] | None:
-    """The library of a key with the facts kept beside it; None where there is no whole entry."""
+    """The library of a key with the facts kept beside it; None where there is no whole entry.
+
+    Its bytes are checked first: loading half a library would end the process.
+    """
     place = folder()
     if place is None:
         return None
     library = place / f"{name}.so"
     try:
         facts = json.loads((place / f"{name}.json").read_bytes())
+        if not isinstance(facts, dict) or facts.get(_DIGEST) != _digest(library.read_bytes()):
+            return None
         os.utime(library)  # used just now
     except (OSError, ValueError, RecursionError):
         return None
-    return (library, facts) if isinstance(facts, dict) else None
+    return library, facts
 
 
 def keep(name: str, library: Path, facts: Mapping[str, Any]) -> None:
@@ -74,9 +80,14 @@ def keep(name: str, library: Path, facts: Mapping[str, Any]) -> None:
         return
     with contextlib.suppress(OSError):
         place.mkdir(mode=0o700, parents=True, exist_ok=True)  # what lies here is executed
-        _write(place / f"{name}.json", json.dumps(facts).encode())
-        _write(place / f"{name}.so", library.read_bytes())
+        content = library.read_bytes()
+        _write(place / f"{name}.so", content)
+        _write(place / f"{name}.json", json.dumps({**facts, _DIGEST: _digest(content)}).encode())
         _forget(place)
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
 
 
 def _write(path: Path, content: bytes) -> None:

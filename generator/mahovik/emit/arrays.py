@@ -91,9 +91,7 @@ def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
         for a in f.arguments:
             if isinstance(a.type, Struct) and a.name not in _OWN:
                 found[a.type.name] = a.type
-    return [
-        {"name": s.name, "type": names.type(s), "bytes": record(members(s), real).itemsize} for s in found.values()
-    ]
+    return [{"name": s.name, "type": names.type(s), "bytes": record(members(s), real).itemsize} for s in found.values()]
 
 
 class _Call:

@@ -6,8 +6,10 @@ Three orders of memory: `components`, component i of state j at [i * n + j]; `st
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -32,7 +34,7 @@ class Member:
     @property
     def size(self) -> int:
         """Numbers in it, without those of inner records."""
-        return int(np.prod(self.shape, dtype=np.intp))
+        return math.prod(self.shape)
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ class Passed:
     order: Order
     members: tuple[Member, ...]
 
-    @property
+    @cached_property
     def components(self) -> int:
         """Numbers of one state."""
         return sum(member.size for member in self.members)

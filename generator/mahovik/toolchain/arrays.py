@@ -41,7 +41,9 @@ def build(files: Mapping[str, str], name: str, folder: Path, compiler: Sequence[
     def compiled(part: str) -> str:
         target = f"{folder / part}.o"
         how = BATCH if part == f"{name}_batch" else SINGLE
-        run_compiler([*WARNINGS, *how, *openmp, "-fPIC", "-c", f"{folder / part}.c", "-o", target], f"{part}.c", compiler)
+        run_compiler(
+            [*WARNINGS, *how, *openmp, "-fPIC", "-c", f"{folder / part}.c", "-o", target], f"{part}.c", compiler
+        )
         return target
 
     with ThreadPoolExecutor() as pool:  # each waits for a process

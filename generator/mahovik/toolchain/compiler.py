@@ -24,7 +24,7 @@ CANDIDATES = ("cc", "gcc", "clang")
 
 
 def find_compiler(named: str | None = None) -> list[str]:
-    """The compiler's command: the one named, else the environment's CC, else cc, gcc or clang. Raises ToolchainError."""
+    """The compiler's command: as named, else the environment's CC, else cc, gcc or clang. Raises ToolchainError."""
     chosen = (os.environ.get("CC", "") if named is None else named).strip()
     where, remedy = ("CC=", "unset CC or name") if named is None else ("compiler ", "leave it out or name")
     if chosen or named is not None:
