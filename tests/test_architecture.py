@@ -19,6 +19,7 @@ SOURCES = sorted([*MODULES, *(REPOSITORY / "tests").rglob("*.py"), *(REPOSITORY 
 STAGES = (
     ("__main__",),
     ("cli",),
+    ("api",),
     ("report",),
     ("export",),
     ("study",),
@@ -41,6 +42,9 @@ STAGES = (
     ("mahovik",),
 )
 """From the top of the house down; names on one floor never import one another. `mahovik` is the package itself."""
+
+FRONT_DOOR = {"mahovik": {"api", "errors", "stand"}}
+"""`import mahovik` offers what these have, and loads it when it is asked for: the only imports that point up."""
 
 FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
 
@@ -132,7 +136,8 @@ def test_imports_point_down(stage: str) -> None:
     """A stage imports lower stages only; those of one floor never one another."""
 
     def upward(path: Path) -> list[str]:
-        return [n for n in imported(path) if (t := target(n)) in FLOOR and t != stage and FLOOR[t] <= FLOOR[stage]]
+        known = {stage} | FRONT_DOOR.get(stage, set())
+        return [n for n in imported(path) if (t := target(n)) in FLOOR and t not in known and FLOOR[t] <= FLOOR[stage]]
 
     assert each(of(stage), upward) == {}
 

@@ -1,3 +1,75 @@
-"""Exact equations of motion of a carrier with unbalanced, asymmetric flywheels, as verified C."""
+"""Exact equations of motion of a carrier with unbalanced, asymmetric flywheels, as verified C.
+
+    import mahovik
+
+    stand = mahovik.load("bench8.toml")
+    model = mahovik.build(stand)
+    result = model.forward(model.state(phi_dot=100.0), phi_ddot={"w1": 5.0})
+    result.V_dot
+
+Public is what `__all__` names; docs/python.md describes it. It is loaded when it is first asked for.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mahovik.api.model import Model, build
+    from mahovik.api.results import Result
+    from mahovik.api.stands import example, examples, load
+    from mahovik.api.states import States
+    from mahovik.errors import (
+        InputError,
+        MahovikError,
+        RefusedError,
+        StandError,
+        StateError,
+        ToolchainError,
+        UsageError,
+    )
+    from mahovik.stand.model import Stand
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "InputError",
+    "MahovikError",
+    "Model",
+    "RefusedError",
+    "Result",
+    "Stand",
+    "StandError",
+    "StateError",
+    "States",
+    "ToolchainError",
+    "UsageError",
+    "__version__",
+    "build",
+    "example",
+    "examples",
+    "load",
+]
+
+_PLACES = {
+    "Model": "api.model",
+    "Result": "api.results",
+    "Stand": "stand.model",
+    "States": "api.states",
+    "build": "api.model",
+    "example": "api.stands",
+    "examples": "api.stands",
+    "load": "api.stands",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in __all__:
+        raise AttributeError(f"module 'mahovik' has no attribute {name!r}")
+    from importlib import import_module
+
+    found = getattr(import_module(f"mahovik.{_PLACES.get(name, 'errors')}"), name)
+    globals()[name] = found  # the next time without this
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -6,6 +6,7 @@ The command line prints `str(error)` and exits with `error.exit_status`; it neve
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 
 class MahovikError(Exception):
@@ -51,6 +52,28 @@ class ServoError(FileError):
 
 class StateError(MahovikError):
     """A state of `eval` cannot be evaluated: its result line holds the message in `error`."""
+
+
+class RefusedError(StateError):
+    """Of the states of a call the C refused some.
+
+    function  that was called
+    index     of the first refused state
+    status    of that state, a negative number; `name` is its name
+    count     how many were refused
+    """
+
+    def __init__(self, message: str, function: str, index: int, status: int, name: str, count: int) -> None:
+        self.function, self.index, self.status, self.name, self.count = function, index, status, name, count
+        super().__init__(message)
+
+    def __reduce__(self) -> tuple[Any, ...]:  # from a worker process
+        message = Exception.__str__(self)
+        return type(self), (message, self.function, self.index, self.status, self.name, self.count)
+
+
+class InputError(MahovikError, ValueError):
+    """An array, a name or an option given to the Python interface was refused."""
 
 
 class UsageError(MahovikError):

@@ -8,13 +8,17 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, select_autoescape
 
 
+def folders() -> list[Path]:
+    """Where templates lie: in the package, or in the repository."""
+    package = Path(__file__).resolve().parent.parent
+    return [f for f in (package / "templates", package.parent.parent / "templates") if f.is_dir()]
+
+
 @lru_cache(maxsize=1)
 def environment() -> Environment:
     """Jinja environment: undefined names are errors; blocks are [% %] and values [= =], since C is full of braces."""
-    package = Path(__file__).resolve().parent.parent
-    folders = [package / "templates", package.parent.parent / "templates"]
     return Environment(
-        loader=FileSystemLoader([f for f in folders if f.is_dir()]),
+        loader=FileSystemLoader(folders()),
         undefined=StrictUndefined,
         autoescape=select_autoescape(["html", "html.j2"]),
         block_start_string="[%",

@@ -213,3 +213,15 @@ class Stand:
     def bodies(self) -> tuple[Body, ...]:
         """Carrier, instruments, flywheels, in this order."""
         return (self.carrier, *self.instruments, *self.flywheels)
+
+    def __repr__(self) -> str:
+        from mahovik.stand.identity import identities
+
+        parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}
+        counts = ", ".join(f"{len(all_)} {noun}{'' if len(all_) == 1 else 's'}" for noun, all_ in parts.items() if all_)
+        return f"<Stand {self.name}: {counts or 'a rigid body'}; physics {identities(self).physics}>"
+
+    def _repr_html_(self) -> str:
+        from mahovik.stand.notebook import bodies
+
+        return bodies(self)

@@ -23,16 +23,17 @@ FAST = ("-O3", "-march=native", "-ffp-contract=fast")
 CANDIDATES = ("cc", "gcc", "clang")
 
 
-def find_compiler() -> list[str]:
-    """The compiler's command: the environment's CC, else cc, gcc or clang. Raises ToolchainError."""
-    chosen = os.environ.get("CC", "").strip()
-    if chosen:
+def find_compiler(named: str | None = None) -> list[str]:
+    """The compiler's command: as named, else the environment's CC, else cc, gcc or clang. Raises ToolchainError."""
+    chosen = (os.environ.get("CC", "") if named is None else named).strip()
+    where, remedy = ("CC=", "unset CC or name") if named is None else ("compiler ", "leave it out or name")
+    if chosen or named is not None:
         try:
             command = shlex.split(chosen)
         except ValueError as error:
-            raise ToolchainError(f"CC={chosen}: {error}") from error
-        if shutil.which(command[0]) is None:
-            raise ToolchainError(f"CC={chosen}: no such command; unset CC or name an installed C compiler")
+            raise ToolchainError(f"{where}{chosen}: {error}") from error
+        if not command or shutil.which(command[0]) is None:
+            raise ToolchainError(f"{where}{chosen}: no such command; {remedy} an installed C compiler")
         return command
     for candidate in CANDIDATES:
         if shutil.which(candidate) is not None:
@@ -40,9 +41,9 @@ def find_compiler() -> list[str]:
     raise ToolchainError("no C compiler found (cc, gcc, clang): install one, on Debian with `apt-get install gcc`")
 
 
-def run_compiler(arguments: Sequence[str], what: str) -> str:
+def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = ()) -> str:
     """Runs the compiler and returns what it printed. Raises ToolchainError with its first complaint."""
-    command = [*find_compiler(), *arguments]
+    command = [*(compiler or find_compiler()), *arguments]
     try:
         done = subprocess.run(
             command, capture_output=True, text=True, errors="replace", check=False, stdin=subprocess.DEVNULL

@@ -21,12 +21,13 @@ PROGRAM_WANTS = ("matrices", "momentum", "forward", "generalized", "torque", "mo
 NEAR_SINGULAR_BELOW = 1e-6
 """`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
 
-_MEANING = {
+MEANING = {
     "NOT_FINITE": "an input is NaN or infinite",
     "RANGE": "an input is outside its range, or a leg has no length",
     "NOT_POSITIVE_DEFINITE": "the mass matrix is not positive definite",
     "SINGULAR_ATTITUDE": "the attitude angles are at their singularity",
 }
+"""Why a state is refused, by the name of its status."""
 
 
 class Runner(Protocol):
@@ -125,7 +126,7 @@ class ProgramBackend:
         """Raises StateError for a negative status."""
         if status < 0:
             name = STATUS_NAMES[status]
-            raise StateError(f"{name}: {_MEANING.get(name, 'refused')}")
+            raise StateError(f"{name}: {MEANING.get(name, 'refused')}")
 
     def _matrices(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         found: dict[str, Any] = self._call("matrices", inputs)["out"]

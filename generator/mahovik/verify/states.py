@@ -21,7 +21,8 @@ MAX_PHASE = {"double": 1e7, "float": 1e3}
 UNIT_LENGTH = 1e-3
 """A quaternion whose length is off by no more is normalised; any other is an error."""
 
-_ROUNDING = 4 * 2.0**-52  # of four squares and a root: already normalised, so that a state replays bit for bit
+ROUNDING = 4 * 2.0**-52
+"""Of four squares and a root: a quaternion that is off by no more is unit already, and a state replays bit for bit."""
 
 KEYS = (
     "id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau", "wrench", "want",
@@ -201,7 +202,7 @@ def _quaternion(found: dict[str, Any]) -> Quaternion:
     length = math.hypot(*q)
     if not abs(length - 1.0) <= UNIT_LENGTH:
         raise StateError(f"quaternion: length {length:.9g}, expected 1 within {UNIT_LENGTH:g}")
-    if abs(length - 1.0) <= _ROUNDING:
+    if abs(length - 1.0) <= ROUNDING:
         return cast(Quaternion, q)
     return cast(Quaternion, tuple(x / length for x in q))
 

@@ -1,0 +1,1 @@
+"""The public Python interface: `mahovik` re-exports from here what `mahovik.__all__` names."""

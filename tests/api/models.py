@@ -1,0 +1,59 @@
+"""Models for tests, each compiled once a run, and states for them."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+import mahovik
+from mahovik.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
+from mahovik.verify.c_backend import CBackend
+
+
+@cache
+def stand(name):
+    """A stand by name: of some kinds of wrench, of all of them, a rigid body, or an example."""
+    rng = np.random.default_rng(5)
+    if name == "general":
+        return random_stand(rng, 2, Features("aircraft", 1, True, False, False, False, 0, 1, True, False), name)
+    if name == "everything":
+        return replace(random_stand(rng, 2, EVERYTHING, name), angles="euler")
+    if name == "rigid":
+        return random_stand(rng, 0, BARE, name)
+    return mahovik.example(name)
+
+
+@cache
+def model(name, real="double"):
+    """Its model."""
+    return mahovik.build(stand(name), real=real)
+
+
+@cache
+def backend(name):
+    """The functions for one state, one after the other."""
+    return CBackend(stand(name))
+
+
+def drawn(name, count, seed=1):
+    """Random states of the evaluation contract."""
+    rng = np.random.default_rng(seed)
+    return [random_state(stand(name), rng) for _ in range(count)]
+
+
+def given(name, states):
+    """The same as states and inputs of the Python interface."""
+    m = model(name)
+    parts = [
+        m.state(
+            position=s.position,
+            V=s.V,
+            phi=s.phi,
+            phi_dot=s.phi_dot,
+            **({"angles": s.angles} if s.angles else {"attitude": s.quaternion} if s.quaternion else {}),
+        ).array
+        for s in states
+    ]
+    inputs = {key: np.array([getattr(s, key) for s in states]) for key in ("V_dot", "phi_ddot", "tau")}
+    wrench = {body: np.array([s.wrench[body] for s in states]) for body in m.wrenches}
+    return m.states_of(np.array(parts)), inputs, wrench or None

@@ -1,0 +1,165 @@
+"""Every function gives the bits of the C for one state, and what the literal reference gives."""
+
+import numpy as np
+import pytest
+from hypothesis import given as drawn_by
+from hypothesis import settings
+from hypothesis import strategies as st
+
+import mahovik
+from api.models import backend, drawn, given, model, stand
+from mahovik import reference
+
+WANTS = {
+    "forward": ("forward", ("phi_ddot",)),
+    "coupled": ("coupled", ("tau",)),
+    "torque": ("torque", ("V_dot", "phi_ddot")),
+    "inverse": ("inverse", ("V_dot",)),
+    "matrices": ("matrices", ()),
+    "momentum": ("momentum", ()),
+    "mounts": ("mounts", ("V_dot", "phi_ddot")),
+    "points": ("points", ("V_dot",)),
+}
+"""Function: want of the evaluation contract, inputs."""
+
+MISSING = {
+    "general": (),
+    "everything": (),
+    "bench8": ("points",),
+    "rigid": ("coupled", "torque", "inverse", "mounts", "points"),
+}
+STANDS = ("general", *(pytest.param(name, marks=pytest.mark.slow) for name in ("everything", "bench8", "rigid")))
+BY_WRENCH = ("momentum", "points")
+"""Take none."""
+
+
+def offered(name):
+    return {f.name for f in model(name).functions}
+
+
+def results(name, function, states):
+    """Of a function on all states at once."""
+    x, inputs, wrench = given(name, states)
+    more = {} if function in BY_WRENCH else {"wrench": wrench}
+    return getattr(model(name), function)(x, **{key: inputs[key] for key in WANTS[function][1]}, **more)
+
+
+def pairs(name, function, result, expected, j):
+    """Of each number of the contract: what came out, and what was expected."""
+    if function == "points":
+        for k, sensor in enumerate(model(name).sensors):
+            for key, value in expected["points"][sensor].items():
+                yield key, result[key][j, k], value
+        return
+    for key, value in expected.items():
+        if key != "status":
+            yield key, result[key][j], value
+
+
+@pytest.mark.parametrize("name", STANDS)
+@pytest.mark.parametrize("function", WANTS)
+def test_bits_of_the_function_for_one_state(name, function):
+    assert (function in offered(name)) == (function not in MISSING[name])
+    if function in MISSING[name]:
+        with pytest.raises(mahovik.InputError, match="the stand has no"):
+            getattr(model(name), function)(model(name).state(), *([0.0] if function == "inverse" else []))
+        return
+    states = drawn(name, 11)
+    result = results(name, function, states)
+    for j, state in enumerate(states):
+        expected = backend(name).evaluate(state, [WANTS[function][0]])
+        for key, found, value in pairs(name, function, result, expected, j):
+            assert np.array_equal(found, np.asarray(value)), key
+
+
+@pytest.mark.parametrize("name", STANDS)
+def test_one_state_is_a_batch_of_one(name):
+    x, inputs, wrench = given(name, drawn(name, 3))
+    for function in offered(name) & set(WANTS):
+        arguments = {key: inputs[key] for key in WANTS[function][1]}
+        more = {} if function in BY_WRENCH or wrench is None else {"wrench": wrench}
+        many = getattr(model(name), function)(x, **arguments, **more)
+        alone = {key: value[1] for key, value in arguments.items()}
+        if more:
+            more = {"wrench": {body: value[1] for body, value in wrench.items()}}
+        one = getattr(model(name), function)(x.take(1), **alone, **more)
+        assert one.batch is None and one.status == many.status[1]
+        for key, value in many.to_dict().items():
+            assert np.array_equal(one[key], value[1]), (function, key)
+            assert one[key].shape == value.shape[1:]
+
+
+@settings(max_examples=15)
+@drawn_by(seed=st.integers(0, 2**32 - 1))
+@pytest.mark.parametrize("function", ["forward", "coupled", "torque", "matrices", "momentum", "mounts"])
+def test_the_reference_agrees(function, seed):
+    """rtol: conditions of these stands are below 1e4."""
+    name = "general"
+    states = drawn(name, 3, seed)
+    result = results(name, function, states)
+    for j, state in enumerate(states):
+        expected = reference.evaluate(stand(name), state, [WANTS[function][0]])
+        for key, found, value in pairs(name, function, result, expected, j):
+            size = np.abs(value).max(initial=1.0)
+            np.testing.assert_allclose(found, np.asarray(value), rtol=0, atol=1e-10 * size, err_msg=key)
+
+
+def test_steps_are_those_of_the_c():
+    m, c = model("general"), backend("general")
+    states = drawn("general", 9)
+    x, inputs, wrench = given("general", states)
+    for function, key in (("step", "tau"), ("step_driven", "phi_ddot")):
+        found = getattr(m, function)(x, 1e-4, inputs[key], wrench=wrench, order=2)
+        for j, state in enumerate(states):
+            status, out = c.call(function, {**c.arguments(state), "dt": 1e-4, "order": 2})
+            assert status == 0
+            expected = np.concatenate([out["next"][part] for part in ("position", "attitude", "V", "phi", "phi_dot")])
+            assert np.array_equal(found.array[j], expected)
+
+
+def test_generalized_and_slopes_are_those_of_the_c():
+    m, c = model("general"), backend("general")
+    states = drawn("general", 5)
+    x, inputs, wrench = given("general", states)
+    angles = np.random.default_rng(1).normal(size=(5, 3)) * 0.3
+    found = m.generalized(x, angles, inputs["phi_ddot"], wrench=wrench)
+    forward = m.forward_jacobian(x, inputs["phi_ddot"], wrench=wrench)
+    coupled = m.coupled_jacobian(x, inputs["tau"], wrench=wrench)
+    for j, state in enumerate(states):
+        arguments = c.arguments(state)
+        for result, function in ((found, "attitude"), (forward, "forward_jacobian"), (coupled, "coupled_jacobian")):
+            _, out = c.call(function, {**arguments, "angles": angles[j].tolist()})
+            for key, value in out["out"].items():
+                assert np.array_equal(result[key][j], np.asarray(value)), key
+
+
+def test_locks_hold():
+    m = model("bench8")
+    x, inputs, _ = given("bench8", drawn("bench8", 4))
+    by_name = m.coupled(x, inputs["tau"], locked=("w2", "w5"))
+    by_flag = m.coupled(x, inputs["tau"], locked=[0, 1, 0, 0, 1, 0, 0, 0])
+    assert np.array_equal(by_name.phi_ddot, by_flag.phi_ddot)
+    assert not by_name.phi_ddot[:, [1, 4]].any() and by_name.phi_ddot[:, [0, 2, 3, 5, 6, 7]].all()
+
+
+def test_options_of_inverse_reach_the_c():
+    m = model("bench8")
+    x, inputs, _ = given("bench8", drawn("bench8", 4))
+    limited = m.inverse(x, inputs["V_dot"], limit=1.0)
+    assert np.abs(limited.phi_ddot).max() <= 1.0 and limited.has_status("LIMITED").any()
+    heavy = m.inverse(x, inputs["V_dot"], weight={"w1": 1e3})
+    free = m.inverse(x, inputs["V_dot"])
+    assert (np.abs(heavy["phi_ddot", "w1"]) < np.abs(free["phi_ddot", "w1"])).all()
+    assert m.inverse(x, inputs["V_dot"], near=1.0).has_status("NEAR_SINGULAR").all()
+    only = m.inverse(x, inputs["V_dot"], limit={"w3": 1.0})
+    assert np.abs(only["phi_ddot", "w3"]).max() <= 1.0 and np.abs(only.phi_ddot).max() > 1.0
+
+
+@pytest.mark.slow
+def test_float_is_float_and_near():
+    m, f = model("bench8"), model("bench8", "float")
+    x, inputs, _ = given("bench8", drawn("bench8", 7))
+    found = f.forward(f.states_of(x.array), inputs["phi_ddot"])
+    assert found.V_dot.dtype == np.float32
+    expected = m.forward(x, inputs["phi_ddot"]).V_dot
+    np.testing.assert_allclose(found.V_dot, expected, rtol=0, atol=1e-4 * np.abs(expected).max())

@@ -1,0 +1,121 @@
+"""The public interface: as recorded, loaded when asked for, typed, and as its page says."""
+
+import doctest
+import inspect
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import mahovik
+from api import typed_script
+from api.models import model, stand
+from docs.pages import ROOT, cells, rows
+
+RECORD = Path(__file__).parent / "public.txt"
+PAGE = ROOT / "docs" / "python.md"
+
+
+def signatures():
+    """A line for every public name and every attribute of a public class, sorted."""
+    lines = []
+    for name in mahovik.__all__:
+        value = getattr(mahovik, name)
+        if inspect.isclass(value):
+            bases = ", ".join(base.__name__ for base in value.__bases__ if issubclass(base, Exception))
+            lines.append(f"class {name}({bases})")
+            if value.__module__.startswith("mahovik.api"):
+                lines += [f"{name}.{line}" for line in attributes(value)]
+        else:
+            lines.append(f"{name}{inspect.signature(value)}" if callable(value) else name)
+    for result in mahovik.Result.__subclasses__():
+        lines += [f"results.{result.__name__}.{field}" for field in result.__annotations__]
+    return sorted(lines)
+
+
+def attributes(value):
+    """Its own and inherited, without what begins with an underscore; those that only return it are in annotations."""
+    found = []
+    for name in dir(value):
+        attribute = inspect.getattr_static(value, name)
+        if not name.startswith("_"):
+            kind = isinstance(attribute, property)
+            found.append(name if kind or not callable(attribute) else f"{name}{inspect.signature(attribute)}")
+    return found
+
+
+def test_signatures_are_as_recorded():
+    """A change is deliberate: write the file anew, tell the changelog, and keep the promise of docs/python.md."""
+    assert RECORD.read_text(encoding="utf-8").splitlines() == signatures()
+
+
+def test_importing_loads_nothing():
+    code = (
+        "import sys, mahovik; print(*dir(mahovik)); print(*(m for m in sys.modules if 'mahovik' in m or m == 'numpy'))"
+    )
+    printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+    names, modules = printed.splitlines()
+    assert set(mahovik.__all__) <= set(names.split())
+    assert modules == "mahovik"
+
+
+def test_every_name_can_be_had():
+    scope = {}
+    exec("from mahovik import *", scope)
+    assert set(mahovik.__all__) <= scope.keys()
+    with pytest.raises(AttributeError, match="no attribute 'bild'"):
+        _ = mahovik.bild
+
+
+def test_the_page_lists_the_functions():
+    listed = {line[0].strip("`"): line for line in rows(PAGE, "function")}
+    there = {f.name: f for name in ("bench8", "general") for f in model(name).functions}
+    assert listed.keys() == there.keys()
+    for name, f in there.items():
+        assert ("batch C" in listed[name][3]) == f.wide
+        takes = {"options": ("weight", "limit", "near", "damping")}
+        wanted = [w for t in f.takes if t not in ("x", "wrench") for w in takes.get(t, (t,))]
+        written = [word.strip("` ") for word in listed[name][1].split(",") if word.strip()]
+        assert sorted(written) == sorted(wanted), name
+        if " to " not in listed[name][2]:
+            assert [word.strip("` ") for word in listed[name][2].split(",")] == list(f.gives)
+
+
+def test_the_page_does_what_it_shows():
+    failed, tried = doctest.testfile(
+        str(PAGE), module_relative=False, optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+    )
+    assert failed == 0 and tried > 25
+
+
+def test_the_speed_is_measured_not_typed():
+    text = PAGE.read_text(encoding="utf-8").partition("<!-- speed -->")[2].partition("<!-- end of speed -->")[0]
+    measured = [cells(line) for line in text.splitlines() if line.startswith("| ")][1:]
+    (ten_thousand,) = (line for line in measured if line[0] == "10,000")
+    assert int(ten_thousand[-1].rstrip("%")) <= 15
+
+
+def test_the_typed_script_runs(capsys):
+    """Its types are checked by `make lint`."""
+    typed_script.main()
+    assert "tests/api/typed_script.py" in (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    assert capsys.readouterr().out.count("0.") == 3
+
+
+def test_notebooks_show_tables():
+    m = model("bench8")
+    x = m.states(3)
+    x.phi[1, 1] = float("nan")
+    shown = {
+        "w8": stand("bench8"),
+        "state by state": m,
+        "rad/s; twist": x,
+        "1 of 3 refused": m.forward(x, on_error="nan"),
+        "0, 0, 0": m.state(),
+    }
+    for words, value in shown.items():
+        html = value._repr_html_()
+        assert words.partition(";")[0] in html and html.count("<table>") == html.count("</table>") == 1
+        assert len(repr(value)) < 100 and "\n" not in repr(value)
+    assert "<script" not in mahovik.Stand._repr_html_(stand("bench8"))

@@ -1,0 +1,149 @@
+"""Threads, processes and the store of compiled stands."""
+
+import os
+import pickle
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import mahovik
+from api.models import model, stand
+from mahovik.api import compiled, store
+from mahovik.toolchain import compiler
+
+
+def test_threads_of_python_do_not_disturb_one_another():
+    m = model("bench8")
+    rng = np.random.default_rng(1)
+    batches = [m.states(V=rng.normal(size=(2000, 6)), phi_dot=rng.normal(size=(2000, 8))) for _ in range(8)]
+    expected = [m.forward(x).V_dot for x in batches]
+    with ThreadPoolExecutor(8) as pool:
+        for _ in range(5):
+            for found, right in zip(pool.map(lambda x: m.forward(x).V_dot, batches), expected, strict=True):
+                assert np.array_equal(found, right)
+
+
+def test_a_pickled_model_is_the_same_model():
+    again = pickle.loads(pickle.dumps(model("bench8")))
+    x = again.states(4, V=np.eye(6)[:4])
+    assert np.array_equal(again.forward(x).V_dot, model("bench8").forward(x).V_dot)
+
+
+WORKERS = """
+import multiprocessing, sys
+import numpy as np
+import mahovik
+
+def work(given):
+    model, x = given
+    return model.coupled(x, 0.1).phi_ddot
+
+if __name__ == "__main__":
+    model = mahovik.build(mahovik.example("demo3"), threads={threads})
+    x = model.states(500, phi=np.random.default_rng(1).normal(size=(500, 3)))
+    expected = model.coupled(x, 0.1).phi_ddot  # threads of OpenMP exist from here on
+    with multiprocessing.get_context(sys.argv[1]).Pool(2) as pool:
+        found = pool.map_async(work, [(model, x)] * 4).get(timeout=60)
+    assert all(np.array_equal(each, expected) for each in found)
+    print("same", model)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("start", ["fork", "spawn"])
+def test_worker_processes(start, threads, tmp_path):
+    script = tmp_path / "workers.py"
+    script.write_text(WORKERS.replace("{threads}", str(threads)), encoding="utf-8")
+    command = [sys.executable, "-W", "ignore", str(script), start]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    assert done.stdout.startswith("same"), done.stderr
+
+
+@pytest.mark.slow
+def test_threads_of_openmp_give_the_same_bits():
+    one, many = mahovik.build(stand("demo3")), mahovik.build(stand("demo3"), threads=2)
+    x = one.states(phi=np.random.default_rng(1).normal(size=(999, 3)), phi_dot=50.0)
+    for function in ("forward", "coupled", "matrices", "momentum"):
+        for key, value in getattr(one, function)(x).to_dict().items():
+            assert np.array_equal(value, getattr(many, function)(x)[key])
+
+
+# ---- the store ----
+
+
+@pytest.fixture
+def made(monkeypatch):
+    """Stands compiled from now on, by name; what comes out lay in the store before."""
+    model("bench8")
+    there = store.find(store.key(stand("bench8"), "double", tuple(compiler.find_compiler()), False))
+    assert there is not None
+    library, facts = there[0].read_bytes(), there[1]
+    found = []
+
+    def copied(of, real, command, parallel, scratch):
+        found.append(of.name)
+        (scratch / "copy.so").write_bytes(library)
+        return scratch / "copy.so", facts
+
+    monkeypatch.setattr(compiled, "_made", copied)
+    return found
+
+
+def works(m):
+    """Does it still give the same?"""
+    x = m.states(3, V=np.eye(6)[:3])
+    return np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
+
+
+def test_the_second_build_compiles_nothing(made):
+    assert works(mahovik.build(stand("bench8"))) and made == []
+
+
+def test_another_number_is_another_library():
+    one = stand("bench8")
+    heavier = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))
+    keys = {store.key(one, "double", ("cc",), False), store.key(heavier, "double", ("cc",), False)}
+    keys |= {store.key(one, "float", ("cc",), False), store.key(one, "double", ("cc",), True)}
+    assert len(keys) == 4
+
+
+@pytest.mark.parametrize("damage", ["truncated", "empty", "no facts", "other facts", "a list"])
+def test_what_is_damaged_is_made_anew(damage, tmp_path, monkeypatch, made):
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
+    mahovik.build(stand("bench8"))
+    (library,), (facts,) = (tmp_path / "models").glob("*.so"), (tmp_path / "models").glob("*.json")
+    if damage in ("truncated", "empty"):
+        library.unlink()  # another file: this process has that one loaded
+        library.write_bytes(b"" if damage == "empty" else b"\x7fELF" + bytes(5000))
+    else:
+        facts.write_text({"no facts": "", "other facts": "{}", "a list": "[]"}[damage], encoding="utf-8")
+    assert works(mahovik.build(stand("bench8"))) and made == ["bench8"] * 2
+    assert works(mahovik.build(stand("bench8"))) and made == ["bench8"] * 2
+
+
+@pytest.mark.parametrize("cache", ["", "file/in/the/way"])
+def test_without_a_cache_it_works_and_leaves_nothing(cache, tmp_path, monkeypatch, made):
+    (tmp_path / "file").write_text("", encoding="ascii")
+    monkeypatch.setenv("MAHOVIK_CACHE", cache and str(tmp_path / cache))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    assert works(mahovik.build(stand("bench8"))) and made == ["bench8"]
+    assert os.listdir(tmp_path) == ["file"]
+
+
+def test_the_oldest_go(tmp_path, monkeypatch):
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
+    monkeypatch.setattr(store, "KEPT", 2)
+    library = tmp_path / "made.so"
+    library.write_bytes(b"code")
+    for number, name in enumerate(("a", "b", "c")):
+        store.keep(name, library, {})
+        os.utime(tmp_path / "models" / f"{name}.so", (number, number))
+    assert store.find("a") is None
+    assert store.find("b") is not None  # used: now the youngest
+    store.keep("d", library, {})
+    assert sorted(p.name for p in (tmp_path / "models").iterdir()) == ["b.json", "b.so", "d.json", "d.so"]
