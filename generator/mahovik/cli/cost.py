@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.progress import progress
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -85,12 +86,7 @@ def _compare(found: Costs, before: Sequence[Mapping[str, Any]], required: Sequen
 
 
 def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int) -> Costs:
-    from rich.console import Console
-    from rich.progress import Progress
-
     from mahovik.study.cost.measure import measure
 
-    err = Console(stderr=True)
-    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task(f"cost of {stand.name}", total=len(pairs))
-        return measure(stand, pairs, lambda done, _: bar.update(task, completed=done), lanes)
+    with progress(f"cost of {stand.name}", len(pairs)) as stage:
+        return measure(stand, pairs, stage.at, lanes)

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 
@@ -26,7 +27,8 @@ def derive(stand_file: str, output: str | None) -> None:
     from mahovik.report.derivation import html, latex
     from mahovik.verify.files import write
 
-    text = html(stand) if output is not None and output.endswith(".html") else latex(stand)
+    with progress(f"derive {stand.name}"):
+        text = html(stand) if output is not None and output.endswith(".html") else latex(stand)
     if output is None:
         click.echo(text, nl=False)
         return

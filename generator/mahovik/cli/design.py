@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +9,11 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
     from mahovik.design import Outcome
-    from mahovik.design.search import Search
 
 
 @click.command()
@@ -57,13 +54,13 @@ def design(
     path, programme_path = _paths(output, (stand_file, motion_file, *((free,) if in_file else ())))
     for each in (path, programme_path):
         probe(each)
-    with _progress() as tell:
+    with progress("searching") as stage:
         found = design_stand(
             stand,
             lambda part: load_motion(Path(motion_file), part),
             freedom,
             Wishes(seed, seconds, pareto=pareto or 0),
-            tell,
+            lambda state: stage.say(state.words),
         )
     if found.stand is not None and found.programme is not None:
         from mahovik.design.write import save_design
@@ -89,20 +86,6 @@ def _paths(output: str, given: tuple[str, ...]) -> tuple[Path, Path]:
         if any(each.exists() and each.samefile(name) for name in given):
             raise UsageError(f"-o {output}: {each} is read by this command; give another name for the design")
     return both
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[Search], None] | None]:
-    """One line on standard error; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("searching") as status:
-        yield lambda state: status.update(
-            f"{state.starts} starts tried, best residual {state.best:.2g}, {len(state.found)} designs found"
-        )
 
 
 def _print(found: Outcome, path: Path, programme_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from mahovik.cli.arguments import console, table
+from mahovik.cli.progress import progress
 
 
 @click.command(short_help="Say which tools are here, and what installs the others.")
@@ -19,7 +20,8 @@ def doctor(as_json: bool) -> None:
 
     from mahovik.toolchain.doctor import findings
 
-    found = findings()
+    with progress("ask the tools for their versions"):
+        found = findings()
     if as_json:
         click.echo(json.dumps([asdict(each) for each in found], indent=1))
     else:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import console, load_stand, real_option, table
+from mahovik.cli.progress import progress, shown
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -84,21 +85,18 @@ def _collected(
     stand_file: str, folder: Path, full: bool, seconds: int, wanted: frozenset[str], real: str
 ) -> list[Collected]:
     """With a line on a terminal that says what runs; elsewhere a line a piece."""
-    from rich.console import Console
-
     from mahovik.report.evidence.collect import collect
     from mahovik.report.evidence.pieces import PIECES
     from mahovik.stand.content import content
 
     stand = load_stand(stand_file)
-    err = Console(stderr=True)
     order = [each.name for each in PIECES if each.name in wanted]
-    with err.status("generate") as status:
+    with progress("generate") as stage:
 
         def say(name: str, what: str) -> None:
             if what:
-                status.update(f"{order.index(name) + 1} of {len(order)}: {name}, {what}")
-            elif not err.is_terminal:
+                stage.say(f"{order.index(name) + 1} of {len(order)}: {name}, {what}")
+            elif not shown():
                 click.echo(f"{order.index(name) + 1} of {len(order)}: {name}", err=True)
 
         return collect(

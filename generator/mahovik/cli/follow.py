@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.progress import progress
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -46,7 +46,6 @@ def follow(
     output: str | None,
     as_json: bool,
     causes: bool,
-    progress: Callable[[float], Any],
 ) -> None:
     """The command's work. Raises UsageError, CheckError and what the files raise."""
     from mahovik.control.causes import contributions
@@ -62,8 +61,9 @@ def follow(
     stand = load_stand(stand_file)
     case, source = _case(stand, programme_file, motion_file, servo_file, mismatch, seed, periods, begin, rows, backend)
     _warn(stand, case.servo, source)
-    with progress(case.last * case.servo.period) as tell:
-        record = close_loop(case, tell)
+    T = case.servo.period
+    with progress(f"follow {Path(programme_file).name}", (case.last - case.first) * T, "s") as stage:
+        record = close_loop(case, lambda t: stage.at(t - case.first * T))
     if len(record.t) < 2:
         raise CheckError(f"the run ends at once: {record.stopped}")
     if output is not None:
@@ -77,7 +77,9 @@ def follow(
     limits: list[Contribution] = []
     ended = False
     try:
-        limits = contributions(case) if causes else []
+        if causes:
+            with progress("what limits it") as stage:
+                limits = contributions(case, lambda cause: stage.say(f"what limits it: {cause}"))
     except KeyboardInterrupt:  # the run itself is whole
         ended = True
     if as_json:

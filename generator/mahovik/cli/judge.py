@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.progress import progress
 from mahovik.cli.verify import finish, read_wants
 from mahovik.errors import CheckError
 
@@ -64,14 +65,16 @@ def judge(
 
     wants = read_wants(want)
     stand = load_stand(stand_file)
-    found = verify_program(
-        stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance
-    )
+    with progress(f"judge {command}"):
+        found = verify_program(
+            stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance
+        )
     if not explain or found.error:
         finish(found, as_json, junit, worst)
         return
     try:
-        diagnosis = _diagnosis(stand, command, stand_file, found, seed, timeout)
+        with progress("tell faults apart"):
+            diagnosis = _diagnosis(stand, command, stand_file, found, seed, timeout)
     except CheckError as error:
         from dataclasses import replace
 

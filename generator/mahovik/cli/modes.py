@@ -10,6 +10,7 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.nominal import at_option, nominal_state
+from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.study.linear import Modes
@@ -44,8 +45,9 @@ def modes(stand_file: str, at: str, flywheels: str, as_json: bool) -> None:
     from mahovik.study.linear import linear_model
     from mahovik.study.linear import modes as modes_of
 
-    model = linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked")
-    found = modes_of(model)
+    with progress(f"modes of {stand.name}"):
+        model = linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked")
+        found = modes_of(model)
     if as_json:
         from mahovik.study.linear.files import encode_lines
 

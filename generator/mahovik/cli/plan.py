@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,13 +9,13 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
     from mahovik.motion.programme import Programme
     from mahovik.motion.required.model import Winding
     from mahovik.plan import Plan
-    from mahovik.plan.outcome import Progress
     from mahovik.plan.wishes import Method
 
 
@@ -73,10 +70,10 @@ def plan(
         if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
             raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
         check_writable(path)
-    with _progress() as tell:
+    with progress("searching") as stage:
         six = None if partition is None else tuple(partition.split(","))
         wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
-        found = plan_motion(stand, motion, wishes, tell)
+        found = plan_motion(stand, motion, wishes, lambda state: stage.say(state.words))
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
     for path, programme in zip(paths, found.programmes, strict=False):
@@ -100,18 +97,6 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
     if len(turns) != N:
         raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
     return turns
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[Progress], None] | None]:
-    """One line on standard error: what it does, starts tried, best residual; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("searching") as status:
-        yield lambda state: status.update(state.words)
 
 
 def _report(programme: Programme, path: Path) -> None:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +9,7 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.progress import progress
 from mahovik.cli.quantities import axes_of, fraction, frequency, interval, numbers, orders_of, speed, vector
 from mahovik.errors import UsageError
 
@@ -77,8 +75,8 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
     from mahovik.study.quiet import quiet as find
     from mahovik.study.quiet.files import regime_text, result
 
-    with _progress() as tell:
-        found = find(stand, wish, seconds, None if backend == "none" else backend, tell)
+    with progress("searching") as stage:
+        found = find(stand, wish, seconds, None if backend == "none" else backend, stage.say)
     said = result(found)
     if output is not None:
         write(Path(output), regime_text(found))
@@ -123,18 +121,6 @@ def _wish(options: dict[str, Any], N: int) -> Any:
         fraction("--guard", options["guard"]),
         options["seed"],
     )
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str], None] | None]:
-    """One line on standard error; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("searching") as status:
-        yield status.update
 
 
 def _report(found: Quieted) -> None:

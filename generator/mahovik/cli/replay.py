@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import load_stand
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -56,9 +57,10 @@ def replay(
     if output is not None:
         check(Path(output))
     data, notes = flight_log.load(Path(log))
-    starts = [r for r in flight_log.records(data) if isinstance(r, flight_log.Start)]
+    records = list(flight_log.records(data))
+    starts = [r for r in records if isinstance(r, flight_log.Start)]
     if not starts:
-        raise UsageError(f"{log}: " + "; ".join(_messages(data)))
+        raise UsageError(f"{log}: " + "; ".join(r.message for r in records if isinstance(r, flight_log.Damage)))
     stand, source = _stand(starts[0], stand_file, Path(log))
     for start in starts:
         replays.check_stand(stand, start, source)
@@ -68,15 +70,11 @@ def replay(
     lanes = 1 if folder is not None else replays.lanes_that_flew(stand, starts[0])
     machine = replays.machine(stand, starts[0].real, backend, folder, lanes)
     session = _Session(stand, machine, starts[0], wanted, tested, Path(output) if output is not None else None)
-    for found in replays.replay(machine, flight_log.records(data)):
-        session.take(found)
+    with progress(f"replay {Path(log).name}, records", len(records)) as stage:
+        for done, found in enumerate(replays.replay(machine, records), start=1):
+            session.take(found)
+            stage.at(done)
     session.finish(notes)
-
-
-def _messages(data: bytes) -> list[str]:
-    from mahovik.simulate.flight_log import Damage, records
-
-    return [r.message for r in records(data) if isinstance(r, Damage)]
 
 
 def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]:
@@ -115,6 +113,7 @@ class _Session:
         self._stand, self._machine, self._start = stand, machine, start
         self._wanted, self._tested, self._output = wanted, tested, output
         self._lines: list[str] = []
+        self._said: list[str] = []
         self._steps = self._refused = 0
         self._first: Outcome | None = None
         self._last: Outcome | None = None
@@ -155,8 +154,7 @@ class _Session:
     def _show(self, found: Outcome) -> None:
         from mahovik.simulate.replay_output import in_full
 
-        for text in in_full(found, self._machine.generated.layout.inputs):
-            click.echo(text)
+        self._said += in_full(found, self._machine.generated.layout.inputs)
 
     def _emit_test(self, found: Outcome) -> None:
         from mahovik.emit.replay_test import replay_test
@@ -171,7 +169,7 @@ class _Session:
             name, inputs, before, after, found.status, found.table,
         )  # fmt: skip
         write(path, text)
-        click.echo(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")
+        self._said.append(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")
 
     def finish(self, notes: list[str]) -> None:
         """Files and the last line. Exit status 1 where a state differs or something is missing."""
@@ -179,6 +177,8 @@ class _Session:
         from mahovik.simulate.replay_output import heading
         from mahovik.verify.files import write
 
+        for text in self._said:
+            click.echo(text)
         for note in notes:
             click.echo(f"note: {note}", err=True)
         if self._output is not None:

@@ -11,6 +11,7 @@ import click
 
 from mahovik.cli.arguments import console, given, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.progress import progress
 from mahovik.cli.rest import read_phases
 from mahovik.errors import UsageError
 
@@ -84,10 +85,14 @@ def response(
     _warn(stand, asked)
     end = None if seconds is None else time.monotonic() + seconds
 
-    def go_on(done: int) -> bool:
-        return end is None or done == 0 or time.monotonic() < end
+    count = 1 if asked.sweep is None else steps
+    with progress(f"response of {stand.name}, speeds", count) as stage:
 
-    found = sweep(stand, asked, steps, point, quantity=quantity, band=limits, phases=turned, go_on=go_on)
+        def go_on(done: int) -> bool:
+            stage.at(done)
+            return end is None or done == 0 or time.monotonic() < end
+
+        found = sweep(stand, asked, steps, point, quantity=quantity, band=limits, phases=turned, go_on=go_on)
     if not found.steps:
         raise KeyboardInterrupt
     if output is not None:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +9,7 @@ import click
 
 from mahovik.cli.arguments import given, load_stand, stand_argument
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.progress import progress
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -94,7 +92,7 @@ def simulate(
 
         follow(
             stand_file, programme, motion, servo, mismatch, seed, periods, begin, table, backend, output, as_json,
-            causes, _progress,
+            causes,
         )  # fmt: skip
         return
     if until is None or output is None:
@@ -108,8 +106,8 @@ def simulate(
     chosen, state = _beginning(stand, regime, start, until)
     case = Case(stand, chosen, state, until, every, dt, int(order))
     _warn(case)
-    with _progress(until) as tell:
-        found = run(case, backend, mounts, tell)
+    with progress(f"simulate {stand.name}", until, "s") as stage:
+        found = run(case, backend, mounts, stage.at)
     save(found, Path(output))
     click.echo(f"{click.format_filename(output)}   {len(found.data)} rows, {len(found.names)} columns")
     _report(found)
@@ -154,29 +152,6 @@ def _warn(case: Case) -> None:
     fastest = float(np.abs([*speeds.ravel(), *case.phi_dot0]).max(initial=0.0))
     if fastest * case.dt > 0.3:
         click.echo(f"warning: a flywheel turns {fastest * case.dt:.2g} rad a step: --dt {case.dt:g} is long", err=True)
-
-
-@contextmanager
-def _progress(until: float) -> Iterator[Callable[[float], None] | None]:
-    """A bar with the rate on standard error; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, ProgressColumn, TextColumn, TimeRemainingColumn
-    from rich.text import Text
-
-    class Rate(ProgressColumn):
-        """Simulated seconds a second."""
-
-        def render(self, task: object) -> Text:
-            speed = getattr(task, "speed", None)
-            return Text("" if speed is None else f"{speed:.3g} s/s")
-
-    columns = (TextColumn("{task.completed:.3g} s of {task.total:.3g} s"), BarColumn(), Rate(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=until)
-        yield lambda t: bar.update(task, completed=t)
 
 
 def _report(found: Run) -> None:

@@ -18,6 +18,7 @@ from mahovik.cli.arguments import (
     stand_argument,
     table,
 )
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -110,11 +111,13 @@ def verify(
     if judges:
         from mahovik.verify.judges.compare import verify_judges
 
-        found = verify_judges(stand, seed=seed, count=states, bare=bare)
+        with progress(f"judge {stand.name}", states) as stage:
+            found = verify_judges(stand, seed=seed, count=states, bare=bare, progress=stage.at)
     elif command is not None:
         from mahovik.verify.foreign import verify_program
 
-        found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
+        with progress(f"judge {command}"):
+            found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
     else:
         found = _verify_c(stand, seed, states, against, real, lanes, fast)
     finish(found, as_json, junit, worst)
@@ -137,15 +140,9 @@ def read_wants(text: str | None) -> tuple[str, ...]:
 def _verify_c(
     stand: Stand, seed: int, states: int, against: str | None, real: str, lanes: int | None, fast: bool
 ) -> Report:
-    """With a line of progress on a terminal."""
-    from rich.console import Console
-    from rich.progress import Progress
-
     from mahovik.verify.harness import verify_c
 
-    err = Console(stderr=True)
-    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task(f"verify {stand.name}", total=states)
+    with progress(f"verify {stand.name}", states) as stage:
         return verify_c(
             stand,
             seed=seed,
@@ -154,7 +151,7 @@ def _verify_c(
             real=real,
             lanes=lanes,
             fast=fast,
-            progress=lambda done, _: bar.update(task, completed=done),
+            progress=stage.at,
         )
 
 

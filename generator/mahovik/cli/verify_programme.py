@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -34,8 +35,6 @@ def verify_programme(
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """
-    from rich.console import Console
-
     from mahovik.motion.programme import load_programme
     from mahovik.motion.required import load_motion
     from mahovik.verify import programme as verification
@@ -43,7 +42,7 @@ def verify_programme(
     stand = load_stand(stand_file)
     motion = load_motion(motion_file, stand)
     programme = load_programme(programme_file)
-    with Console(stderr=True).status("by the reference, some seconds"):  # on a terminal only
+    with progress("by the reference"):
         findings = verification.verify_programme(stand, motion, programme, tolerance=tolerance)
     if as_json:
         import json
