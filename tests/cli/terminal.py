@@ -62,7 +62,6 @@ def on_terminal(
         if not part:
             break
         screen += part
-    output = process.stdout.read() if process.stdout is not None else b""
-    status = process.wait(60)
+    output, _ = process.communicate(timeout=60)
     os.close(leader)
-    return Seen(status, screen.decode(), output.decode())
+    return Seen(process.returncode, screen.decode(), (output or b"").decode())
