@@ -80,7 +80,7 @@ def test_remaining_time_is_of_the_steps_alone(monkeypatch: pytest.MonkeyPatch) -
     assert stage.words == "51/101  10 /s  0:04 left"
     search = Stage("searching")
     now[0] = 90.0
-    assert search.words == "1:15"
+    assert search.words == "1:14"
     run = Stage("simulate", 4.0, "s")
     run.at(0.0)
     now[0] = 92.0

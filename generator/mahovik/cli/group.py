@@ -11,6 +11,7 @@ from typing import Any
 import click
 
 from mahovik.errors import MahovikError
+from mahovik.nearest import meant
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 and the number of the signal, as shells have it."""
@@ -112,9 +113,5 @@ class Commands(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
         if self.get_command(ctx, name) is None and not name.startswith("-"):
-            from difflib import get_close_matches
-
-            near = get_close_matches(name.lower(), list(self.commands), n=1, cutoff=0.4)
-            hint = f', did you mean "{near[0]}"?' if near else f", expected one of {', '.join(self.commands)}"
-            ctx.fail(f'no such command "{name}"{hint}')
+            ctx.fail(f'no such command "{name}"{meant(name, self.commands)}')
         return super().resolve_command(ctx, args)

@@ -44,7 +44,7 @@ def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
 
 def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
     """Phases (rad) by flywheel. Raises UsageError."""
-    from mahovik.stand.names import nearest
+    from mahovik.nearest import meant
     from mahovik.stand.units import ANGLE, QuantityError, number
 
     names = [s.name for s in stand.flywheels]
@@ -52,8 +52,7 @@ def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
     for each in given:
         name, _, text = each.partition("=")
         if name not in names:
-            hint = f', did you mean "{nearest(name, names)}"?' if names else ": the stand has none"
-            raise UsageError(f'--phase {each}: unknown flywheel "{name}"{hint}')
+            raise UsageError(f'--phase {each}: unknown flywheel "{name}"{meant(name, names, "the stand has none")}')
         try:
             phi[names.index(name)] = float(text)
         except ValueError:

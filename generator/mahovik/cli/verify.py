@@ -127,13 +127,13 @@ def read_wants(text: str | None) -> tuple[str, ...]:
     """The wants of `--want`. Raises UsageError."""
     if text is None:
         return ()
-    from mahovik.stand.names import nearest
+    from mahovik.nearest import meant
     from mahovik.verify.backends import WANTS
 
     names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in names:
         if name not in WANTS:
-            raise UsageError(f'--want: unknown "{name}", did you mean "{nearest(name, list(WANTS))}"?')
+            raise UsageError(f'--want: unknown "{name}"{meant(name, WANTS)}')
     return names
 
 

@@ -13,10 +13,10 @@ from pathlib import Path
 from mahovik.emit.delivery import firmware
 from mahovik.emit.generate import generate_all
 from mahovik.errors import ToolchainError, UsageError
+from mahovik.nearest import meant
 from mahovik.program.function import Program
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.toolchain.board import build, build_version, run, selftest_flags, selftest_main
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.verify.difference import first_difference
@@ -103,7 +103,7 @@ def asked(names: str, reals: Sequence[str] | None = None) -> list[tuple[Target, 
     for word in words:
         if word not in TARGETS:
             known = [*TARGETS, "all", "quick"]
-            raise UsageError(f'--targets: unknown "{word}", did you mean "{nearest(word, known)}"? {", ".join(known)}')
+            raise UsageError(f'--targets: unknown "{word}"{meant(word, known)}')
     return [(TARGETS[word], real) for word in dict.fromkeys(words) for real in reals or REALS]
 
 

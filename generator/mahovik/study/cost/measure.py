@@ -12,10 +12,10 @@ from pathlib import Path
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.manifest import digest
 from mahovik.errors import UsageError
+from mahovik.nearest import meant
 from mahovik.program.types import Kind, NamedCount, Struct
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.study.cost.states import STATES, measuring_states
 from mahovik.toolchain.board import build, require, run, version
 from mahovik.toolchain.callgrind import NATIVE, instructions_of_host
@@ -88,7 +88,7 @@ def asked(names: str | None, real: str | None) -> list[tuple[Target, str]]:
     for word in dict.fromkeys(word.strip() for word in names.split(",")):
         target = TARGETS.get(word)
         if target is None:
-            raise UsageError(f'--targets: unknown "{word}", did you mean "{nearest(word, list(TARGETS))}"?')
+            raise UsageError(f'--targets: unknown "{word}"{meant(word, TARGETS)}')
         if target.linker or target.compiler[0] == "clang":
             raise UsageError(f"--targets: {word} compiles by clang; frames of the stack are known of gcc only")
         reals = (real,) if real else (target.real,) if target.real else ("double", "float")

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from mahovik.errors import UsageError
+from mahovik.nearest import meant
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 
 
 class Measure(NamedTuple):
@@ -105,8 +105,8 @@ def check(stand: Stand, wish: Wish) -> None:
     """Whether the wish fits the stand. Raises UsageError."""
     names = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
     if wish.point not in names:
-        hint = f'did you mean "{nearest(wish.point, names)}"?' if names else "the stand has none: add a [[point]]"
-        raise UsageError(f"--point {wish.point}: no point or instrument of that name, {hint}")
+        hint = meant(wish.point, names, "the stand has none: add a [[point]]")
+        raise UsageError(f"--point {wish.point}: no point or instrument of that name{hint}")
     N = len(stand.flywheels)
     if wish.speeds is not None and len(wish.speeds) != N:
         raise UsageError(f"--speeds: {len(wish.speeds)} numbers, but the stand has {N} flywheels")

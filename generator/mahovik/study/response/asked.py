@@ -11,8 +11,8 @@ import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.motion.ranges import MAX_SPEED
+from mahovik.nearest import meant
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.stand.units import SPEED, QuantityError, number
 
 ALL = "all"
@@ -68,7 +68,7 @@ def read_speeds(stand: Stand, given: Sequence[str]) -> Asked:
 
 def _known(name: str, names: list[str], each: str) -> None:
     if name != ALL and name not in names:
-        raise UsageError(f'--speed {each}: unknown flywheel "{name}", did you mean "{nearest(name, [*names, ALL])}"?')
+        raise UsageError(f'--speed {each}: unknown flywheel "{name}"{meant(name, [*names, ALL])}')
 
 
 def _asked(names: list[str], texts: dict[str, tuple[str, str]]) -> Asked:
