@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json
 from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 @click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Of the starts.")
 @click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Cuts the search.")
 @click.option("--pareto", metavar="K", type=click.IntRange(2, 50), help="K weights of unbalance against torque.")
-@click.option("--json", "as_json", is_flag=True, help="Print the explanation as JSON.")
+@json_option("Print the explanation as JSON.")
 def design(
     stand_file: str,
     motion_file: str,
@@ -112,12 +113,9 @@ def _print(found: Outcome, path: Path, programme_path: Path) -> None:
 
 
 def _print_json(found: Outcome) -> None:
-    import json
-
     from mahovik.design.show import as_object
 
-    values: Any = as_object(found)
-    click.echo(json.dumps(values, indent=1, allow_nan=False))
+    print_json(as_object(found))
 
 
 def _end(found: Outcome) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+from mahovik.cli.json_output import print_failure
 from mahovik.errors import MahovikError
 from mahovik.nearest import meant
 
@@ -87,8 +88,11 @@ class Commands(click.Group):
             with _formulas(), _usage_in_a_line():
                 return super().invoke(ctx)
         except MahovikError as error:
-            for line in str(error).splitlines() or [type(error).__name__]:
+            lines = str(error).splitlines() or [type(error).__name__]
+            for line in lines:
                 click.echo(f"error: {line}", err=True)
+            if error.exit_status == 1:
+                print_failure(ctx, lines)
             ctx.exit(error.exit_status)
         except KeyboardInterrupt:
             # a command that keeps what it has so far says so itself

@@ -9,6 +9,7 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json
 from mahovik.cli.progress import progress
 from mahovik.cli.quantities import axes_of, fraction, frequency, interval, numbers, orders_of, speed, vector
 from mahovik.errors import UsageError
@@ -47,7 +48,7 @@ if TYPE_CHECKING:
 )
 @click.option("-o", "output", metavar="REGIME.toml", type=click.Path(), help="What `simulate --regime` reads.")
 @click.option("--state", "state_file", metavar="S.json", type=click.Path(), help="What `simulate --start` reads.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@json_option()
 def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: bool, **options: Any) -> None:
     """Quiet a point by speeds and phases of flywheels.
 
@@ -83,7 +84,7 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
     if state_file is not None:
         write(Path(state_file), json.dumps(said["after"]["start"], indent=1, allow_nan=False) + "\n")
     if as_json:
-        click.echo(json.dumps(said, indent=1, allow_nan=False))
+        print_json(said)
     else:
         _report(found)
     _end(found)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from mahovik.cli.arguments import load_stand
+from mahovik.cli.json_output import json_option, print_json
 from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     show_default=True,
     help="interpreter: without a compiler, slow.",
 )
+@json_option()
 def replay(
     log: str,
     stand_file: str | None,
@@ -41,6 +43,7 @@ def replay(
     tested: int | None,
     against: str | None,
     backend: str,
+    as_json: bool,
 ) -> None:
     """Replay a flight log.
 
@@ -74,7 +77,7 @@ def replay(
         for done, found in enumerate(replays.replay(machine, records), start=1):
             session.take(found)
             stage.at(done)
-    session.finish(notes)
+    session.finish(notes, as_json)
 
 
 def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]:
@@ -171,37 +174,54 @@ class _Session:
         write(path, text)
         self._said.append(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")
 
-    def finish(self, notes: list[str]) -> None:
+    def finish(self, notes: list[str], as_json: bool) -> None:
         """Files and the last line. Exit status 1 where a state differs or something is missing."""
         from mahovik.simulate.replay import explain
         from mahovik.simulate.replay_output import heading
         from mahovik.verify.files import write
 
         for text in self._said:
-            click.echo(text)
+            click.echo(text, err=as_json)
         for note in notes:
             click.echo(f"note: {note}", err=True)
         if self._output is not None:
             first = heading(self._start.flywheels) if self._output.suffix == ".csv" else ""
             write(self._output, first + "".join(self._lines))
-            click.echo(f"{click.format_filename(self._output)}   {len(self._lines)} steps")
+            click.echo(f"{click.format_filename(self._output)}   {len(self._lines)} steps", err=as_json)
         for damage in self._damage:
             click.echo(f"{'note' if damage.end else 'error'}: {damage.message}", err=True)
         for option, missing in (("--step", self._wanted), ("--emit-test", self._tested)):
             if missing is not None:
                 raise UsageError(f"{option} {missing}: no such step among those that could be replayed")
         differs = self._last is not None and not self._last.equal
+        if as_json:
+            print_json(self._plain(differs))
         if self._last is not None and self._first is not None:
             equal = self._steps - differs
             refused = f", {self._refused} of them refused, as in the log" if self._refused else ""
             click.echo(
                 f"{'' if differs else 'all '}{equal} steps bit for bit: {self._stand.name}, {self._start.real}, "
-                f"steps {self._first.step.count} to {self._last.step.count - differs}{refused}"
+                f"steps {self._first.step.count} to {self._last.step.count - differs}{refused}",
+                err=as_json,
             )
             if differs:
                 click.echo(f"error: step {self._last.step.count} differs: {self._last.difference}", err=True)
                 click.echo(f"error: {explain(self._machine, self._start)}", err=True)
         elif not self._damage:
-            click.echo("no step in the log")
+            click.echo("no step in the log", err=as_json)
         if differs or any(not damage.end for damage in self._damage):
             raise SystemExit(1)
+
+    def _plain(self, differs: bool) -> dict[str, Any]:
+        first, last = self._first, self._last
+        return {
+            "stand": self._stand.name,
+            "physics": self._start.physics,
+            "real": self._start.real,
+            "first_step": None if first is None else first.step.count,
+            "steps_equal": self._steps - differs,
+            "steps_refused": self._refused,
+            "differs_at": last.step.count if differs and last is not None else None,
+            "difference": str(last.difference) if differs and last is not None else None,
+            "damage": [damage.message for damage in self._damage],
+        }

@@ -11,6 +11,7 @@ import click
 
 from mahovik.cli.arguments import console, given, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json_text
 from mahovik.cli.progress import progress
 from mahovik.cli.rest import read_phases
 from mahovik.errors import UsageError
@@ -48,7 +49,7 @@ SHOWN = 12
 @click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='At t = 0, "w1=90 deg"; default 0.')
 @click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Ends the sweep.")
 @click.option("-o", "output", metavar="FILE", type=click.Path(), help=f"{', '.join(SUFFIXES)}: numbers or a picture.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@json_option()
 def response(
     stand_file: str,
     speeds: tuple[str, ...],
@@ -100,7 +101,7 @@ def response(
     if as_json:
         from mahovik.study.response.files import json_text
 
-        click.echo(json_text(found), nl=False)
+        print_json_text(json_text(found))
     else:
         _print(found)
     if found.interrupted:

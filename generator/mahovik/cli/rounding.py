@@ -5,9 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from mahovik.cli.arguments import console, table
+from mahovik.cli.json_output import print_json_text
 from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
@@ -36,7 +35,7 @@ def verify_rigorously(
             against=None if against is None else Path(against),
             progress=stage.at,
         )
-    click.echo(json_text(found)) if as_json else _print(found)
+    print_json_text(json_text(found)) if as_json else _print(found)
     return found
 
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from mahovik.cli.arguments import console, table
+from mahovik.cli.json_output import print_json_text
 from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -37,7 +36,7 @@ def verify_on_targets(
     pairs = asked(names, reals)
     with progress(f"verify {stand.name} on targets", len(pairs)) as stage:
         found = verify_targets(stand, pairs, states or SWEEP, stage.at, lanes)
-    click.echo(json_text(found)) if as_json else _print(found)
+    print_json_text(json_text(found)) if as_json else _print(found)
     if junit is not None:
         write(Path(junit), as_junit(found))
     if not found.passed:

@@ -18,6 +18,7 @@ from mahovik.cli.arguments import (
     stand_argument,
     table,
 )
+from mahovik.cli.json_output import json_option, print_json_text
 from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 @stand_argument
 @click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="How many states.")
 @click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Of the random states.")
-@click.option("--json", "as_json", is_flag=True, help="Print the table as JSON.")
+@json_option("Print the table as JSON.")
 @click.option("--junit", metavar="FILE", type=click.Path(), help="Write the table as JUnit XML as well.")
 @click.option(
     "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
@@ -170,7 +171,7 @@ def finish(
     from mahovik.verify.report import as_json as json_text
 
     if as_json:
-        click.echo(json_text(found, more))
+        print_json_text(json_text(found, more))
     else:
         _print(found)
         for line in words:

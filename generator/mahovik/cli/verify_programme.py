@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.cli.json_output import json_option, print_json
 from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     type=click.FloatRange(1e-12, 0.1),
     help="Of the residual, a share; 20 times it of the simulation. Default 1e-6, with damping of V|V| 1e-5.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
+@json_option("Print JSON instead of a table.")
 def verify_programme(
     stand_file: str, motion_file: str, programme_file: str, tolerance: float | None, as_json: bool
 ) -> None:
@@ -45,11 +46,9 @@ def verify_programme(
     with progress("by the reference"):
         findings = verification.verify_programme(stand, motion, programme, tolerance=tolerance)
     if as_json:
-        import json
-
         from mahovik.verify.programme.finding import as_object
 
-        click.echo(json.dumps(as_object(stand.name, motion.name, findings), indent=1, allow_nan=False))
+        print_json(as_object(stand.name, motion.name, findings))
     else:
         _print(findings)
     if not all(each.passed for each in findings):
