@@ -25,7 +25,10 @@ def derive(stand_file: str, output: str | None) -> None:
         raise UsageError(f"-o {output}: expected a name that ends in .html or .tex")
     stand = load_stand(stand_file)
     from mahovik.report.derivation import html, latex
-    from mahovik.verify.files import write
+    from mahovik.verify.files import probe, write
+
+    if output is not None:
+        probe(Path(output))
 
     with progress(f"derive {stand.name}"):
         text = html(stand) if output is not None and output.endswith(".html") else latex(stand)

@@ -79,9 +79,6 @@ def _paths(output: str, given: tuple[str, ...]) -> tuple[Path, Path]:
     path = Path(output)
     if path.suffix != ".toml":
         raise UsageError(f"-o {output}: expected a stand file, a name that ends in .toml")
-    folder = path.absolute().parent
-    if not folder.is_dir():
-        raise UsageError(f"{output}: there is no folder {folder.name!r} to write to")
     both = path, path.with_suffix(".json")
     for each in both:
         if any(each.exists() and each.samefile(name) for name in given):

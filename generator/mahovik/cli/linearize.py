@@ -34,10 +34,11 @@ def linearize(stand_file: str, at: str, points: str | None, flywheels: str, outp
     stand = load_stand(stand_file)
     from mahovik.study.linear import linear_model
     from mahovik.study.linear.files import check, rendered
-    from mahovik.verify.files import write
+    from mahovik.verify.files import probe, write
 
     target = Path(output)
     check(target)
+    probe(target)
     names = [name.strip() for name in points.split(",") if name.strip()] if points is not None else None
     if names is None and not (stand.points or stand.instruments):
         names = ["carrier"]

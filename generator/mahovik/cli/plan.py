@@ -60,9 +60,10 @@ def plan(
     Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
     stand = load_stand(stand_file)
-    from mahovik.motion.programme import check_writable, save_programme
+    from mahovik.motion.programme import programme_text
     from mahovik.motion.required import load_motion
     from mahovik.plan import Wishes, plan_motion
+    from mahovik.verify.files import probe, write_all
 
     motion = load_motion(Path(motion_file), stand)
     chosen = _winding(winding, len(stand.flywheels), motion.periodic)
@@ -72,15 +73,15 @@ def plan(
     for path in paths:
         if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
             raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
-        check_writable(path)
+        probe(path)
     with progress("searching") as stage:
         six = None if partition is None else tuple(partition.split(","))
         wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
         found = plan_motion(stand, motion, wishes, lambda state: stage.say(state.words))
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
-    for path, programme in zip(paths, found.programmes, strict=False):
-        save_programme(programme, path)
+    texts = {path.name: programme_text(each) for path, each in zip(paths, found.programmes, strict=False)}
+    write_all(paths[0].parent, texts)  # all or none
     if as_json:
         print_json(_plain(found, paths))
     else:

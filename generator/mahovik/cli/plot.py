@@ -25,13 +25,14 @@ def plot(file: str, output: str, stand_file: str | None, motion_file: str | None
     """
     from mahovik.report.plot import run
     from mahovik.report.plot.draw import SUFFIXES, draw
-    from mahovik.verify.files import write
+    from mahovik.verify.files import probe, write
 
     source, target = Path(file), Path(output)
     if target.suffix not in SUFFIXES:
         raise UsageError(f"-o {output}: expected a name that ends in {' or '.join(SUFFIXES)}")
     if (stand_file is None) != (motion_file is None):
         raise UsageError("--stand and --motion go together: give both or neither")
+    probe(target)
     if source.suffix in run.SUFFIXES:
         if stand_file is not None:
             raise UsageError("--stand, --motion: a run shows what was simulated, leave them out")

@@ -112,7 +112,7 @@ def _wish(options: dict[str, Any], N: int) -> Any:
         axes_of(options["axes"]),
         options["measure"],
         None if options["limit"] is None else speed("--limit", options["limit"]),
-        speed("--least", options["least"]),
+        speed("--least", options["least"], zero=True),
         None if options["change"] is None else speed("--change", options["change"]),
         options["reduction"],
         tuple(avoid),

@@ -56,9 +56,11 @@ def replay(
     from mahovik.simulate import flight_log
     from mahovik.simulate import replay as replays
     from mahovik.simulate.replay_output import check
+    from mahovik.verify.files import probe
 
     if output is not None:
         check(Path(output))
+        probe(Path(output))
     data, notes = flight_log.load(Path(log))
     records = list(flight_log.records(data))
     starts = [r for r in records if isinstance(r, flight_log.Start)]

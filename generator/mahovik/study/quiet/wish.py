@@ -78,12 +78,12 @@ class Wish:
             raise UsageError(f"--measure {self.measure}: expected one of {', '.join(MEASURES)}")
         if low == 0.0 and MEASURES[self.measure].integrals:
             raise UsageError(f"--band from 0 Hz: a drift has no {self.measure} in a band; begin above 0")
-        for name, value in (("limit", self.limit), ("change", self.change), ("reduction", self.reduction)):
+        for name, value in (("limit", self.limit), ("change", self.change)):
             if value is not None and not (math.isfinite(value) and value > 0.0):
-                raise UsageError(f"--{name} {value:g}: expected a number above 0")
+                raise UsageError(f"--{name}: {value:.6g} rad/s, expected a speed above 0")
         if not (math.isfinite(self.least) and self.least >= 0.0):
-            raise UsageError(f"--least {self.least:g}: expected a speed of at least 0")
-        if self.reduction is not None and self.reduction <= 1.0:
+            raise UsageError(f"--least: {self.least:.6g} rad/s, expected a speed of at least 0")
+        if self.reduction is not None and not 1.0 < self.reduction < math.inf:
             raise UsageError(f"--reduction {self.reduction:g}: expected how many times lower, above 1")
         for one, other in self.avoid:
             if not (math.isfinite(one) and math.isfinite(other) and 0.0 <= one < other):

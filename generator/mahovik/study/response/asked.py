@@ -80,6 +80,8 @@ def _asked(names: list[str], texts: dict[str, tuple[str, str]]) -> Asked:
             if sweep not in (None, found):
                 raise UsageError(f"--speed {each}: one speed can be swept; gear this one to it, as {name}=1.5*{swept}")
             sweep, swept, factor[name] = found, swept or name, 1.0
+        elif text.lower().lstrip("+-") in ("nan", "inf", "infinity"):
+            raise UsageError(f"--speed {each}: expected a finite speed, as {name}=1000 rpm")
         elif gear := _GEAR.fullmatch(text):
             _known(gear[2], names, each)
             geared[name] = (each, _factor(each, gear[1]), gear[2])
