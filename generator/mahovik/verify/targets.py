@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -18,6 +16,7 @@ from mahovik.program.function import Program
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.toolchain.board import build, build_version, run, selftest_flags, selftest_main
+from mahovik.toolchain.process import side_by_side
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.verify.difference import first_difference
 
@@ -124,7 +123,7 @@ def verify_targets(
     programs = {real: generate_all(stand, real, lanes).program for real in sources}
     expected = {real: _printed(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
-    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+    with side_by_side() as pool:
         tasks = [pool.submit(_row, t, real, programs[real], sources[real], expected[real], sweep) for t, real in pairs]
         for done, task in enumerate(tasks):
             rows.append(task.result())

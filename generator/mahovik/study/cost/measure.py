@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,6 +19,7 @@ from mahovik.toolchain.board import build, require, run, version
 from mahovik.toolchain.callgrind import NATIVE, instructions_of_host
 from mahovik.toolchain.compiler import BITS
 from mahovik.toolchain.footprint import STACK_FLAGS, Footprint, footprint
+from mahovik.toolchain.process import side_by_side
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.toolchain.workload import Line, read, workload
 
@@ -111,7 +110,7 @@ def measure(
     made = {real: generate_all(stand, real, lanes) for real in dict.fromkeys(real for _, real in pairs)}
     names = identities(stand)
     found = []
-    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+    with side_by_side() as pool:
         tasks = [pool.submit(_one, stand, made[real], target, real) for target, real in pairs]
         for done, task in enumerate(tasks):
             found.append(task.result())
