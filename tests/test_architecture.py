@@ -38,7 +38,7 @@ STAGES = (
     ("motion",),
     ("stand",),
     ("stands",),
-    ("errors",),
+    ("errors", "nearest"),
     ("mahovik",),
 )
 """From the top of the house down; names on one floor never import one another. `mahovik` is the package itself."""
@@ -57,6 +57,7 @@ ONLY = {
     "program": {"errors", "numpy"},
     "routines": {"errors", "program", "mpmath", "numpy"},
     "errors": set(),
+    "nearest": set(),
 }
 """Where the house is stricter still: all that a stage may import, besides the standard library and itself."""
 

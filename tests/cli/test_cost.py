@@ -222,3 +222,12 @@ def test_lower_figures_are_shown_but_the_accepted_stay(tmp_path: Path, functions
     assert run(*arguments).exit_code == 0
     assert "| 400 |" in (tmp_path / "COST.md").read_text()
     assert (tmp_path / "cost.json").read_bytes() == before
+
+
+def test_the_figures_as_json(folder: Path) -> None:
+    result = run("cost", DEMO3, "-o", str(folder), "--json")
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    assert found["stand"] == "demo3"
+    assert [each["target"] for each in found["targets"]] == [name for name, _ in USUAL]
+    assert json.loads((folder / "cost.json").read_text(encoding="utf-8")) == found

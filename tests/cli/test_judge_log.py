@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -190,3 +191,14 @@ def test_what_is_no_log(tmp_path: Path) -> None:
     assert "No such file" in refused("judge-log", str(tmp_path / "none"))
     assert "error: " in refused("judge-log", str(tmp_path))
     assert "no such file" in refused("judge-log", DEMO3, str(tmp_path / "none.toml"))
+
+
+def test_the_verdict_as_json(printed: str) -> None:
+    Path("board.log").write_text(printed)
+    found = json.loads(run("judge-log", "board.log", DEMO3, "--json").stdout)
+    assert [each["functions"] for each in found["runs"]] == [sorted(FUNCTIONS)]
+    assert found["problems"] == []
+    Path("board.log").write_text(printed.replace("PASS", "FAIL", 1))
+    result = run("judge-log", "board.log", DEMO3, "--json")
+    assert result.exit_code == 1
+    assert json.loads(result.stdout)["problems"]

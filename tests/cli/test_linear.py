@@ -66,9 +66,7 @@ def test_states_that_are_refused(given: object, words: str, tmp_path: Path) -> N
 
 def test_other_refusals(tmp_path: Path) -> None:
     target = str(tmp_path / "model.json")
-    assert 'unknown point "acc2", expected one of acc1, carrier' in refused(
-        "linearize", SAT4, "--points", "acc2", "-o", target
-    )
+    assert 'unknown point "acc2", did you mean "acc1"?' in refused("linearize", SAT4, "--points", "acc2", "-o", target)
     assert "expected a name that ends in .json or .mat" in refused("linearize", SAT4, "-o", str(tmp_path / "model.txt"))
     assert "cannot be read" in refused("linearize", SAT4, "--at", str(tmp_path / "none.json"), "-o", target)
     said = refused("linearize", REMUS6, "-o", target, status=1)

@@ -9,7 +9,12 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.motion.programme import load_programme
+from mahovik.plan import Plan
+from mahovik.stands import path as stand_path
+from verify.programme.programmes import shaker
 
+SHAKER = str(stand_path("shaker2"))
+SPIN = str(Path(SHAKER).with_name("shaker2_spin.motion.json"))
 TURN = str(Path(DEMO3).with_name("demo3.motion.json"))
 
 
@@ -52,8 +57,7 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
     [
         (("--winding", "1,2"), "2 numbers, but the stand has 3 flywheels"),
         (("--winding", "turn"), "expected any, spin, rock or 3 whole numbers"),
-        (("-o", "nowhere/p.json"), "there is no folder 'nowhere' to write to"),
-        (("-o", "."), ".: is a folder; expected the name of a file"),
+        (("-o", "."), ".: is a directory, expected a file to write"),
         (("-o", "n" * 300), "File name too long"),
         (("-o", "/proc/p.json"), "cannot be written"),
         (("--time", "0"), "--time"),
@@ -90,3 +94,29 @@ def test_a_winding_that_the_bounds_exclude_is_refused(tmp_path: Path) -> None:
     motion = changed(tmp_path, TURN, winding="any", bounds={"speed": 20})
     line = refused("plan", DEMO3, "--motion", motion, "-o", str(tmp_path / "p.json"), "--winding", "3,-4,2")
     assert "winding 3,-4,2: bounds, speed[1]: 20 rad/s is below the mean speed of winding -4, 25.1327 rad/s" in line
+
+
+def test_a_folder_is_made_for_what_is_found_and_only_for_that(tmp_path: Path) -> None:
+    """As by every command that writes."""
+    cos = [0.0, 0.0, 0.1, 1.0, 0.0, 0.0]
+    far = changed(tmp_path, TURN, harmonics=[{"k": 1, "cos": cos}], winding="any")
+    assert run("plan", DEMO3, "--motion", far, "-o", str(tmp_path / "new" / "p.json")).exit_code == 1
+    assert not (tmp_path / "new").exists()
+
+
+def test_fewer_than_were_to_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Said, and nothing of an earlier run is left that could be taken for one of this."""
+    programme = shaker()[2]
+    monkeypatch.setattr("mahovik.plan.plan_motion", lambda *_: Plan("OK", None, (), (), (programme,)))
+    folder = tmp_path / "new"
+    folder.mkdir()
+    for name in ("p.2.json", "p.3.json", "p.4.json"):
+        (folder / name).write_text("{}")
+    result = run("plan", SHAKER, "--motion", SPIN, "-o", str(folder / "p.json"), "--keep", "3", "--json")
+    assert result.exit_code == 0
+    assert "warning: 1 of 3 programmes found" in result.stderr
+    assert "p.2.json is removed: it was of an earlier run" in result.stderr
+    assert sorted(path.name for path in folder.iterdir()) == ["p.4.json", "p.json"]
+    found = json.loads(result.stdout)
+    assert (found["status"], [Path(each["file"]).name for each in found["programmes"]]) == ("OK", ["p.json"])
+    assert load_programme(folder / "p.json").motion == programme.motion

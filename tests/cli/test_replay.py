@@ -149,3 +149,19 @@ def test_refusals_are_one_line(flown: Path, binary: Path) -> None:
     data[len(MAGIC) + 4] ^= 1  # in the name
     binary.write_bytes(data)
     assert "is damaged" in refused("replay", str(binary))
+
+
+def test_the_verdict_as_json(flown: Path, binary: Path) -> None:
+    found = json.loads(run("replay", str(flown), DEMO3, "--json", "--step", "5").stdout)
+    assert (found["stand"], found["steps_equal"], found["steps_refused"], found["differs_at"]) == (
+        "demo3",
+        721,
+        1,
+        None,
+    )
+    data = bytearray(binary.read_bytes())
+    data[len(data) // 2] ^= 1
+    binary.write_bytes(data)
+    result = run("replay", str(binary), DEMO3, "--json")
+    assert result.exit_code == 1
+    assert json.loads(result.stdout)["damage"]

@@ -81,6 +81,8 @@ def test_time_cuts_a_sweep() -> None:
     ("given", "words"),
     [
         (("--speed", "w9=1", "--at", "carrier"), '--speed w9=1: unknown flywheel "w9", did you mean "w1"?'),
+        (("--speed", "w1=nan", "--at", "carrier"), "--speed w1=nan: expected a finite speed, as w1=1000 rpm"),
+        (("--speed", "w1=-inf", "--at", "carrier"), "--speed w1=-inf: expected a finite speed"),
         (("--speed", "w1=0..60Hz", "--at", "carrier"), "a frequency is not one: write rpm or rad/s"),
         (("--speed", "w1=0..6rpm", "--at", "foo"), 'unknown point "foo", expected one of carrier'),
         (("--speed", "w1=6rpm", "--at", "carrier", "--steps", "5"), "--steps: no speed is swept"),

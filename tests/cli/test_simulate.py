@@ -305,3 +305,17 @@ def test_no_compiler_is_one_line() -> None:
     done = process("simulate", DEMO3, "--until", "1", "-o", "a.csv", PATH="", CC="")
     assert done.returncode == 2
     assert done.stderr.startswith("error: no C compiler found")
+
+
+def test_a_start_that_is_no_json_is_told_with_its_line() -> None:
+    Path("s.json").write_text('{\n "V": [0, 0, 0, 0, 0, 0],\n "phi_dot" [1]\n}\n')
+    said = refused("simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv")
+    assert "s.json: not JSON: Expecting ':' delimiter at line 3, column 12" in said
+
+
+def test_figures_as_json() -> None:
+    found = json.loads(run("simulate", DEMO3, "--until", "0.005", "-o", "new/run.csv", "--json").stdout)
+    columns = Path("new/run.csv").read_text().splitlines()[0].split(",")
+    assert (found["file"], found["rows"], found["columns"]) == ("new/run.csv", 6, columns)
+    assert found["t_end"] == pytest.approx(0.005)
+    assert found["stopped"] is None

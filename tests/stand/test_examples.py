@@ -31,7 +31,7 @@ def test_motion_files_belong_to_their_stands() -> None:
 
 
 def test_an_unknown_example_is_a_usage_error() -> None:
-    with pytest.raises(UsageError, match='no example stand "bench9", expected one of auv6, bench8'):
+    with pytest.raises(UsageError, match='no example stand "bench9", did you mean "bench8"'):
         path("bench9")
 
 

@@ -195,7 +195,7 @@ def test_speeds_as_asked():
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        (["up=1"], 'unknown flywheel "up", did you mean'),
+        (["up=1"], 'unknown flywheel "up", expected one of left, right, all'),
         (["left"], "expected NAME=SPEED"),
         (["left=50Hz"], "a frequency is not one"),
         (["left=1..2", "right=1..3"], "one speed can be swept"),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.cli.json_output import json_option, print_json
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 @click.option(
     "--speed", metavar="SPEED", help='Speed of all flywheels, "3000 rpm" or rad/s; default each motor\'s own.'
 )
-@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of tables.")
+@json_option("Print JSON instead of tables.")
 def check(stand_file: str, speed: str | None, as_json: bool) -> None:
     """Validate a stand; print its figures.
 
@@ -38,7 +39,6 @@ def check(stand_file: str, speed: str | None, as_json: bool) -> None:
     summary, names = summarize(stand, asked), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     if as_json:
-        import json
         from dataclasses import asdict
 
         found = {
@@ -47,7 +47,7 @@ def check(stand_file: str, speed: str | None, as_json: bool) -> None:
             "physics": names.physics,
             "float": [asdict(each) for each in short],
         }
-        click.echo(json.dumps(found, indent=1, allow_nan=False))
+        print_json(found)
         return
     _print(console(), summary, names, [str(each) for each in short])
 

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.json_output import json_option, print_json_text
+from mahovik.cli.progress import progress
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -30,7 +32,10 @@ if TYPE_CHECKING:
 )
 @click.option("--check", is_flag=True, help="Write nothing; accepted figures must be there.")
 @click.option("--accept", is_flag=True, help="Accept the figures: what later ones are compared with.")
-def cost(stand_file: str, real: str | None, targets: str | None, output: str | None, check: bool, accept: bool) -> None:
+@json_option("Print the figures as JSON.")
+def cost(
+    stand_file: str, real: str | None, targets: str | None, output: str | None, check: bool, accept: bool, as_json: bool
+) -> None:
     """Measure the C of a stand on processors, with as many lanes as the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
@@ -41,7 +46,8 @@ def cost(stand_file: str, real: str | None, targets: str | None, output: str | N
     if check and accept:
         raise UsageError("--check, --accept: one of them")
     from mahovik.study.cost.measure import USUAL, asked
-    from mahovik.study.cost.page import accepted, as_json, page
+    from mahovik.study.cost.page import accepted, page
+    from mahovik.study.cost.page import as_json as json_text
     from mahovik.verify.cost_files import COST, FIGURES
     from mahovik.verify.delivery import accepted_figures, add_to_delivery, delivered_lanes, require_place_for_cost
 
@@ -57,40 +63,39 @@ def cost(stand_file: str, real: str | None, targets: str | None, output: str | N
     lanes = delivered_lanes(folder)
     before = accepted(text, str(folder / FIGURES), lanes) if text is not None else None
     found = _measured(stand, pairs, lanes)
-    if not usual and not check:
+    if as_json:
+        print_json_text(json_text(found))
+    elif not usual and not check:
         click.echo(page(found))
     if before is not None and not accept:
         required = [*USUAL, *((t.name, r) for t, r in pairs)] if check else USUAL if usual else ()
-        _compare(found, before, required)
+        _compare(found, before, required, quiet=as_json)
     files = {COST: page(found)} if usual and not check else {}
     if accept or (before is None and usual):
-        files[FIGURES] = as_json(found, before or ())
+        files[FIGURES] = json_text(found, before or ())
     if files:
         for path in add_to_delivery(folder, files):
-            click.echo(click.format_filename(path))
+            click.echo(click.format_filename(path), err=as_json)
 
 
-def _compare(found: Costs, before: Sequence[Mapping[str, Any]], required: Sequence[tuple[str, str]]) -> None:
+def _compare(
+    found: Costs, before: Sequence[Mapping[str, Any]], required: Sequence[tuple[str, str]], quiet: bool
+) -> None:
     """Says what differs from the accepted figures. Raises CheckError where the cost has risen or is not accepted."""
     from mahovik.study.cost.check import compare
 
     result = compare(found, before, required)
     for title, lines in (("rise", result.rises), ("not accepted", result.missing), ("not compared", result.other)):
         for line in lines:
-            click.echo(f"{title}: {line}")
+            click.echo(f"{title}: {line}", err=quiet)
     if result.rises or result.missing:
         what = "the cost has risen" if result.rises else "not all figures are accepted"
         raise CheckError(f"{found.stand}: {what}; nothing was written; `mahovik cost --accept` accepts it")
-    click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}")
+    click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}", err=quiet)
 
 
 def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int) -> Costs:
-    from rich.console import Console
-    from rich.progress import Progress
-
     from mahovik.study.cost.measure import measure
 
-    err = Console(stderr=True)
-    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task(f"cost of {stand.name}", total=len(pairs))
-        return measure(stand, pairs, lambda done, _: bar.update(task, completed=done), lanes)
+    with progress(f"cost of {stand.name}", len(pairs)) as stage:
+        return measure(stand, pairs, stage.at, lanes)

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 
@@ -24,9 +25,13 @@ def derive(stand_file: str, output: str | None) -> None:
         raise UsageError(f"-o {output}: expected a name that ends in .html or .tex")
     stand = load_stand(stand_file)
     from mahovik.report.derivation.page import html, latex
-    from mahovik.verify.files import write
+    from mahovik.verify.files import probe, write
 
-    text = html(stand) if output is not None and output.endswith(".html") else latex(stand)
+    if output is not None:
+        probe(Path(output))
+
+    with progress(f"derive {stand.name}"):
+        text = html(stand) if output is not None and output.endswith(".html") else latex(stand)
     if output is None:
         click.echo(text, nl=False)
         return

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
     from mahovik.design import Outcome
-    from mahovik.design.search import Search
 
 
 @click.command()
@@ -27,7 +25,7 @@ if TYPE_CHECKING:
 @click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Of the starts.")
 @click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Cuts the search.")
 @click.option("--pareto", metavar="K", type=click.IntRange(2, 50), help="K weights of unbalance against torque.")
-@click.option("--json", "as_json", is_flag=True, help="Print the explanation as JSON.")
+@json_option("Print the explanation as JSON.")
 def design(
     stand_file: str,
     motion_file: str,
@@ -57,13 +55,13 @@ def design(
     path, programme_path = _paths(output, (stand_file, motion_file, *((free,) if in_file else ())))
     for each in (path, programme_path):
         probe(each)
-    with _progress() as tell:
+    with progress("searching") as stage:
         found = design_stand(
             stand,
             lambda part: load_motion(Path(motion_file), part),
             freedom,
             Wishes(seed, seconds, pareto=pareto or 0),
-            tell,
+            lambda state: stage.say(state.words),
         )
     if found.stand is not None and found.programme is not None:
         from mahovik.design.write import save_design
@@ -81,28 +79,11 @@ def _paths(output: str, given: tuple[str, ...]) -> tuple[Path, Path]:
     path = Path(output)
     if path.suffix != ".toml":
         raise UsageError(f"-o {output}: expected a stand file, a name that ends in .toml")
-    folder = path.absolute().parent
-    if not folder.is_dir():
-        raise UsageError(f"{output}: there is no folder {folder.name!r} to write to")
     both = path, path.with_suffix(".json")
     for each in both:
         if any(each.exists() and each.samefile(name) for name in given):
             raise UsageError(f"-o {output}: {each} is read by this command; give another name for the design")
     return both
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[Search], None] | None]:
-    """One line on standard error; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("searching") as status:
-        yield lambda state: status.update(
-            f"{state.starts} starts tried, best residual {state.best:.2g}, {len(state.found)} designs found"
-        )
 
 
 def _print(found: Outcome, path: Path, programme_path: Path) -> None:
@@ -129,12 +110,9 @@ def _print(found: Outcome, path: Path, programme_path: Path) -> None:
 
 
 def _print_json(found: Outcome) -> None:
-    import json
-
     from mahovik.design.show import as_object
 
-    values: Any = as_object(found)
-    click.echo(json.dumps(values, indent=1, allow_nan=False))
+    print_json(as_object(found))
 
 
 def _end(found: Outcome) -> None:

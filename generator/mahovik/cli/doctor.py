@@ -5,23 +5,25 @@ from __future__ import annotations
 import click
 
 from mahovik.cli.arguments import console, table
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress
 
 
 @click.command(short_help="Say which tools are here, and what installs the others.")
-@click.option("--json", "as_json", is_flag=True, help="As JSON.")
+@json_option("Print JSON.")
 def doctor(as_json: bool) -> None:
     """Say which compilers, emulators, checkers and extras this machine has, and what installs the others.
 
     Only a C compiler is needed for daily work, and not even that for `generate`. Exit status 1 without one.
     """
-    import json
     from dataclasses import asdict
 
     from mahovik.toolchain.doctor import findings
 
-    found = findings()
+    with progress("ask the tools for their versions"):
+        found = findings()
     if as_json:
-        click.echo(json.dumps([asdict(each) for each in found], indent=1))
+        print_json([asdict(each) for each in found])
     else:
         rows = table("", "tool", "serves", "found, or how to install it")
         for each in found:

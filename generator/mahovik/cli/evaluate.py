@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import sys
+from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 import click
 
 from mahovik.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -39,10 +41,14 @@ def evaluate(stand_file: str, backend: str, real: str) -> None:
     from mahovik.verify.evaluate import lines_of, results
 
     failed = 0
-    for line, good in results(stand, chosen, lines_of(sys.stdin.buffer), real):
-        failed += not good
-        sys.stdout.write(line + "\n")
-        sys.stdout.flush()  # line by line, so that a program can hold a conversation
+    piped = not (sys.stdin.isatty() or sys.stdout.isatty())  # else the lines themselves show how far it is
+    with progress("states evaluated") if piped else nullcontext() as stage:
+        for done, (line, good) in enumerate(results(stand, chosen, lines_of(sys.stdin.buffer), real), start=1):
+            failed += not good
+            sys.stdout.write(line + "\n")
+            sys.stdout.flush()  # line by line, so that a program can hold a conversation
+            if stage is not None:
+                stage.at(done)
     if failed:
         click.echo(f"error: {failed} of the states cannot be evaluated, see their lines", err=True)
         raise SystemExit(1)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from mahovik.cli.arguments import console, load_stand, real_option, table
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress, shown
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
 @click.option("--without", metavar="NAME,...", help="All pieces but these.")
 @click.option("--seconds", type=click.IntRange(1, 1_000_000), help="Of fuzzing.  [default: 20, with --full 600]")
 @click.option("--check", "checked", metavar="DIR", type=click.Path(), help="Check the SHA-256 sums of a folder only.")
+@json_option("Print the table as JSON.")
 @real_option
 def evidence(
     stand_file: str | None,
@@ -34,6 +37,7 @@ def evidence(
     without: str | None,
     seconds: int | None,
     checked: str | None,
+    as_json: bool,
     real: str,
 ) -> None:
     """Collect the evidence for the C of a stand.
@@ -47,7 +51,7 @@ def evidence(
     if checked is not None:
         if stand_file is not None or output is not None:
             raise UsageError("--check DIR checks a folder: without a stand file and -o")
-        _check(Path(checked))
+        _check(Path(checked), as_json)
         return
     if stand_file is None:
         raise UsageError("give a stand file, or --check DIR")
@@ -60,8 +64,11 @@ def evidence(
     wanted = chosen(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
     found = _collected(stand_file, folder, full, seconds or (600 if full else 20), wanted, real)
-    _print(found)
-    click.echo(click.format_filename(folder / "index.html"))
+    if as_json:
+        print_json(_plain(found, folder))
+    else:
+        _print(found)
+        click.echo(click.format_filename(folder / "index.html"))
     if nothing_ran(found):
         raise CheckError(
             f"{stand.name}: no piece was run, so nothing is shown: install what the page names, or choose other pieces"
@@ -71,34 +78,34 @@ def evidence(
         raise CheckError(f"{stand.name}: {', '.join(bad)}: failed, or not run for want of a tool")
 
 
-def _check(folder: Path) -> None:
+def _check(folder: Path, as_json: bool) -> None:
     from mahovik.report.evidence.folder import check
 
     found = check(folder)
     if found:
         raise CheckError("\n".join(found))
-    click.echo(f"{click.format_filename(folder)}   every file as it was written")
+    if as_json:
+        print_json({"folder": str(folder), "passed": True})
+    else:
+        click.echo(f"{click.format_filename(folder)}   every file as it was written")
 
 
 def _collected(
     stand_file: str, folder: Path, full: bool, seconds: int, wanted: frozenset[str], real: str
 ) -> list[Collected]:
     """With a line on a terminal that says what runs; elsewhere a line a piece."""
-    from rich.console import Console
-
     from mahovik.report.evidence.collect import collect
     from mahovik.report.evidence.pieces import PIECES
     from mahovik.stand.content import content
 
     stand = load_stand(stand_file)
-    err = Console(stderr=True)
     order = [each.name for each in PIECES if each.name in wanted]
-    with err.status("generate") as status:
+    with progress("generate") as stage:
 
         def say(name: str, what: str) -> None:
             if what:
-                status.update(f"{order.index(name) + 1} of {len(order)}: {name}, {what}")
-            elif not err.is_terminal:
+                stage.say(f"{order.index(name) + 1} of {len(order)}: {name}, {what}")
+            elif not shown():
                 click.echo(f"{order.index(name) + 1} of {len(order)}: {name}", err=True)
 
         return collect(
@@ -112,6 +119,16 @@ def _collected(
             wanted=wanted,
             say=say,
         )
+
+
+def _plain(found: list[Collected], folder: Path) -> dict[str, Any]:
+    from mahovik.report.evidence.page import conclusion
+
+    pieces = [
+        {"name": e.piece.name, "verdict": e.outcome.verdict.value, "figure": e.outcome.figure, "command": e.command}
+        for e in found
+    ]
+    return {"folder": str(folder), "conclusion": conclusion(found), "pieces": pieces}
 
 
 def _print(found: list[Collected]) -> None:

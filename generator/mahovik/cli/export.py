@@ -8,6 +8,7 @@ import click
 
 from mahovik.cli.arguments import load_stand, real_option, stand_argument
 from mahovik.cli.group import Commands
+from mahovik.cli.progress import progress
 
 
 @click.group(cls=Commands, short_help="Projects around the C, for other tools.")
@@ -36,7 +37,9 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     stand = load_stand(stand_file)
     chosen = real or found.real or "double"
     folder = Path(output if output is not None else f"{stand.name}-{name}")
-    done = deliver(folder, stand, chosen, project(stand, found, chosen), found.name)
+    with progress(f"generate {stand.name} for {name}"):
+        files = project(stand, found, chosen)
+    done = deliver(folder, stand, chosen, files, found.name)
     for path in done.paths:
         click.echo(click.format_filename(path))
     for note in done.notes:
@@ -56,7 +59,9 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
     from mahovik.verify.delivery import deliver
 
     stand = load_stand(stand_file)
-    done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, fuzz_project(stand, real), "fuzz")
+    with progress(f"generate {stand.name} for fuzzing"):
+        files = fuzz_project(stand, real)
+    done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz")
     for path in done.paths:
         click.echo(click.format_filename(path))
     for note in done.notes:
@@ -100,7 +105,9 @@ def servo(
     wanted = load_servo(servo_file, stand)
     folder = Path(output if output is not None else stand.name)
     chosen = element_type(folder, stand, real)
-    made = export_servo(stand, found, motion, wanted, chosen, kind, (Path(programme_file).name, Path(servo_file).name))
+    names = Path(programme_file).name, Path(servo_file).name
+    with progress(f"servos of {stand.name}"):
+        made = export_servo(stand, found, motion, wanted, chosen, kind, names)
     for path in write_servo(folder, stand, made.programme.files, made.servo):
         click.echo(click.format_filename(path))
     for line in (*made.programme.lines, *made.lines):
@@ -149,7 +156,8 @@ def programme(
     motion = load_motion(Path(motion_file), stand) if motion_file is not None else None
     folder = Path(output if output is not None else stand.name)
     chosen = element_type(folder, stand, real)
-    made = export_programme(stand, found, motion, kind, nodes, chosen, limit, Path(programme_file).name)
+    with progress(f"tables of {Path(programme_file).name}"):
+        made = export_programme(stand, found, motion, kind, nodes, chosen, limit, Path(programme_file).name)
     for path in write_programme(folder, stand, made.files):
         click.echo(click.format_filename(path))
     for line in made.lines:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,8 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import print_json
+from mahovik.cli.progress import progress
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -46,7 +47,6 @@ def follow(
     output: str | None,
     as_json: bool,
     causes: bool,
-    progress: Callable[[float], Any],
 ) -> None:
     """The command's work. Raises UsageError, CheckError and what the files raise."""
     from mahovik.control.causes import contributions
@@ -62,8 +62,9 @@ def follow(
     stand = load_stand(stand_file)
     case, source = _case(stand, programme_file, motion_file, servo_file, mismatch, seed, periods, begin, rows, backend)
     _warn(stand, case.servo, source)
-    with progress(case.last * case.servo.period) as tell:
-        record = close_loop(case, tell)
+    T = case.servo.period
+    with progress(f"follow {Path(programme_file).name}", (case.last - case.first) * T, "s") as stage:
+        record = close_loop(case, lambda t: stage.at(t - case.first * T))
     if len(record.t) < 2:
         raise CheckError(f"the run ends at once: {record.stopped}")
     if output is not None:
@@ -71,21 +72,25 @@ def follow(
     if record.stopped is not None:
         kept = "; what was computed is kept" if output is not None else ""
         click.echo(f"error: {record.stopped}{kept}", err=True)
+        if as_json:
+            print_json({"error": [record.stopped]})
         raise SystemExit(INTERRUPTED if record.interrupted else 1)
     found = following(record, MEASURED)
-    error = step_error(case, record)
     limits: list[Contribution] = []
     ended = False
     try:
-        limits = contributions(case) if causes else []
+        if causes:
+            with progress("what limits it") as stage:
+                limits = contributions(case, lambda cause: stage.say(f"what limits it: {cause}"))
     except KeyboardInterrupt:  # the run itself is whole
         ended = True
+    told = _Told(case, record, found, limits, step_error(case, record), mismatch, seed)
     if as_json:
-        click.echo(json.dumps(_plain(case, record, found, limits, error, mismatch, seed), indent=1, allow_nan=False))
+        print_json(_plain(told))
     else:
         if output is not None:
             click.echo(f"{click.format_filename(output)}   {len(record.t)} rows")
-        _print(case, record, found, limits, error, mismatch, seed)
+        _print(told)
     if ended:
         click.echo("interrupted: the run is whole, what limits it is not told", err=True)
         raise SystemExit(INTERRUPTED)
@@ -185,28 +190,34 @@ def _limiting(limits: list[Contribution]) -> str | None:
     return there[0].cause.name if there else None
 
 
-def _plain(
-    case: Case,
-    record: Record,
-    found: Following,
-    limits: list[Contribution],
-    error: float,
-    mismatch: str,
-    seed: int,
-) -> dict[str, Any]:
+@dataclass(frozen=True)
+class _Told:
+    """What is told of a run; `error`: of its steps."""
+
+    case: Case
+    record: Record
+    found: Following
+    limits: list[Contribution]
+    error: float
+    mismatch: str
+    seed: int
+
+
+def _plain(told: _Told) -> dict[str, Any]:
     import numpy as np
 
+    case, record, limits = told.case, told.record, told.limits
     result: dict[str, Any] = {
         "stand": case.wanted.stand.name,
         "motion": case.wanted.motion.name,
         "servo": case.servo.name,
-        "mismatch": mismatch,
-        "seed": seed,
+        "mismatch": told.mismatch,
+        "seed": told.seed,
         "periods": case.periods,
-        **found.as_json(),
+        **told.found.as_json(),
         "peak_torque": np.abs(record.tau).max(axis=0).tolist(),
         "samples_limited": record.limited,
-        "step_error": error,
+        "step_error": told.error,
     }
     if case.design is not None:
         result["trim"] = {
@@ -221,19 +232,12 @@ def _plain(
     return result
 
 
-def _print(
-    case: Case,
-    record: Record,
-    found: Following,
-    limits: list[Contribution],
-    error: float,
-    mismatch: str,
-    seed: int,
-) -> None:
+def _print(told: _Told) -> None:
     import numpy as np
 
     from mahovik.motion.servo import COORDINATES
 
+    case, record, found = told.case, told.record, told.found
     out = console()
     shown = table(
         "coordinate", "amplitude>", "peak error>", "rms>", "share>", "mean>", "harmonics 1, 2, 3 of the error>"
@@ -252,7 +256,7 @@ def _print(
     furthest, strongest = int(np.argmax(found.apart)), int(np.argmax(np.abs(record.tau).max(axis=0)))
     click.echo(
         f"error of the carrier {100 * found.share:.3g} % of its amplitude (rms {100 * found.share_rms:.3g} %), about "
-        f"its mean, over the last {found.periods} of {case.periods} periods; mismatch {mismatch}, seed {seed}"
+        f"its mean, over the last {found.periods} of {case.periods} periods; mismatch {told.mismatch}, seed {told.seed}"
     )
     click.echo(
         f"flywheels: at most {1e3 * found.apart[furthest]:.3g} mrad from the programme ({flywheels[furthest]}); "
@@ -264,16 +268,16 @@ def _print(
             f"trim: {record.rounds} rounds; an error falls to {case.design.radius:.3g} a round; the settled trim "
             f"converges while its model is less than {100 * case.design.margin:.2g} % wrong"
         )
-    if limits:
+    if told.limits:
         causes = table("what limits it", "alone>", "without it>", "", title=None)
-        for each in limits:
+        for each in told.limits:
             alone, without = (_percent(x) for x in (each.alone, each.without))
             causes.add_row(each.cause.name, alone, without, each.cause.words)
         out.print(causes)
         off = ", the trim off" if case.design is not None else ""
-        click.echo(f"limited by {_limiting(limits)}{off}")
+        click.echo(f"limited by {_limiting(told.limits)}{off}")
     if case.backend == "c":
-        click.echo(f"steps half as long change the carrier by {error:.1g} m, rad")
+        click.echo(f"steps half as long change the carrier by {told.error:.1g} m, rad")
 
 
 def _percent(value: float | None) -> str:

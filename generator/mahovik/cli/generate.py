@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import fast_option, lanes_option, load_stand, real_option, stand_argument
+from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.stand.model import Stand
@@ -55,7 +56,8 @@ def generate(
         lanes = host_lanes(len(stand.flywheels)) if fast else 1
     if lanes > 1 and not stand.flywheels:
         raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels to lay side by side: leave it out")
-    files = delivery(stand, real, lanes, fast, batch)
+    with progress(f"generate {stand.name}"):
+        files = delivery(stand, real, lanes, fast, batch)
     folder = Path(output if output is not None else stand.name)
     if check:
         found = differences(folder, stand, real, files, lanes, fast)

@@ -10,7 +10,9 @@ from typing import Any
 
 import click
 
+from mahovik.cli.json_output import print_failure
 from mahovik.errors import MahovikError
+from mahovik.nearest import meant
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 and the number of the signal, as shells have it."""
@@ -86,8 +88,11 @@ class Commands(click.Group):
             with _formulas(), _usage_in_a_line():
                 return super().invoke(ctx)
         except MahovikError as error:
-            for line in str(error).splitlines() or [type(error).__name__]:
+            lines = str(error).splitlines() or [type(error).__name__]
+            for line in lines:
                 click.echo(f"error: {line}", err=True)
+            if error.exit_status == 1:
+                print_failure(ctx, lines)
             ctx.exit(error.exit_status)
         except KeyboardInterrupt:
             # a command that keeps what it has so far says so itself
@@ -112,9 +117,5 @@ class Commands(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
         if self.get_command(ctx, name) is None and not name.startswith("-"):
-            from difflib import get_close_matches
-
-            near = get_close_matches(name.lower(), list(self.commands), n=1, cutoff=0.4)
-            hint = f', did you mean "{near[0]}"?' if near else f", expected one of {', '.join(self.commands)}"
-            ctx.fail(f'no such command "{name}"{hint}')
+            ctx.fail(f'no such command "{name}"{meant(name, self.commands)}')
         return super().resolve_command(ctx, args)

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.json_output import json_option
+from mahovik.cli.progress import progress
 from mahovik.cli.verify import finish, read_wants
 from mahovik.errors import CheckError
 
@@ -33,7 +35,7 @@ if TYPE_CHECKING:
     help="Accepted, of the natural scale.",
 )
 @click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of the program, s.")
-@click.option("--json", "as_json", is_flag=True, help="Print table and diagnosis as JSON.")
+@json_option("Print table and diagnosis as JSON.")
 @click.option("--junit", metavar="FILE", type=click.Path(), help="Write the table as JUnit XML as well.")
 @click.option(
     "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
@@ -64,14 +66,16 @@ def judge(
 
     wants = read_wants(want)
     stand = load_stand(stand_file)
-    found = verify_program(
-        stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance
-    )
+    with progress(f"judge {command}"):
+        found = verify_program(
+            stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance
+        )
     if not explain or found.error:
         finish(found, as_json, junit, worst)
         return
     try:
-        diagnosis = _diagnosis(stand, command, stand_file, found, seed, timeout)
+        with progress("tell faults apart"):
+            diagnosis = _diagnosis(stand, command, stand_file, found, seed, timeout)
     except CheckError as error:
         from dataclasses import replace
 

@@ -8,6 +8,7 @@ import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
 from mahovik.cli.nominal import at_option, nominal_state
+from mahovik.cli.progress import progress
 
 
 @click.command()
@@ -33,14 +34,16 @@ def linearize(stand_file: str, at: str, points: str | None, flywheels: str, outp
     stand = load_stand(stand_file)
     from mahovik.study.linear import linear_model
     from mahovik.study.linear.files import check, rendered
-    from mahovik.verify.files import write
+    from mahovik.verify.files import probe, write
 
     target = Path(output)
     check(target)
+    probe(target)
     names = [name.strip() for name in points.split(",") if name.strip()] if points is not None else None
     if names is None and not (stand.points or stand.instruments):
         names = ["carrier"]
-    model = linear_model(stand, nominal_state(stand, at), names, locked=flywheels == "locked")
+    with progress(f"linearize {stand.name}"):
+        model = linear_model(stand, nominal_state(stand, at), names, locked=flywheels == "locked")
     write(target, rendered(model, target.suffix))
     sizes = ((len(model.states), "states"), (len(model.inputs), "inputs"), (len(model.outputs), "outputs"))
     click.echo(f"{click.format_filename(output)}   {', '.join(f'{number} {name}' for number, name in sizes)}")

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.cli.json_output import json_option, print_json_text
 from mahovik.cli.nominal import at_option, nominal_state
+from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.study.linear import Modes
@@ -31,7 +33,7 @@ ALIGNED = 1.0
     show_default=True,
     help="locked: they keep their motion, as a stiff servo makes them; free: under constant torques.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@json_option()
 def modes(stand_file: str, at: str, flywheels: str, as_json: bool) -> None:
     """Find natural frequencies, damping and shapes.
 
@@ -44,12 +46,13 @@ def modes(stand_file: str, at: str, flywheels: str, as_json: bool) -> None:
     from mahovik.study.linear import linear_model
     from mahovik.study.linear import modes as modes_of
 
-    model = linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked")
-    found = modes_of(model)
+    with progress(f"modes of {stand.name}"):
+        model = linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked")
+        found = modes_of(model)
     if as_json:
         from mahovik.study.linear.files import encode_lines
 
-        click.echo(encode_lines(_values(found, stand.name, at, flywheels) | {"steady": model.steady}))
+        print_json_text(encode_lines(_values(found, stand.name, at, flywheels) | {"steady": model.steady}))
         return
     title = f"{stand.name} at {'rest' if at == 'rest' else click.format_filename(at)}, flywheels {flywheels}"
     _print(found, title, model.steady)

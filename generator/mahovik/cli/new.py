@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from mahovik.cli.json_output import json_option, print_json
 from mahovik.errors import UsageError
 
 
@@ -13,14 +14,19 @@ from mahovik.errors import UsageError
 @click.argument("name", required=False, shell_complete=lambda _context, _argument, typed: _examples(typed))
 @click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Where to; default ./NAME.toml.")
 @click.option("--list", "listed", is_flag=True, help="List the examples and stop.")
-def new(name: str | None, output: str | None, listed: bool) -> None:
+@json_option("Print the list, or what was written, as JSON.")
+def new(name: str | None, output: str | None, listed: bool, as_json: bool) -> None:
     """Copy an example stand with its motions and servos. Nothing is ever overwritten."""
     from mahovik import stands
     from mahovik.verify.files import write_all
 
     if listed:
-        for each in stands.names():
-            click.echo(f"{each:10} {_first_comment(stands.path(each))}".rstrip())
+        found = {each: _first_comment(stands.path(each)) for each in stands.names()}
+        if as_json:
+            print_json([{"name": each, "words": words} for each, words in found.items()])
+        else:
+            for each, words in found.items():
+                click.echo(f"{each:10} {words}".rstrip())
         return
     if name is None:
         raise UsageError(f"which example? One of {', '.join(stands.names())}")
@@ -36,7 +42,11 @@ def new(name: str | None, output: str | None, listed: bool) -> None:
         if (target.parent / each).exists():
             raise UsageError(f"{target.parent / each}: is there already, nothing was written")
     texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
-    for path in write_all(target.parent, texts):
+    paths = write_all(target.parent, texts)
+    if as_json:
+        print_json({"files": [str(path) for path in paths]})
+        return
+    for path in paths:
         click.echo(click.format_filename(path))
 
 

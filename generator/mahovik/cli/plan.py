@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,13 +9,14 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
     from mahovik.motion.programme import Programme
     from mahovik.motion.required.model import Winding
     from mahovik.plan import Plan
-    from mahovik.plan.outcome import Progress
     from mahovik.plan.wishes import Method
 
 
@@ -40,6 +38,7 @@ if TYPE_CHECKING:
     help="fourier; (13) by IPOPT from there: six flywheels follow from the others, or (12) as constraints.",
 )
 @click.option("--partition", metavar="w1,w2,..", help="The six that follow, (13); without it the best six.")
+@json_option("Print figures and status as JSON.")
 def plan(
     stand_file: str,
     motion_file: str,
@@ -50,6 +49,7 @@ def plan(
     keep: int,
     method: Method,
     partition: str | None,
+    as_json: bool,
 ) -> None:
     """Plan a programme: flywheel motions that make the carrier move exactly as required.
 
@@ -60,9 +60,10 @@ def plan(
     Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
     stand = load_stand(stand_file)
-    from mahovik.motion.programme import check_writable, save_programme
+    from mahovik.motion.programme import programme_text
     from mahovik.motion.required import load_motion
     from mahovik.plan import Wishes, plan_motion
+    from mahovik.verify.files import probe, write_all
 
     motion = load_motion(Path(motion_file), stand)
     chosen = _winding(winding, len(stand.flywheels), motion.periodic)
@@ -72,16 +73,23 @@ def plan(
     for path in paths:
         if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
             raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
-        check_writable(path)
-    with _progress() as tell:
+        probe(path)
+    with progress("searching") as stage:
         six = None if partition is None else tuple(partition.split(","))
         wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
-        found = plan_motion(stand, motion, wishes, tell)
+        found = plan_motion(stand, motion, wishes, lambda state: stage.say(state.words))
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
-    for path, programme in zip(paths, found.programmes, strict=False):
-        save_programme(programme, path)
-        _report(programme, path)
+    texts = {path.name: programme_text(each) for path, each in zip(paths, found.programmes, strict=False)}
+    write_all(paths[0].parent, texts)  # all or none
+    if as_json:
+        print_json(_plain(found, paths))
+    else:
+        for path, programme in zip(paths, found.programmes, strict=False):
+            _report(programme, path)
+        _say(found)
+    if found.programmes and len(found.programmes) < keep:
+        _leftover(paths[len(found.programmes) :], f"{len(found.programmes)} of {keep} programmes found")
     _end(found)
 
 
@@ -100,18 +108,6 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
     if len(turns) != N:
         raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
     return turns
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[Progress], None] | None]:
-    """One line on standard error: what it does, starts tried, best residual; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("searching") as status:
-        yield lambda state: status.update(state.words)
 
 
 def _report(programme: Programme, path: Path) -> None:
@@ -162,20 +158,52 @@ def _report_ocp(method: str, ocp: Any) -> None:
     click.echo(f"partition {','.join(six['plus'])}: {held}{below}")
 
 
-def _end(found: Plan) -> None:
-    """The status with its reason; exit status."""
-    status = found.status if found.reason is None else f"{found.status} {found.reason}"
-    click.echo(status)
-    for line in found.words:
-        click.echo(f"{line}", err=found.status != "OK_LIMIT")
+def _leftover(paths: list[Path], found: str) -> None:
+    """Fewer than --keep: programmes of an earlier run under the other names would be taken for some of this one."""
+    click.echo(f"warning: {found}", err=True)
+    for path in paths:
+        if path.is_file():
+            path.unlink()
+            click.echo(f"warning: {click.format_filename(path)} is removed: it was of an earlier run", err=True)
+
+
+def _plain(found: Plan, paths: list[Path]) -> dict[str, Any]:
+    """For --json; SI."""
+    return {
+        "status": found.status,
+        "reason": found.reason,
+        "words": found.words,
+        "warnings": found.warnings,
+        "interrupted": found.interrupted,
+        "effort": found.effort,
+        "programmes": [
+            {"file": str(path), "flywheels": each.flywheels, "winding": each.winding, **each.report}
+            for path, each in zip(paths, found.programmes, strict=False)
+        ],
+    }
+
+
+def _say(found: Plan) -> None:
+    """The status with its reason, and what it took."""
+    click.echo(found.status if found.reason is None else f"{found.status} {found.reason}")
+    if found.status == "OK_LIMIT":
+        for line in found.words:
+            click.echo(line)
     if found.effort:
         spread = found.effort["objective_spread"]
         tried = ", ".join(f"{number} {kind}" for kind, number in found.effort["windings_tried"].items())
         within = f"{found.effort['found']} programmes found inside the bounds"
         click.echo(f"{found.effort['starts']} starts ({tried or 'none'}), {within}", nl=False)
         click.echo(f", objective {min(spread):.4g} to {max(spread):.4g}" if spread else "")
-        if found.effort["cut_by_time"]:
-            click.echo("warning: --time cut the search: another run may find more", err=True)
+
+
+def _end(found: Plan) -> None:
+    """What went wrong; exit status."""
+    if found.status != "OK_LIMIT":
+        for line in found.words:
+            click.echo(line, err=True)
+    if found.effort and found.effort["cut_by_time"]:
+        click.echo("warning: --time cut the search: another run may find more", err=True)
     if found.interrupted:
         best = "this is the best so far" if found.programmes else "nothing was found yet, nothing is written"
         click.echo(f"interrupted: {best}", err=True)

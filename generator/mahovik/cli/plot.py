@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from mahovik.cli.arguments import load_stand
+from mahovik.cli.progress import progress
 from mahovik.errors import CheckError, UsageError
 
 
@@ -24,17 +25,20 @@ def plot(file: str, output: str, stand_file: str | None, motion_file: str | None
     """
     from mahovik.report.plot import run
     from mahovik.report.plot.draw import SUFFIXES, draw
-    from mahovik.verify.files import write
+    from mahovik.verify.files import probe, write
 
     source, target = Path(file), Path(output)
     if target.suffix not in SUFFIXES:
         raise UsageError(f"-o {output}: expected a name that ends in {' or '.join(SUFFIXES)}")
     if (stand_file is None) != (motion_file is None):
         raise UsageError("--stand and --motion go together: give both or neither")
+    probe(target)
     if source.suffix in run.SUFFIXES:
         if stand_file is not None:
             raise UsageError("--stand, --motion: a run shows what was simulated, leave them out")
-        write(target, draw(source.stem, run.panels(run.read(source)), target.suffix))
+        with progress(f"draw {source.name}"):
+            picture = draw(source.stem, run.panels(run.read(source)), target.suffix)
+        write(target, picture)
         return
     from mahovik.motion.programme import load_programme
     from mahovik.motion.required import load_motion
@@ -50,4 +54,6 @@ def plot(file: str, output: str, stand_file: str | None, motion_file: str | None
             if not whose.passed:
                 raise CheckError(f"{file}: {whose.words}")
     title = f"{programme.stand}: {programme.motion}"
-    write(target, draw(title, panels(programme, stand, motion), target.suffix))
+    with progress(f"draw {source.name}"):
+        picture = draw(title, panels(programme, stand, motion), target.suffix)
+    write(target, picture)

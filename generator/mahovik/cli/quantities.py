@@ -41,11 +41,13 @@ def vector(option: str, text: str) -> tuple[float, float, float]:
     return found[0], found[1], found[2]
 
 
-def speed(option: str, text: str) -> float:
-    """One angular speed, rad/s. Raises UsageError."""
+def speed(option: str, text: str, zero: bool = False) -> float:
+    """One angular speed above 0, rad/s; with `zero` also that. Raises UsageError."""
     found = _list(option, text, ("an angular speed", "rad/s"))
     if len(found) != 1:
         raise UsageError(f'{option} {text}: expected a speed, as "100 rpm"')
+    if not (found[0] > 0.0 or (zero and found[0] == 0.0)):
+        raise UsageError(f"{option} {text}: expected a speed {'of at least' if zero else 'above'} 0")
     return found[0]
 
 

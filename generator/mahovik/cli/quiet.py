@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +9,8 @@ import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress
 from mahovik.cli.quantities import axes_of, fraction, frequency, interval, numbers, orders_of, speed, vector
 from mahovik.errors import UsageError
 
@@ -49,7 +48,7 @@ if TYPE_CHECKING:
 )
 @click.option("-o", "output", metavar="REGIME.toml", type=click.Path(), help="What `simulate --regime` reads.")
 @click.option("--state", "state_file", metavar="S.json", type=click.Path(), help="What `simulate --start` reads.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@json_option()
 def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: bool, **options: Any) -> None:
     """Quiet a point by speeds and phases of flywheels.
 
@@ -77,15 +76,15 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
     from mahovik.study.quiet import quiet as find
     from mahovik.study.quiet.files import regime_text, result
 
-    with _progress() as tell:
-        found = find(stand, wish, seconds, None if backend == "none" else backend, tell)
+    with progress("searching") as stage:
+        found = find(stand, wish, seconds, None if backend == "none" else backend, stage.say)
     said = result(found)
     if output is not None:
         write(Path(output), regime_text(found))
     if state_file is not None:
         write(Path(state_file), json.dumps(said["after"]["start"], indent=1, allow_nan=False) + "\n")
     if as_json:
-        click.echo(json.dumps(said, indent=1, allow_nan=False))
+        print_json(said)
     else:
         _report(found)
     _end(found)
@@ -113,7 +112,7 @@ def _wish(options: dict[str, Any], N: int) -> Any:
         axes_of(options["axes"]),
         options["measure"],
         None if options["limit"] is None else speed("--limit", options["limit"]),
-        speed("--least", options["least"]),
+        speed("--least", options["least"], zero=True),
         None if options["change"] is None else speed("--change", options["change"]),
         options["reduction"],
         tuple(avoid),
@@ -123,18 +122,6 @@ def _wish(options: dict[str, Any], N: int) -> Any:
         fraction("--guard", options["guard"]),
         options["seed"],
     )
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str], None] | None]:
-    """One line on standard error; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("searching") as status:
-        yield status.update
 
 
 def _report(found: Quieted) -> None:

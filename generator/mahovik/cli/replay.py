@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from mahovik.cli.arguments import load_stand
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     show_default=True,
     help="interpreter: without a compiler, slow.",
 )
+@json_option()
 def replay(
     log: str,
     stand_file: str | None,
@@ -40,6 +43,7 @@ def replay(
     tested: int | None,
     against: str | None,
     backend: str,
+    as_json: bool,
 ) -> None:
     """Replay a flight log.
 
@@ -52,13 +56,16 @@ def replay(
     from mahovik.simulate import flight_log
     from mahovik.simulate import replay as replays
     from mahovik.simulate.replay_output import check
+    from mahovik.verify.files import probe
 
     if output is not None:
         check(Path(output))
+        probe(Path(output))
     data, notes = flight_log.load(Path(log))
-    starts = [r for r in flight_log.records(data) if isinstance(r, flight_log.Start)]
+    records = list(flight_log.records(data))
+    starts = [r for r in records if isinstance(r, flight_log.Start)]
     if not starts:
-        raise UsageError(f"{log}: " + "; ".join(_messages(data)))
+        raise UsageError(f"{log}: " + "; ".join(r.message for r in records if isinstance(r, flight_log.Damage)))
     stand, source = _stand(starts[0], stand_file, Path(log))
     for start in starts:
         replays.check_stand(stand, start, source)
@@ -68,15 +75,11 @@ def replay(
     lanes = 1 if folder is not None else replays.lanes_that_flew(stand, starts[0])
     machine = replays.machine(stand, starts[0].real, backend, folder, lanes)
     session = _Session(stand, machine, starts[0], wanted, tested, Path(output) if output is not None else None)
-    for found in replays.replay(machine, flight_log.records(data)):
-        session.take(found)
-    session.finish(notes)
-
-
-def _messages(data: bytes) -> list[str]:
-    from mahovik.simulate.flight_log import Damage, records
-
-    return [r.message for r in records(data) if isinstance(r, Damage)]
+    with progress(f"replay {Path(log).name}, records", len(records)) as stage:
+        for done, found in enumerate(replays.replay(machine, records), start=1):
+            session.take(found)
+            stage.at(done)
+    session.finish(notes, as_json)
 
 
 def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]:
@@ -115,6 +118,7 @@ class _Session:
         self._stand, self._machine, self._start = stand, machine, start
         self._wanted, self._tested, self._output = wanted, tested, output
         self._lines: list[str] = []
+        self._said: list[str] = []
         self._steps = self._refused = 0
         self._first: Outcome | None = None
         self._last: Outcome | None = None
@@ -155,8 +159,7 @@ class _Session:
     def _show(self, found: Outcome) -> None:
         from mahovik.simulate.replay_output import in_full
 
-        for text in in_full(found, self._machine.generated.layout.inputs):
-            click.echo(text)
+        self._said += in_full(found, self._machine.generated.layout.inputs)
 
     def _emit_test(self, found: Outcome) -> None:
         from mahovik.emit.replay_test import replay_test
@@ -171,37 +174,56 @@ class _Session:
             name, inputs, before, after, found.status, found.table,
         )  # fmt: skip
         write(path, text)
-        click.echo(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")
+        self._said.append(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")
 
-    def finish(self, notes: list[str]) -> None:
+    def finish(self, notes: list[str], as_json: bool) -> None:
         """Files and the last line. Exit status 1 where a state differs or something is missing."""
         from mahovik.simulate.replay import explain
         from mahovik.simulate.replay_output import heading
         from mahovik.verify.files import write
 
+        for text in self._said:
+            click.echo(text, err=as_json)
         for note in notes:
             click.echo(f"note: {note}", err=True)
         if self._output is not None:
             first = heading(self._start.flywheels) if self._output.suffix == ".csv" else ""
             write(self._output, first + "".join(self._lines))
-            click.echo(f"{click.format_filename(self._output)}   {len(self._lines)} steps")
+            click.echo(f"{click.format_filename(self._output)}   {len(self._lines)} steps", err=as_json)
         for damage in self._damage:
             click.echo(f"{'note' if damage.end else 'error'}: {damage.message}", err=True)
         for option, missing in (("--step", self._wanted), ("--emit-test", self._tested)):
             if missing is not None:
                 raise UsageError(f"{option} {missing}: no such step among those that could be replayed")
         differs = self._last is not None and not self._last.equal
+        if as_json:
+            print_json(self._plain(differs))
         if self._last is not None and self._first is not None:
             equal = self._steps - differs
             refused = f", {self._refused} of them refused, as in the log" if self._refused else ""
             click.echo(
                 f"{'' if differs else 'all '}{equal} steps bit for bit: {self._stand.name}, {self._start.real}, "
-                f"steps {self._first.step.count} to {self._last.step.count - differs}{refused}"
+                f"steps {self._first.step.count} to {self._last.step.count - differs}{refused}",
+                err=as_json,
             )
             if differs:
                 click.echo(f"error: step {self._last.step.count} differs: {self._last.difference}", err=True)
                 click.echo(f"error: {explain(self._machine, self._start)}", err=True)
         elif not self._damage:
-            click.echo("no step in the log")
+            click.echo("no step in the log", err=as_json)
         if differs or any(not damage.end for damage in self._damage):
             raise SystemExit(1)
+
+    def _plain(self, differs: bool) -> dict[str, Any]:
+        first, last = self._first, self._last
+        return {
+            "stand": self._stand.name,
+            "physics": self._start.physics,
+            "real": self._start.real,
+            "first_step": None if first is None else first.step.count,
+            "steps_equal": self._steps - differs,
+            "steps_refused": self._refused,
+            "differs_at": last.step.count if differs and last is not None else None,
+            "difference": str(last.difference) if differs and last is not None else None,
+            "damage": [damage.message for damage in self._damage],
+        }

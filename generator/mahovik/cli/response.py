@@ -11,6 +11,8 @@ import click
 
 from mahovik.cli.arguments import console, given, load_stand, stand_argument, table
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json_text
+from mahovik.cli.progress import progress
 from mahovik.cli.rest import read_phases
 from mahovik.errors import UsageError
 
@@ -47,7 +49,7 @@ SHOWN = 12
 @click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='At t = 0, "w1=90 deg"; default 0.')
 @click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Ends the sweep.")
 @click.option("-o", "output", metavar="FILE", type=click.Path(), help=f"{', '.join(SUFFIXES)}: numbers or a picture.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@json_option()
 def response(
     stand_file: str,
     speeds: tuple[str, ...],
@@ -84,10 +86,14 @@ def response(
     _warn(stand, asked)
     end = None if seconds is None else time.monotonic() + seconds
 
-    def go_on(done: int) -> bool:
-        return end is None or done == 0 or time.monotonic() < end
+    count = 1 if asked.sweep is None else steps
+    with progress(f"response of {stand.name}, speeds", count) as stage:
 
-    found = sweep(stand, asked, steps, point, quantity=quantity, band=limits, phases=turned, go_on=go_on)
+        def go_on(done: int) -> bool:
+            stage.at(done)
+            return end is None or done == 0 or time.monotonic() < end
+
+        found = sweep(stand, asked, steps, point, quantity=quantity, band=limits, phases=turned, go_on=go_on)
     if not found.steps:
         raise KeyboardInterrupt
     if output is not None:
@@ -95,7 +101,7 @@ def response(
     if as_json:
         from mahovik.study.response.files import json_text
 
-        click.echo(json_text(found), nl=False)
+        print_json_text(json_text(found))
     else:
         _print(found)
     if found.interrupted:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.cli.json_output import json_option, print_json
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 @click.command()
 @stand_argument
 @click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='Of a flywheel, "w1=90 deg"; default 0.')
-@click.option("--json", "as_json", is_flag=True, help="Print JSON; `simulate --start` reads it.")
+@json_option("Print JSON; `simulate --start` reads it.")
 def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
     """Find the static equilibrium.
 
@@ -30,21 +31,19 @@ def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
 
     found = find(stand, phi)
     if as_json:
-        import json
-
         from mahovik.verify.evaluate import state_object
 
         free = [list(direction) for direction in found.free]
         state = state_object(found.state)
         values = {"name": stand.name, "state": state, "V_dot": found.V_dot, "free": free, "unstable": found.unstable}
-        click.echo(json.dumps(values, indent=1, allow_nan=False))
+        print_json(values)
         return
     _print(found, stand)
 
 
 def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
     """Phases (rad) by flywheel. Raises UsageError."""
-    from mahovik.stand.names import nearest
+    from mahovik.nearest import meant
     from mahovik.stand.units import ANGLE, QuantityError, number
 
     names = [s.name for s in stand.flywheels]
@@ -52,8 +51,7 @@ def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
     for each in given:
         name, _, text = each.partition("=")
         if name not in names:
-            hint = f', did you mean "{nearest(name, names)}"?' if names else ": the stand has none"
-            raise UsageError(f'--phase {each}: unknown flywheel "{name}"{hint}')
+            raise UsageError(f'--phase {each}: unknown flywheel "{name}"{meant(name, names, "the stand has none")}')
         try:
             phi[names.index(name)] = float(text)
         except ValueError:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from mahovik.cli.arguments import console, table
+from mahovik.cli.json_output import print_json_text
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -26,21 +26,16 @@ def verify_rigorously(
         if (error.name or "").partition(".")[0] != "flint":
             raise
         raise UsageError("--rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'") from None
-    from rich.console import Console
-    from rich.progress import Progress
-
-    err = Console(stderr=True)
-    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task(f"enclose {stand.name}", total=states)
+    with progress(f"enclose {stand.name}", states) as stage:
         found = measure_rounding(
             stand,
             seed=seed,
             count=states,
             real=real,
             against=None if against is None else Path(against),
-            progress=lambda done, _: bar.update(task, completed=done),
+            progress=stage.at,
         )
-    click.echo(json_text(found)) if as_json else _print(found)
+    print_json_text(json_text(found)) if as_json else _print(found)
     return found
 
 

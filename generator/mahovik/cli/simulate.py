@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from mahovik.cli.arguments import given, load_stand, stand_argument
 from mahovik.cli.group import INTERRUPTED
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress
 from mahovik.errors import CheckError, UsageError
 
 if TYPE_CHECKING:
@@ -57,7 +56,7 @@ if TYPE_CHECKING:
     "--table", metavar="NODES|exact", default="128", show_default=True, help="Of --programme: as firmware has it."
 )
 @click.option("--causes/--no-causes", default=True, help="Of --programme: say what limits it, in further runs.")
-@click.option("--json", "as_json", is_flag=True, help="Of --programme: the figures, machine-readable.")
+@json_option("Print figures as JSON.")
 def simulate(
     stand_file: str,
     until: float | None,
@@ -94,7 +93,7 @@ def simulate(
 
         follow(
             stand_file, programme, motion, servo, mismatch, seed, periods, begin, table, backend, output, as_json,
-            causes, _progress,
+            causes,
         )  # fmt: skip
         return
     if until is None or output is None:
@@ -108,21 +107,23 @@ def simulate(
     chosen, state = _beginning(stand, regime, start, until)
     case = Case(stand, chosen, state, until, every, dt, int(order))
     _warn(case)
-    with _progress(until) as tell:
-        found = run(case, backend, mounts, tell)
+    with progress(f"simulate {stand.name}", until, "s") as stage:
+        found = run(case, backend, mounts, stage.at)
     save(found, Path(output))
-    click.echo(f"{click.format_filename(output)}   {len(found.data)} rows, {len(found.names)} columns")
-    _report(found)
+    if as_json:
+        print_json(_plain(found, output))
+    else:
+        click.echo(f"{click.format_filename(output)}   {len(found.data)} rows, {len(found.names)} columns")
+    _report(found, as_json)
 
 
 def _only(follows: bool) -> None:
     """Raises UsageError where an option was given that goes with the other way of running."""
     of_regime = ("until", "regime", "start", "dt", "every", "order", "mounts")
-    of_programme = ("motion", "servo", "mismatch", "seed", "periods", "begin", "table", "causes", "as_json")
+    of_programme = ("motion", "servo", "mismatch", "seed", "periods", "begin", "table", "causes")
     for name in of_regime if follows else of_programme:
         if given(name):
-            option = "--json" if name == "as_json" else f"--{name}"
-            raise UsageError(f"{option}: goes {'without' if follows else 'with'} --programme")
+            raise UsageError(f"--{name}: goes {'without' if follows else 'with'} --programme")
 
 
 def _beginning(stand: Stand, regime: str | None, start: str | None, until: float) -> tuple[Regime, State]:
@@ -156,33 +157,23 @@ def _warn(case: Case) -> None:
         click.echo(f"warning: a flywheel turns {fastest * case.dt:.2g} rad a step: --dt {case.dt:g} is long", err=True)
 
 
-@contextmanager
-def _progress(until: float) -> Iterator[Callable[[float], None] | None]:
-    """A bar with the rate on standard error; nothing where that is no terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, ProgressColumn, TextColumn, TimeRemainingColumn
-    from rich.text import Text
-
-    class Rate(ProgressColumn):
-        """Simulated seconds a second."""
-
-        def render(self, task: object) -> Text:
-            speed = getattr(task, "speed", None)
-            return Text("" if speed is None else f"{speed:.3g} s/s")
-
-    columns = (TextColumn("{task.completed:.3g} s of {task.total:.3g} s"), BarColumn(), Rate(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=until)
-        yield lambda t: bar.update(task, completed=t)
+def _plain(found: Run, output: str) -> dict[str, Any]:
+    return {
+        "file": output,
+        "rows": len(found.data),
+        "columns": found.names,
+        "t_end": float(found.data[-1, 0]) if len(found.data) else None,
+        "motors_short": {name: {"t": t, "torque": missing} for name, (t, missing) in found.short.items()},
+        "stopped": found.stopped,
+    }
 
 
-def _report(found: Run) -> None:
+def _report(found: Run, as_json: bool) -> None:
     """Motors that fall short; why a run ended early. Exit status 1, or 130 for Ctrl-C."""
     for name, (t, missing) in found.short.items():
-        click.echo(f"motor of {name}: cannot give what its law asks for; {missing:.4g} N m short at t = {t:.6g} s")
+        click.echo(
+            f"motor of {name}: cannot give what its law asks for; {missing:.4g} N m short at t = {t:.6g} s", err=as_json
+        )
     if found.stopped is not None:
         click.echo(f"error: {found.stopped}; what was computed is kept", err=True)
         raise SystemExit(INTERRUPTED if found.interrupted else 1)

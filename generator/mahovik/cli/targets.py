@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from mahovik.cli.arguments import console, table
+from mahovik.cli.json_output import print_json_text
+from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.stand.model import Stand
@@ -28,20 +28,15 @@ def verify_on_targets(
     1 where bits differ; 2 where a compiler or an emulator is missing, or the processor lacks what the one target that
     was asked for wants: then nothing is known.
     """
-    from rich.console import Console
-    from rich.progress import Progress
-
     from mahovik.verify.files import write
     from mahovik.verify.targets import SWEEP, asked, verify_targets
     from mahovik.verify.targets_report import as_json as json_text
     from mahovik.verify.targets_report import as_junit
 
     pairs = asked(names, reals)
-    err = Console(stderr=True)
-    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task(f"verify {stand.name} on targets", total=len(pairs))
-        found = verify_targets(stand, pairs, states or SWEEP, lambda done, _: bar.update(task, completed=done), lanes)
-    click.echo(json_text(found)) if as_json else _print(found)
+    with progress(f"verify {stand.name} on targets", len(pairs)) as stage:
+        found = verify_targets(stand, pairs, states or SWEEP, stage.at, lanes)
+    print_json_text(json_text(found)) if as_json else _print(found)
     if junit is not None:
         write(Path(junit), as_junit(found))
     if not found.passed:

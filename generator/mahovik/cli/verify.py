@@ -18,6 +18,8 @@ from mahovik.cli.arguments import (
     stand_argument,
     table,
 )
+from mahovik.cli.json_output import json_option, print_json_text
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -29,7 +31,7 @@ if TYPE_CHECKING:
 @stand_argument
 @click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="How many states.")
 @click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Of the random states.")
-@click.option("--json", "as_json", is_flag=True, help="Print the table as JSON.")
+@json_option("Print the table as JSON.")
 @click.option("--junit", metavar="FILE", type=click.Path(), help="Write the table as JUnit XML as well.")
 @click.option(
     "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
@@ -110,11 +112,13 @@ def verify(
     if judges:
         from mahovik.verify.judges.compare import verify_judges
 
-        found = verify_judges(stand, seed=seed, count=states, bare=bare)
+        with progress(f"judge {stand.name}", states) as stage:
+            found = verify_judges(stand, seed=seed, count=states, bare=bare, progress=stage.at)
     elif command is not None:
         from mahovik.verify.foreign import verify_program
 
-        found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
+        with progress(f"judge {command}"):
+            found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
     else:
         found = _verify_c(stand, seed, states, against, real, lanes, fast)
     finish(found, as_json, junit, worst)
@@ -124,28 +128,22 @@ def read_wants(text: str | None) -> tuple[str, ...]:
     """The wants of `--want`. Raises UsageError."""
     if text is None:
         return ()
-    from mahovik.stand.names import nearest
+    from mahovik.nearest import meant
     from mahovik.verify.backends import WANTS
 
     names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in names:
         if name not in WANTS:
-            raise UsageError(f'--want: unknown "{name}", did you mean "{nearest(name, list(WANTS))}"?')
+            raise UsageError(f'--want: unknown "{name}"{meant(name, WANTS)}')
     return names
 
 
 def _verify_c(
     stand: Stand, seed: int, states: int, against: str | None, real: str, lanes: int | None, fast: bool
 ) -> Report:
-    """With a line of progress on a terminal."""
-    from rich.console import Console
-    from rich.progress import Progress
-
     from mahovik.verify.harness import verify_c
 
-    err = Console(stderr=True)
-    with Progress(console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task(f"verify {stand.name}", total=states)
+    with progress(f"verify {stand.name}", states) as stage:
         return verify_c(
             stand,
             seed=seed,
@@ -154,7 +152,7 @@ def _verify_c(
             real=real,
             lanes=lanes,
             fast=fast,
-            progress=lambda done, _: bar.update(task, completed=done),
+            progress=stage.at,
         )
 
 
@@ -173,7 +171,7 @@ def finish(
     from mahovik.verify.report import as_json as json_text
 
     if as_json:
-        click.echo(json_text(found, more))
+        print_json_text(json_text(found, more))
     else:
         _print(found)
         for line in words:

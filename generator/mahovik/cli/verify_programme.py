@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.cli.json_output import json_option, print_json
+from mahovik.cli.progress import progress
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
     type=click.FloatRange(1e-12, 0.1),
     help="Of the residual, a share; 20 times it of the simulation. Default 1e-6, with damping of V|V| 1e-5.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
+@json_option("Print JSON instead of a table.")
 def verify_programme(
     stand_file: str, motion_file: str, programme_file: str, tolerance: float | None, as_json: bool
 ) -> None:
@@ -34,8 +36,6 @@ def verify_programme(
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """
-    from rich.console import Console
-
     from mahovik.motion.programme import load_programme
     from mahovik.motion.required import load_motion
     from mahovik.verify import programme as verification
@@ -43,14 +43,12 @@ def verify_programme(
     stand = load_stand(stand_file)
     motion = load_motion(motion_file, stand)
     programme = load_programme(programme_file)
-    with Console(stderr=True).status("by the reference, some seconds"):  # on a terminal only
+    with progress("by the reference"):
         findings = verification.verify_programme(stand, motion, programme, tolerance=tolerance)
     if as_json:
-        import json
-
         from mahovik.verify.programme.finding import as_object
 
-        click.echo(json.dumps(as_object(stand.name, motion.name, findings), indent=1, allow_nan=False))
+        print_json(as_object(stand.name, motion.name, findings))
     else:
         _print(findings)
     if not all(each.passed for each in findings):

@@ -20,7 +20,7 @@ def limit_rows(limits: Limits, space: Space, y: Array) -> tuple[Array, Array]:
     """Hinges (n): part of a limit that is broken, 0 inside; derivatives (n, P) by y."""
     values, slopes = [], []
     x = space.numbers(y)
-    A = space.A.reshape(-1, WIDTH, space.P)
+    A = space.A.reshape(len(x), WIDTH, space.P)
     for limit, k in ((limits.total_mass, 7), (limits.total_unbalance, 5)):
         if limit is not None:
             over = x[:, k].sum() / limit - 1.0 + MARGIN
@@ -37,7 +37,7 @@ def limit_rows(limits: Limits, space: Space, y: Array) -> tuple[Array, Array]:
                 along = apart / d if d > 0.0 else np.array([1.0, 0.0, 0.0])
                 by = along @ (mounts[i] @ A[i, :3] - mounts[j] @ A[j, :3])
                 slopes.append(-by / limits.distance * (under > 0.0))
-    return np.array(values), np.array(slopes).reshape(-1, space.P)
+    return np.array(values), np.array(slopes).reshape(len(values), space.P)
 
 
 def places_of(stand: Stand, x: Array) -> tuple[Array, Array]:

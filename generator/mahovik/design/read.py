@@ -13,9 +13,9 @@ from mahovik.design.limits import nearest_two
 from mahovik.design.space import numbers_of
 from mahovik.errors import DesignError
 from mahovik.motion.document import Section, text_of
+from mahovik.nearest import meant
 from mahovik.stand.content import TABLE
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
 from mahovik.stand.shapes import vector
 from mahovik.stand.toml import parse
@@ -72,10 +72,7 @@ def freedom_of_keys(keys: str, stand: Stand) -> Freedom:
     free: dict[str, Any] = {}
     for name in names:
         if name not in known:
-            problems.add(
-                f'unknown key {show(name)}, did you mean "{nearest(name, list(known))}"? '
-                "A file of what is free ends in .toml"
-            )
+            problems.add(f"unknown key {show(name)}{meant(name, known)} A file of what is free ends in .toml")
         elif name in CHOICES:
             document[name] = True
         else:
@@ -140,7 +137,7 @@ class _Reader:
         found: list[int] = []
         for name in section.rows("flywheels"):
             if name not in self.names:
-                section.refuse("flywheels", f'unknown {show(name)}, did you mean "{nearest(str(name), self.names)}"?')
+                section.refuse("flywheels", f"unknown {show(name)}{meant(str(name), self.names)}")
             elif self.names.index(name) in found:
                 section.refuse("flywheels", f"{show(name)} is there twice")
             else:
@@ -229,7 +226,7 @@ class _Reader:
             same = section.rows("same")
             for key in same:
                 if not isinstance(key, str) or key not in PARTS:
-                    section.refuse("same", f'unknown key {show(key)}, did you mean "{nearest(str(key), list(PARTS))}"?')
+                    section.refuse("same", f"unknown key {show(key)}{meant(str(key), PARTS)}")
             mirror = section.given.get("mirror")
             if mirror is not None and mirror not in MIRRORS:
                 section.refuse("mirror", f"expected one of {', '.join(MIRRORS)}, found {show(mirror)}")

@@ -53,6 +53,11 @@ class Search:
     interrupted: bool = False
     cut: bool = False
 
+    @property
+    def words(self) -> str:
+        """One line of progress."""
+        return f"searching: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} designs found"
+
     def seen(self, task: Task, reached: Reached) -> None:
         """Remembers the least residual."""
         self.tried[task.N] = min(self.tried.get(task.N, np.inf), reached.residual)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mahovik.design.freedom import Freedom
+from mahovik.design.freedom import WIDTH, Freedom
 from mahovik.design.limits import limit_rows
 from mahovik.design.space import Space
 from mahovik.motion.required import RequiredMotion
@@ -212,7 +212,7 @@ class Task:
         whole = max(float(self.start.mechanics.tables.unbalance.sum()), 1e-12)
         value = np.maximum(self.space.numbers(y)[:, 5] / whole, 0.0)
         rows = weight * np.sqrt(value + _FLOOR)
-        by = self.space.A.reshape(self.N, -1, self.space.P)[:, 5] * (weight**2 / (2.0 * whole * rows))[:, None]
+        by = self.space.A.reshape(self.N, WIDTH, self.space.P)[:, 5] * (weight**2 / (2.0 * whole * rows))[:, None]
         return rows, by
 
 

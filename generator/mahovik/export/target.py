@@ -9,8 +9,8 @@ from mahovik import __version__
 from mahovik.emit.delivery import firmware
 from mahovik.emit.templates import template
 from mahovik.errors import UsageError
+from mahovik.nearest import meant
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.toolchain.board import board_files, link_flags, selftest_main
 from mahovik.toolchain.compiler import BITS
 from mahovik.toolchain.targets import TARGETS, Target
@@ -23,9 +23,7 @@ def exportable(name: str) -> Target:
     """The target of that name. Raises UsageError for an unknown one, and for two compilers in one project."""
     target = TARGETS.get(name)
     if target is None:
-        raise UsageError(
-            f'unknown target "{name}", did you mean "{nearest(name, list(TARGETS))}"? {", ".join(TARGETS)}'
-        )
+        raise UsageError(f'unknown target "{name}"{meant(name, TARGETS)}')
     if target.linker:
         raise UsageError(f"{name} is compiled and linked by two compilers: export {name.partition('-')[0]} instead")
     return target

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from mahovik.nearest import meant
 from mahovik.stand.content import content
-from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
 from mahovik.stand.shapes import vector
 from mahovik.stand.toml import exact
@@ -76,8 +76,7 @@ class Section:
         """Note every key that is not `known`."""
         for key in self.given:
             if key not in known:
-                hint = nearest(key, list(known))
-                self.problems.add(*self.path, f'unknown key {show(key)}, did you mean "{hint}"?')
+                self.problems.add(*self.path, f"unknown key {show(key)}{meant(key, known)}")
 
     def has(self, *keys: str) -> bool:
         """Whether required keys are there; a problem is noted for each that is not."""

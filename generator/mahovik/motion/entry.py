@@ -20,7 +20,7 @@ from mahovik.motion.laws import (
     Torque,
     TorqueTable,
 )
-from mahovik.stand.names import nearest
+from mahovik.nearest import meant
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import ANGLE, SPEED, TIME, TORQUE, Dimension, QuantityError, number, show
 
@@ -81,7 +81,7 @@ def _members(entry: Entry, keys: Dimensions, words: tuple[str, ...] = ()) -> dic
     good = True
     for key in entry.given:
         if key not in known:
-            entry.refuse("", f'unknown key {show(key)}, did you mean "{nearest(key, known)}"?')
+            entry.refuse("", f"unknown key {show(key)}{meant(key, known)}")
             good = False
     found: dict[str, float] = {}
     for key, (dimension, default) in keys.items():

@@ -14,9 +14,9 @@ from mahovik.motion.document import parse as parse_json
 from mahovik.motion.entry import DRIVEN_KEYS, LAWS, Entry, law_of
 from mahovik.motion.laws import Constant, WrenchTable
 from mahovik.motion.regime import Driven, Regime
+from mahovik.nearest import meant
 from mahovik.stand.content import content
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
 from mahovik.stand.toml import parse
 from mahovik.stand.units import ANGLE, SPEED, Dimension, QuantityError, number, show
@@ -61,7 +61,7 @@ def loads(
         raise RegimeError([f"{source}: schema: expected 1, found {show(document['schema'])}"])
     for key in document:
         if key not in _KEYS:
-            problems.add(f'unknown key {show(key)}, did you mean "{nearest(key, list(_KEYS))}"?')
+            problems.add(f"unknown key {show(key)}{meant(key, _KEYS)}")
     name = document.get("name", Path(source).stem)
     if not isinstance(name, str):
         problems.add("name", f"expected a string, found {show(name)}")
@@ -80,8 +80,7 @@ def _tables(document: dict[str, Any], key: str, names: list[str], what: str, pro
         return {}
     for name in given:
         if name not in names:
-            hint = f', did you mean "{nearest(name, names)}"?' if names else ": the stand has none"
-            problems.add(key, f"unknown {what} {show(name)}{hint}")
+            problems.add(key, f"unknown {what} {show(name)}{meant(name, names, 'the stand has none')}")
     return {name: value for name, value in given.items() if name in names}
 
 
@@ -113,7 +112,7 @@ def _driven(
     known = [*LAWS, *DRIVEN_KEYS]
     for key in given:
         if key not in known:
-            problems.add(where, f'unknown key {show(key)}, did you mean "{nearest(key, known)}"?')
+            problems.add(where, f"unknown key {show(key)}{meant(key, known)}")
     own = [key for key in LAWS if key in given]
     if len(own) > 1:
         problems.add(where, f"{', '.join(own)}: exactly one law, not {len(own)}")

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.motion.laws import Array
+from mahovik.nearest import meant
 from mahovik.stand.content import TABLE, content
-from mahovik.stand.names import nearest
 from mahovik.stand.units import TIME, Dimension, QuantityError, factor, show
 
 _HEAD = re.compile(r"\s*(\w+)\s*(?:\[(.*)\])?\s*")
@@ -63,7 +63,7 @@ def _heads(name: str, cells: list[str], known: Mapping[str, Dimension]) -> list[
         head = _HEAD.fullmatch(cell)
         key = head[1] if head else cell
         if head is None or key not in known:
-            raise TableError(f'{name}: unknown column {show(cell)}, did you mean "{nearest(key, list(known))}"?')
+            raise TableError(f"{name}: unknown column {show(cell)}{meant(key, known)}")
         if key in (each for each, _ in found):
             raise TableError(f'{name}: column "{key}" is there twice')
         try:

@@ -6,9 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.errors import StateError, UsageError
+from mahovik.nearest import meant
 from mahovik.stand.content import content
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
+from mahovik.verify.states import KEYS as ALL
 from mahovik.verify.states import read_object, read_request, refuse_duplicates
 
 KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot")
@@ -47,4 +49,6 @@ def load(path: Path, stand: Stand, keys: tuple[str, ...] = KEYS, hint: str = HIN
 def _known(found: dict[str, Any], keys: tuple[str, ...], hint: str) -> None:
     for key in found:
         if key not in keys:
-            raise StateError(f'"{key}" is not part of a start, expected some of {", ".join(keys)}{hint}')
+            if key in ALL:
+                raise StateError(f'"{key}" is not part of a start, expected some of {", ".join(keys)}{hint}')
+            raise StateError(f'unknown key "{key}"{meant(key, keys)}')

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from difflib import SequenceMatcher
 
 from mahovik.stand.units import show
 
@@ -51,8 +50,3 @@ def stand_name_problem(name: str) -> str | None:
     if name in C_HEADERS:
         return f"{show(name)} is the name of a standard header of C: {name}.h would hide it"
     return name_problem(name)
-
-
-def nearest(name: str, known: list[str]) -> str:
-    """The known name most like `name` (the first of equals): for "did you mean"."""
-    return max(known, key=lambda candidate: SequenceMatcher(None, name.lower(), candidate.lower()).ratio())

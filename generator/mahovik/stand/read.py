@@ -8,10 +8,10 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from mahovik.errors import StandError
+from mahovik.nearest import meant, nearest
 from mahovik.stand import build, physical
 from mahovik.stand.content import content
 from mahovik.stand.model import Flywheel, Instrument, Leg, Point, Stand
-from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
 from mahovik.stand.schema import (
     CarrierTable,
@@ -129,7 +129,7 @@ def _header(document: dict[str, Any], problems: Problems) -> Header | None:
     own = {key: value for key, value in document.items() if key in known and key not in (*_TABLES, *_ARRAYS)}
     for key in document:
         if key not in known:
-            problems.add(f'unknown key {show(key)}, did you mean "{nearest(key, known)}"?')
+            problems.add(f"unknown key {show(key)}{meant(key, known)}")
     return _validate(problems, "", Header, own)
 
 
@@ -203,5 +203,5 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
             if mount in flywheels:
                 reason = f'{show(mount)} is a flywheel, expected "carrier" or an instrument'
             else:
-                reason = f'unknown {show(mount)}, did you mean "{nearest(mount, mounts)}"?'
+                reason = f"unknown {show(mount)}{meant(mount, mounts)}"
             problems.add(f"{key} {show(name)}", "mount", reason)

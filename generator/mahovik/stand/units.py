@@ -14,7 +14,8 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from mahovik.stand.usual_units import usual
+from mahovik.nearest import meant
+from mahovik.stand.usual_units import UNITS, usual
 
 
 @dataclass(frozen=True)
@@ -178,11 +179,17 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
     except QuantityError:
         raise
     except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
-        raise QuantityError(f"{show(unit)} is not a known unit") from error
+        raise QuantityError(f"{show(unit)} is not a known unit{_meant(unit)}") from error
     powers = dict(root._units.items())
     if not all(float(power).is_integer() for power in powers.values()):
         raise QuantityError(f"unit {show(unit)} has a power that is not whole")
     return Fraction(scale), {name: int(power) for name, power in powers.items()}
+
+
+def _meant(unit: str) -> str:
+    """The usual unit that a single misspelt word may be; nothing for products and powers."""
+    near = meant(unit, UNITS) if unit.isalpha() else ""
+    return near if near.endswith("?") else ""
 
 
 @cache

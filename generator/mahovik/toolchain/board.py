@@ -9,6 +9,7 @@ from pathlib import Path
 
 from mahovik.emit.templates import environment, template
 from mahovik.errors import ToolchainError
+from mahovik.toolchain import process
 from mahovik.toolchain.compiler import BITS, WARNINGS
 from mahovik.toolchain.targets import Target
 
@@ -100,16 +101,14 @@ def run(target: Target, elf: Path, timeout: float = 60) -> str:
     require(target)
     command = [*target.emulator, str(elf)]
     try:
-        done = subprocess.run(
-            command, capture_output=True, check=False, stdin=subprocess.DEVNULL, timeout=timeout, cwd=elf.parent
-        )
+        done = process.run(command, elf.parent, timeout)
     except subprocess.TimeoutExpired:
         raise ToolchainError(f"{target.name}: no end within {timeout:g} s") from None
     except OSError as error:
         raise ToolchainError(f"{target.name}: {command[0]} cannot be run: {error.strerror}") from error
-    printed = done.stdout.decode("ascii", "replace")
+    printed = done.stdout
     if done.returncode != 0:
-        said = (done.stderr.decode("utf-8", "replace").strip() or printed.strip()).splitlines()
+        said = (done.stderr.strip() or printed.strip()).splitlines()
         last = f": {said[-1]}" if said else ""
         raise ToolchainError(f"{target.name}: the program {_ending(done.returncode)}{last}")
     return printed
@@ -161,9 +160,7 @@ def _text(name: str) -> str:
 
 
 def _run(command: Sequence[str], folder: Path, what: str) -> str:
-    done = subprocess.run(
-        command, capture_output=True, text=True, errors="replace", check=False, stdin=subprocess.DEVNULL, cwd=folder
-    )
+    done = process.run(command, folder)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
         words = ("error:", "undefined reference", "overflowed")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 import shutil
-import subprocess
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from mahovik.errors import ToolchainError
+from mahovik.toolchain import process
 from mahovik.toolchain.board import build, run
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.toolchain.workload import Line, read
@@ -30,7 +30,7 @@ def instructions_of_host(target: Target, files: Mapping[str, str], workload: str
     counts = folder / "callgrind.out"
     options = ["--tool=callgrind", "--dump-line=yes", "--compress-pos=no", f"--callgrind-out-file={counts}"]
     command = ["valgrind", *options, str(program)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
+    done = process.run(command)
     if done.returncode != 0:
         raise ToolchainError(f"valgrind: {done.stderr.strip().splitlines()[-1]}")
     by_line: dict[int, tuple[int, int]] = {}

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import shlex
 import shutil
-import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
 from mahovik.errors import ToolchainError
+from mahovik.toolchain.process import run
 
 WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 """Every compile of emitted C uses these: a warning is an error."""
@@ -45,9 +45,7 @@ def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = 
     """Runs the compiler and returns what it printed. Raises ToolchainError with its first complaint."""
     command = [*(compiler or find_compiler()), *arguments]
     try:
-        done = subprocess.run(
-            command, capture_output=True, text=True, errors="replace", check=False, stdin=subprocess.DEVNULL
-        )
+        done = run(command)
     except OSError as error:
         raise ToolchainError(f"{command[0]} cannot be run: {error.strerror}") from error
     if done.returncode != 0:

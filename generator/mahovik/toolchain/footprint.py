@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-import subprocess
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 from mahovik.errors import ToolchainError
+from mahovik.toolchain import process
 
 STACK_FLAGS = ("-fstack-usage", "-fcallgraph-info=su")
 """What gcc needs to write NAME.ci beside the object: the call graph, with the frame of each function."""
@@ -126,7 +126,7 @@ def _plain(title: str) -> str:
 
 def _output(*command: str, folder: Path) -> str:
     try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
+        done = process.run(command, folder)
     except OSError as error:
         raise ToolchainError(f"{command[0]} cannot be run: {error.strerror}; `make targets` installs it") from error
     if done.returncode != 0:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mahovik.errors import CheckError, ToolchainError
+from mahovik.toolchain import process
 from mahovik.toolchain.compiler import BITS
 
 SANITIZERS = (
@@ -84,6 +85,6 @@ def _finding(text: str) -> str:
 
 def _run(command: Sequence[str], folder: Path) -> subprocess.CompletedProcess[str]:
     try:
-        return subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", check=False)
+        return process.run(command, folder)
     except OSError as error:
         raise ToolchainError(f"{command[0]}: cannot be run: {error.strerror or error}") from error

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import re
 import shutil
-import subprocess
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from mahovik.errors import ToolchainError
+from mahovik.toolchain import process
 
 WARNINGS = (
     "-std=c99",
@@ -97,7 +97,7 @@ def require(tool: str) -> None:
 def version(tool: str) -> str:
     """`cppcheck 2.10`: name and number of a tool."""
     require(tool)
-    done = subprocess.run([tool, "--version"], capture_output=True, text=True, check=False)
+    done = process.run([tool, "--version"])
     found = re.search(r"\d+(\.\d+)+", done.stdout)
     return f"{tool} {found[0] if found else 'of unknown version'}"
 
@@ -109,7 +109,7 @@ def warned(folder: Path, files: Sequence[str]) -> list[str]:
     for command in [*commands, ANALYSER]:
         require(command[0])
         for file in files:
-            done = subprocess.run([*command, file], cwd=folder, capture_output=True, text=True, check=False)
+            done = process.run([*command, file], folder)
             said = [line for line in done.stderr.splitlines() if "warning:" in line or "error:" in line]
             if done.returncode != 0 and not said:
                 said = [f"{file}: status {done.returncode}"]
@@ -120,7 +120,7 @@ def warned(folder: Path, files: Sequence[str]) -> list[str]:
 def findings(folder: Path, files: Sequence[str]) -> list[Finding]:
     """What cppcheck and its addon say. Raises ToolchainError where it cannot run."""
     require("cppcheck")
-    done = subprocess.run([*CPPCHECK, *files], cwd=folder, capture_output=True, text=True, check=False)
+    done = process.run([*CPPCHECK, *files], folder)
     if done.returncode != 0:
         raise ToolchainError(f"cppcheck ended with status {done.returncode}: {(done.stdout + done.stderr).strip()}")
     return [_finding(line) for line in done.stderr.splitlines() if line.strip()]

@@ -10,8 +10,8 @@ from types import MappingProxyType
 from typing import Any, cast
 
 from mahovik.errors import StateError
+from mahovik.nearest import meant
 from mahovik.stand.model import Stand, Vec3, Vec6
-from mahovik.stand.names import nearest
 from mahovik.stand.state import Quaternion, State
 from mahovik.verify.backends import WANTS
 
@@ -45,7 +45,8 @@ def read_object(line: str) -> dict[str, Any]:
     try:
         found = json.loads(line, object_pairs_hook=_without_duplicates, parse_int=_integer)
     except json.JSONDecodeError as error:
-        raise StateError(f"not JSON: {error.msg} at column {error.colno}") from None
+        where = f"line {error.lineno}, column {error.colno}" if "\n" in line.strip() else f"column {error.colno}"
+        raise StateError(f"not JSON: {error.msg} at {where}") from None
     except RecursionError:
         raise StateError("not readable: nested too deeply") from None
     if not isinstance(found, dict):
@@ -68,7 +69,7 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     refuse_duplicates(found)
     for key, value in found.items():
         if key not in KEYS:
-            raise StateError(f'unknown key "{key}", did you mean "{nearest(key, list(KEYS))}"?')
+            raise StateError(f'unknown key "{key}"{meant(key, KEYS)}')
         duplicated = _duplicate_in(value)
         if duplicated is not None:
             raise StateError(f'{key}: key "{duplicated}" is there twice')
@@ -157,7 +158,7 @@ def _want(found: dict[str, Any]) -> tuple[str, ...]:
         if not isinstance(name, str):
             raise StateError(f"want: expected names, found {shown(name)}")
         if name not in WANTS:
-            raise StateError(f'want: unknown "{name}", did you mean "{nearest(name, list(WANTS))}"?')
+            raise StateError(f'want: unknown "{name}"{meant(name, WANTS)}')
     for first, second, value in ONE_NAME_TWO_VALUES:
         if first in given and second in given:
             raise StateError(f'want: "{first}" and "{second}" both give {value}, ask for them in two states')
@@ -214,7 +215,7 @@ def _wrench(stand: Stand, found: dict[str, Any]) -> MappingProxyType[str, Vec6]:
     bodies = [body.name for body in stand.bodies]
     for name in given:
         if name not in bodies:
-            raise StateError(f'wrench: unknown body "{name}", did you mean "{nearest(name, bodies)}"?')
+            raise StateError(f'wrench: unknown body "{name}"{meant(name, bodies)}')
     return MappingProxyType(
         {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, 1e9)) for name, value in given.items()}
     )

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -13,11 +11,12 @@ from pathlib import Path
 from mahovik.emit.delivery import firmware
 from mahovik.emit.generate import generate_all
 from mahovik.errors import ToolchainError, UsageError
+from mahovik.nearest import meant
 from mahovik.program.function import Program
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.toolchain.board import build, build_version, run, selftest_flags, selftest_main
+from mahovik.toolchain.process import side_by_side
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.verify.difference import first_difference
 
@@ -103,7 +102,7 @@ def asked(names: str, reals: Sequence[str] | None = None) -> list[tuple[Target, 
     for word in words:
         if word not in TARGETS:
             known = [*TARGETS, "all", "quick"]
-            raise UsageError(f'--targets: unknown "{word}", did you mean "{nearest(word, known)}"? {", ".join(known)}')
+            raise UsageError(f'--targets: unknown "{word}"{meant(word, known)}')
     return [(TARGETS[word], real) for word in dict.fromkeys(words) for real in reals or REALS]
 
 
@@ -124,7 +123,7 @@ def verify_targets(
     programs = {real: generate_all(stand, real, lanes).program for real in sources}
     expected = {real: _printed(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
-    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+    with side_by_side() as pool:
         tasks = [pool.submit(_row, t, real, programs[real], sources[real], expected[real], sweep) for t, real in pairs]
         for done, task in enumerate(tasks):
             rows.append(task.result())

@@ -3,7 +3,7 @@
 from mahovik.motion.programme.course import Angles, Fourier, Samples
 from mahovik.motion.programme.model import Programme, RunUpTable
 from mahovik.motion.programme.read import load_programme, read_programme
-from mahovik.motion.programme.write import check_writable, programme_text, save_programme
+from mahovik.motion.programme.write import programme_text, save_programme
 
 __all__ = [
     "Angles",
@@ -11,7 +11,6 @@ __all__ = [
     "Programme",
     "RunUpTable",
     "Samples",
-    "check_writable",
     "load_programme",
     "programme_text",
     "read_programme",

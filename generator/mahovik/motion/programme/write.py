@@ -15,20 +15,6 @@ from mahovik.motion.programme.course import Fourier, Samples
 from mahovik.motion.programme.model import Programme, RunUpTable
 
 
-def check_writable(path: str | Path) -> None:
-    """Find out before long work whether a file can be written there; leaves nothing behind. Raises UsageError."""
-    path = Path(path)
-    if path.is_dir():
-        raise UsageError(f"{path}: is a folder; expected the name of a file")
-    if not path.absolute().parent.is_dir():
-        raise UsageError(f"{path}: there is no folder {path.absolute().parent.name!r} to write to")
-    try:
-        with tempfile.TemporaryFile(prefix=f".{path.name}.", dir=path.parent):
-            pass
-    except OSError as error:
-        raise UsageError(f"{path}: cannot be written: {error.strerror or error}") from None
-
-
 def save_programme(programme: Programme, path: str | Path) -> None:
     """Write a programme whole or not at all: beside its place, then moved there. Raises UsageError."""
     path = Path(path)

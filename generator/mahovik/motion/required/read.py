@@ -13,9 +13,9 @@ from mahovik.motion.document import Section
 from mahovik.motion.required import limits, reach, samples
 from mahovik.motion.required.course import Array, Harmonics, Sampled
 from mahovik.motion.required.model import RequiredMotion, Winding
+from mahovik.nearest import meant
 from mahovik.stand.content import TABLE
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import ANGLE, LENGTH, TIME, Dimension, QuantityError, factor, number, show
 
@@ -221,7 +221,7 @@ def _winding(top: Section, N: int, periodic: bool) -> Winding | None:
     if isinstance(raw, str):
         if raw in WINDINGS:
             return cast("Winding", raw)
-        top.refuse("winding", f'unknown {show(raw)}, did you mean "{nearest(raw, list(WINDINGS))}"?')
+        top.refuse("winding", f"unknown {show(raw)}{meant(raw, WINDINGS)}")
         return None
     if not isinstance(raw, list) or len(raw) != N:
         found = f"{len(raw)} numbers" if isinstance(raw, list) else show(raw)

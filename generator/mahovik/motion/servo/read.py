@@ -12,9 +12,9 @@ from mahovik.motion.document import Section, text_of
 from mahovik.motion.entry import FREQUENCY
 from mahovik.motion.ranges import MAX_WRENCH
 from mahovik.motion.servo.model import COORDINATES, Servo, Trim
+from mahovik.nearest import meant
 from mahovik.stand.content import TEXT
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.stand.problems import Problems
 from mahovik.stand.toml import parse
 from mahovik.stand.units import ANGLE, PLAIN, SPEED, TIME, TORQUE, Dimension, QuantityError, number, show
@@ -166,7 +166,7 @@ def _each(top: Section, key: str, dimension: Dimension, default: tuple[float, ..
 def _encoder(top: Section, stand: Stand) -> Literal["ideal", "stand"]:
     found = top.text("encoder", "ideal")
     if found not in ENCODERS:
-        top.refuse("encoder", f'unknown {show(found)}, did you mean "{nearest(found, list(ENCODERS))}"?')
+        top.refuse("encoder", f"unknown {show(found)}{meant(found, ENCODERS)}")
     without = [s.name for s in stand.flywheels if s.encoder is None]
     if found == "stand" and without:
         top.refuse("encoder", f'"stand", but the stand file has none for {", ".join(without)}')
@@ -214,8 +214,7 @@ def _coordinates(section: Section) -> tuple[int, ...]:
     found = set()
     for each in raw:
         if each not in COORDINATES:
-            hint = f', did you mean "{nearest(each, list(COORDINATES))}"?' if isinstance(each, str) else ""
-            section.refuse("coordinates", f"unknown {show(each)}{hint}")
+            section.refuse("coordinates", f"unknown {show(each)}{meant(each, COORDINATES)}")
         elif COORDINATES.index(each) in found:
             section.refuse("coordinates", f"{show(each)} is there twice")
         else:

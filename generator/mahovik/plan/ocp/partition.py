@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
+from mahovik.nearest import meant
 from mahovik.plan.array import Array
 from mahovik.plan.residual import Mechanics
 from mahovik.plan.residual.flywheels import waves
@@ -32,7 +33,7 @@ def partition_of(names: Sequence[str], stand: Stand) -> Plus:
     shown = f"--partition {','.join(given)}"
     for name in given:
         if name not in known:
-            raise UsageError(f"{shown}: the stand has no flywheel {name!r}; it has {', '.join(known)}")
+            raise UsageError(f"{shown}: the stand has no flywheel {name!r}{meant(name, known)}")
     if len(given) != 6:
         raise UsageError(f"{shown}: {len(given)} names; expected the six flywheels that follow from the others, (13)")
     if len(set(given)) != 6:

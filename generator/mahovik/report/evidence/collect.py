@@ -13,12 +13,12 @@ from pathlib import Path
 from mahovik import __version__
 from mahovik.emit.delivery import delivery
 from mahovik.errors import MahovikError, UsageError
+from mahovik.nearest import meant
 from mahovik.report.evidence.folder import FORMAT, INDEX, RECORD, publish, require_place, seal
 from mahovik.report.evidence.page import html
 from mahovik.report.evidence.piece import Need, Outcome, Piece, Subject, Tell, Verdict
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.verify.delivery import deliver
 from mahovik.verify.files import write
 
@@ -44,8 +44,7 @@ def chosen(pieces: Sequence[Piece], only: str | None, without: str | None) -> fr
         found = [] if text is None else [word.strip() for word in text.split(",")]
         for word in found:
             if word not in known:
-                near = nearest(word, known)
-                raise UsageError(f'{option}: unknown "{word}", did you mean "{near}"? {", ".join(known)}')
+                raise UsageError(f'{option}: unknown "{word}"{meant(word, known)}')
         return found
 
     wanted = names("--only", only) or known

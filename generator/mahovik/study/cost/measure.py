@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from mahovik.emit.generate import Generated, generate_all
 from mahovik.emit.manifest import digest
 from mahovik.errors import UsageError
+from mahovik.nearest import meant
 from mahovik.program.types import Kind, NamedCount, Struct
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.study.cost.states import STATES, measuring_states
 from mahovik.toolchain.board import build, require, run, version
 from mahovik.toolchain.callgrind import NATIVE, instructions_of_host
 from mahovik.toolchain.compiler import BITS
 from mahovik.toolchain.footprint import STACK_FLAGS, Footprint, footprint
+from mahovik.toolchain.process import side_by_side
 from mahovik.toolchain.targets import TARGETS, Target
 from mahovik.toolchain.workload import Line, read, workload
 
@@ -88,7 +87,7 @@ def asked(names: str | None, real: str | None) -> list[tuple[Target, str]]:
     for word in dict.fromkeys(word.strip() for word in names.split(",")):
         target = TARGETS.get(word)
         if target is None:
-            raise UsageError(f'--targets: unknown "{word}", did you mean "{nearest(word, list(TARGETS))}"?')
+            raise UsageError(f'--targets: unknown "{word}"{meant(word, TARGETS)}')
         if target.linker or target.compiler[0] == "clang":
             raise UsageError(f"--targets: {word} compiles by clang; frames of the stack are known of gcc only")
         reals = (real,) if real else (target.real,) if target.real else ("double", "float")
@@ -111,7 +110,7 @@ def measure(
     made = {real: generate_all(stand, real, lanes) for real in dict.fromkeys(real for _, real in pairs)}
     names = identities(stand)
     found = []
-    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+    with side_by_side() as pool:
         tasks = [pool.submit(_one, stand, made[real], target, real) for target, real in pairs]
         for done, task in enumerate(tasks):
             found.append(task.result())

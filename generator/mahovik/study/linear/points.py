@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
+from mahovik.nearest import meant
 from mahovik.plan.residual.spatial import skew
 from mahovik.reference.points import point_transfers
 from mahovik.stand.model import Stand
@@ -35,7 +36,7 @@ def places(stand: Stand, names: Sequence[str] | None = None) -> tuple[Place, ...
     known[stand.carrier.name] = Place(stand.carrier.name, np.zeros(3), np.eye(3))
     for i, name in enumerate(names):
         if name not in known:
-            raise UsageError(f'unknown point "{name}", expected one of {", ".join(known)}')
+            raise UsageError(f'unknown point "{name}"{meant(name, known)}')
         if name in names[:i]:
             raise UsageError(f'point "{name}": given twice')
     return tuple(known[name] for name in names)

@@ -23,6 +23,7 @@ from mahovik.study.quiet.spectrum import band_rms, line_amplitude
 from mahovik.study.quiet.wheels import Wheels
 from mahovik.study.quiet.wish import MEASURES, Wish, check
 from mahovik.study.rest import rest
+from mahovik.toolchain.compiler import find_compiler
 
 Array = NDArray[np.float64]
 
@@ -115,9 +116,12 @@ def quiet(
 ) -> Quieted:
     """Finds speeds and phases. `backend`: of the check, c or scipy; None: no simulation.
 
-    Raises UsageError for bad input; CheckError where nothing is allowed, or where there is no pose to be in.
+    Raises UsageError for bad input; ToolchainError without a compiler for c, before anything is searched; CheckError
+    where nothing is allowed, or where there is no pose to be in.
     """
     check(stand, wish)
+    if backend == "c":
+        find_compiler()  # before the search, not after it
     wheels = Wheels.of(stand, wish)
     tell = progress or (lambda _: None)
     pose = rest(stand).state
@@ -127,7 +131,7 @@ def quiet(
     if wish.modes:
         around = tuple((f * (1.0 - wish.margin), f * (1.0 + wish.margin)) for f in natural)
         wish = replace(wish, avoid=(*wish.avoid, *around))
-    outcome = Search(wheels, amplitudes, wish, seconds).run()
+    outcome = Search(wheels, amplitudes, wish, seconds, tell).run()
     speeds = outcome.best.speeds
     rng = np.random.default_rng([wish.seed, 1])
     phases, _ = best_phases(speeds, amplitudes.at(speeds), wish.guarded, rng)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -46,9 +47,16 @@ class Outcome:
 
 
 class Search:
-    """One search. `seconds`: of the clock, None without end."""
+    """One search. `seconds`: of the clock, None without end; `tell` gets a line about it now and then."""
 
-    def __init__(self, wheels: Wheels, amplitudes: Amplitudes, wish: Wish, seconds: float | None = None) -> None:
+    def __init__(
+        self,
+        wheels: Wheels,
+        amplitudes: Amplitudes,
+        wish: Wish,
+        seconds: float | None = None,
+        tell: Callable[[str], None] | None = None,
+    ) -> None:
         self.wheels, self.amplitudes, self.wish = wheels, amplitudes, wish
         self.rng = np.random.default_rng(wish.seed)
         self.planes = Planes(wheels, wish)
@@ -56,6 +64,8 @@ class Search:
         self.end = None if seconds is None else time.monotonic() + seconds
         self.found: list[Found] = []
         self.looked_at = 0
+        self._tell = tell or (lambda _: None)
+        self._least = np.inf
 
     def run(self) -> Outcome:
         """The search. Raises CheckError where no speeds are allowed; Ctrl-C before anything is found goes on."""
@@ -76,6 +86,9 @@ class Search:
         """What these speeds give."""
         self.looked_at += 1
         _, least = best_phases(speeds, self.amplitudes.at(speeds), self.wish.guarded, self.rng, starts)
+        self._least = min(self._least, least)
+        lower = float(np.sqrt(self.before / self._least)) if self._least > 0.0 else np.inf
+        self._tell(f"searching: {self.looked_at} speeds tried, best {lower:.3g} times lower")
         return Found(speeds, least, float(np.abs(speeds - self.wheels.start).max()))
 
     def _late(self) -> bool:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from mahovik.errors import UsageError
+from mahovik.nearest import meant
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 
 
 class Measure(NamedTuple):
@@ -78,12 +78,12 @@ class Wish:
             raise UsageError(f"--measure {self.measure}: expected one of {', '.join(MEASURES)}")
         if low == 0.0 and MEASURES[self.measure].integrals:
             raise UsageError(f"--band from 0 Hz: a drift has no {self.measure} in a band; begin above 0")
-        for name, value in (("limit", self.limit), ("change", self.change), ("reduction", self.reduction)):
+        for name, value in (("limit", self.limit), ("change", self.change)):
             if value is not None and not (math.isfinite(value) and value > 0.0):
-                raise UsageError(f"--{name} {value:g}: expected a number above 0")
+                raise UsageError(f"--{name}: {value:.6g} rad/s, expected a speed above 0")
         if not (math.isfinite(self.least) and self.least >= 0.0):
-            raise UsageError(f"--least {self.least:g}: expected a speed of at least 0")
-        if self.reduction is not None and self.reduction <= 1.0:
+            raise UsageError(f"--least: {self.least:.6g} rad/s, expected a speed of at least 0")
+        if self.reduction is not None and not 1.0 < self.reduction < math.inf:
             raise UsageError(f"--reduction {self.reduction:g}: expected how many times lower, above 1")
         for one, other in self.avoid:
             if not (math.isfinite(one) and math.isfinite(other) and 0.0 <= one < other):
@@ -105,8 +105,8 @@ def check(stand: Stand, wish: Wish) -> None:
     """Whether the wish fits the stand. Raises UsageError."""
     names = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
     if wish.point not in names:
-        hint = f'did you mean "{nearest(wish.point, names)}"?' if names else "the stand has none: add a [[point]]"
-        raise UsageError(f"--point {wish.point}: no point or instrument of that name, {hint}")
+        hint = meant(wish.point, names, "the stand has none: add a [[point]]")
+        raise UsageError(f"--point {wish.point}: no point or instrument of that name{hint}")
     N = len(stand.flywheels)
     if wish.speeds is not None and len(wish.speeds) != N:
         raise UsageError(f"--speeds: {len(wish.speeds)} numbers, but the stand has {N} flywheels")

@@ -11,8 +11,8 @@ import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.motion.ranges import MAX_SPEED
+from mahovik.nearest import meant
 from mahovik.stand.model import Stand
-from mahovik.stand.names import nearest
 from mahovik.stand.units import SPEED, QuantityError, number
 
 ALL = "all"
@@ -68,7 +68,7 @@ def read_speeds(stand: Stand, given: Sequence[str]) -> Asked:
 
 def _known(name: str, names: list[str], each: str) -> None:
     if name != ALL and name not in names:
-        raise UsageError(f'--speed {each}: unknown flywheel "{name}", did you mean "{nearest(name, [*names, ALL])}"?')
+        raise UsageError(f'--speed {each}: unknown flywheel "{name}"{meant(name, [*names, ALL])}')
 
 
 def _asked(names: list[str], texts: dict[str, tuple[str, str]]) -> Asked:
@@ -80,6 +80,8 @@ def _asked(names: list[str], texts: dict[str, tuple[str, str]]) -> Asked:
             if sweep not in (None, found):
                 raise UsageError(f"--speed {each}: one speed can be swept; gear this one to it, as {name}=1.5*{swept}")
             sweep, swept, factor[name] = found, swept or name, 1.0
+        elif text.lower().lstrip("+-") in ("nan", "inf", "infinity"):
+            raise UsageError(f"--speed {each}: expected a finite speed, as {name}=1000 rpm")
         elif gear := _GEAR.fullmatch(text):
             _known(gear[2], names, each)
             geared[name] = (each, _factor(each, gear[1]), gear[2])

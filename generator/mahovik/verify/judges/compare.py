@@ -19,7 +19,7 @@ from mahovik.verify.bounds import DOUBLE
 from mahovik.verify.c_backend import CBackend
 from mahovik.verify.compare import Row, difference
 from mahovik.verify.draw import draw
-from mahovik.verify.harness import report
+from mahovik.verify.harness import Progress, report
 from mahovik.verify.judges.motion import MOTION_TOLERANCE, UNTIL, end_of_motion, moderate
 from mahovik.verify.judges.rigid import MovingJudge, OutsideJudge, Values, missing, stripped
 from mahovik.verify.report import Report
@@ -98,13 +98,14 @@ def verify_judges(
     names: Sequence[str] = ALL,
     bare: bool = False,
     until: float = UNTIL,
+    progress: Progress | None = None,
 ) -> Report:
     """Rows of every judge and quantity: generated C against the judge, relative to the natural scale.
 
     `bare`: of the stand without what no judge has; the report names it. `until`: s, of the free motion.
     """
     if bare:
-        found = verify_judges(stripped(stand), seed=seed, count=count, names=names, until=until)
+        found = verify_judges(stripped(stand), seed=seed, count=count, names=names, until=until, progress=progress)
         return replace(found, left_out=tuple(missing(stand)))
     judges = load_judges(stand, [name for name in names if name in JUDGES])
     absent = []
@@ -115,7 +116,7 @@ def verify_judges(
             except UsageError as error:
                 reason = str(error).removeprefix("--judges: ")
                 absent.append(Row(name, "all quantities", verdict="not compared", reason=reason))
-    found = verify_by(stand, judges, seed=seed, count=count, until=until)
+    found = verify_by(stand, judges, seed=seed, count=count, until=until, progress=progress)
     return replace(found, rows=(*found.rows, *absent))
 
 
@@ -128,6 +129,7 @@ def verify_by(
     until: float = UNTIL,
     backend: Backend | None = None,
     judged: str = "generated C",
+    progress: Progress | None = None,
 ) -> Report:
     """The same by judges that have the stand already.
 
@@ -135,7 +137,8 @@ def verify_by(
     """
     backend = backend or CBackend(stand)
     rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
-    for name, drawn in draw(stand, seed, count):
+    states = draw(stand, seed, count)
+    for done, (name, drawn) in enumerate(states):
         state = near(drawn)
         own, natural = ours(backend, state), natural_scales(stand, state)
         request = Request(name, state, ("matrices", "forward", "torque", "mounts", "points"))
@@ -145,6 +148,8 @@ def verify_by(
                     continue  # no flywheels, no points: nothing to agree on
                 off, reason = difference(own[key], value, natural[key])
                 rows[judge.name, key].note(off, request, reason)
+        if progress is not None:
+            progress(done + 1, len(states))
     moved = [_motion_row(stand, backend, judge, seed, until) for judge in judges if until > 0.0]
     noted = [row for row in (*rows.values(), *moved) if row.states]
     for row in noted:

@@ -1,0 +1,85 @@
+"""Programs that are run and waited for: compilers, emulators. Ctrl-C ends them with all that they have started.
+
+Each has a session of its own, so that it hears of Ctrl-C from here alone, wherever the signal came from: a compiler
+takes its temporary files away, and no part of it goes on.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import subprocess
+import threading
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from mahovik.errors import ToolchainError
+
+PATIENCE = 5.0
+"""s in which a program that was told to end must do so."""
+
+_running: set[subprocess.Popen[bytes]] = set()
+_stopping = threading.Event()
+
+
+def run(
+    command: Sequence[str], cwd: Path | None = None, timeout: float | None = None
+) -> subprocess.CompletedProcess[str]:
+    """What a program printed, and its status; nothing is on its standard input.
+
+    OSError, where it cannot be started, subprocess.TimeoutExpired and KeyboardInterrupt go on: it has ended then.
+    """
+    if _stopping.is_set():
+        raise ToolchainError(f"{command[0]}: not started, interrupted")
+    with subprocess.Popen(
+        command,
+        cwd=cwd,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    ) as process:
+        _running.add(process)
+        try:
+            output, complaint = process.communicate(timeout=timeout)
+        except BaseException:
+            _end(process)
+            raise
+        finally:
+            _running.discard(process)
+    said = (text.decode("utf-8", "replace") for text in (output, complaint))
+    return subprocess.CompletedProcess(command, process.returncode, *said)
+
+
+@contextlib.contextmanager
+def side_by_side() -> Iterator[ThreadPoolExecutor]:
+    """Threads for tasks that run programs, one a processor.
+
+    Where the body ends in an exception, Ctrl-C too, what waits is not begun, and programs that run are ended.
+    """
+    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+        try:
+            yield pool
+        except BaseException:
+            _stopping.set()
+            pool.shutdown(wait=False, cancel_futures=True)
+            for process in tuple(_running):
+                _tell(process, signal.SIGTERM)
+            pool.shutdown()
+            raise
+        finally:
+            _stopping.clear()
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    _tell(process, signal.SIGTERM)
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(PATIENCE)
+    _tell(process, signal.SIGKILL)  # what is left of its session
+
+
+def _tell(process: subprocess.Popen[bytes], what: signal.Signals) -> None:
+    with contextlib.suppress(OSError):
+        os.killpg(process.pid, what)

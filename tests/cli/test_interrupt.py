@@ -1,0 +1,183 @@
+"""Ctrl-C, as a real signal to a process of its own: what is kept, what is said, and that nothing is left behind."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8, DEMO3
+from cli.terminal import RUN
+from mahovik.motion.programme import load_programme
+from mahovik.simulate.output import SUFFIXES
+from mahovik.stands import path
+
+SAT4 = str(path("sat4"))
+MOTION = str(path("bench8").with_name("bench8.motion.json"))
+ENDS = 20.0
+"""s in which a command must end; it takes a fraction of one, and this machine may be busy."""
+
+COMPILER = """#!/bin/sh
+echo $$ > "{folder}/parent"
+sleep 300 &
+echo $! > "{folder}/child"
+trap 'rm -f "{folder}/parent"; exit 1' TERM
+wait
+"""
+"""A compiler that never ends, with a part of its own, as gcc has cc1."""
+
+
+SLOW_MOVES = f"""
+import os, time
+move = os.replace
+def slow(*given):
+    time.sleep(0.3)
+    move(*given)
+os.replace = slow
+{RUN}
+"""
+"""The command line, where a file takes its place slowly."""
+
+
+@dataclass
+class Started:
+    """A command that runs, with a folder for its temporary files."""
+
+    arguments: tuple[str, ...]
+    folder: Path
+    env: dict[str, str] = field(default_factory=dict)
+    code: str = RUN
+
+    def __post_init__(self) -> None:
+        self.scratch = self.folder / "scratch"
+        self.work = self.folder / "work"
+        self.scratch.mkdir()
+        self.work.mkdir()
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", self.code, *self.arguments],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            cwd=self.work,
+            env={**os.environ, "TMPDIR": str(self.scratch), **self.env},
+        )
+
+    def until(self, condition: Callable[[], bool]) -> Started:
+        """Waits for it."""
+        end = time.monotonic() + 60.0
+        while not condition():
+            assert time.monotonic() < end
+            assert self.process.poll() is None, self.process.communicate()
+            time.sleep(0.02)
+        return self
+
+    def compiled(self) -> Started:
+        """Waits until its C is loaded: the folder of the compiler has come and gone."""
+        self.until(lambda: any(self.scratch.iterdir()))
+        return self.until(lambda: not any(self.scratch.iterdir()))
+
+    def interrupt(self) -> tuple[str, str]:
+        """Ctrl-C, to this process alone: what it says. Asserts what holds for all commands."""
+        self.process.send_signal(signal.SIGINT)
+        output, complaint = self.process.communicate(timeout=ENDS)
+        assert "Traceback" not in complaint
+        assert list(self.scratch.iterdir()) == []
+        assert not list(self.work.rglob(".*"))
+        return output, complaint
+
+
+def gone(pid: int) -> bool:
+    """Whether no such process runs; one that has ended and that nobody has asked for is gone."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
+    except OSError:
+        return True
+
+
+def test_while_it_compiles(tmp_path: Path) -> None:
+    """No part of the compiler goes on, and it was told in time to take its files away."""
+    compiler = tmp_path / "compiler"
+    compiler.write_text(COMPILER.format(folder=tmp_path))
+    compiler.chmod(0o755)
+    started = Started(("simulate", DEMO3, "--until", "1", "-o", "run.csv"), tmp_path, {"CC": str(compiler)})
+    child = tmp_path / "child"
+    started.until(lambda: child.exists() and child.read_text().strip() != "")
+    pids = [int((tmp_path / name).read_text()) for name in ("parent", "child")]
+    _, said = started.interrupt()
+    assert (started.process.returncode, said) == (130, "error: interrupted; no file is half written\n")
+    assert list(started.work.iterdir()) == []
+    assert not (tmp_path / "parent").exists()
+    assert all(map(gone, pids))
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_a_simulation_keeps_what_is_computed(suffix: str, tmp_path: Path) -> None:
+    started = Started(("simulate", DEMO3, "--until", "9000", "-o", f"run{suffix}"), tmp_path).compiled()
+    time.sleep(0.5)
+    said, complaint = started.interrupt()
+    assert started.process.returncode == 130
+    assert "what was computed is kept" in complaint
+    assert f"run{suffix}   " in said
+    assert [each.name for each in started.work.iterdir()] == [f"run{suffix}"]
+    if suffix == ".csv":
+        rows = (started.work / "run.csv").read_text().splitlines()
+        assert len(rows) > 2
+        assert len({row.count(",") for row in rows}) == 1  # none is cut
+
+
+@pytest.mark.slow
+def test_a_sweep_keeps_the_speeds_that_are_done(tmp_path: Path) -> None:
+    arguments = ("response", SAT4, "--speed", "rw1=0..6000rpm", "--steps", "100000", "--at", "acc1", "-o", "r.csv")
+    started = Started(arguments, tmp_path)
+    time.sleep(4.0)
+    _, said = started.interrupt()
+    assert started.process.returncode == 130
+    if "no file is half written" in said:  # it had not yet one
+        assert list(started.work.iterdir()) == []
+        return
+    assert "of 100000 speeds are done" in said
+    assert (started.work / "r.csv").read_text().endswith("\n")
+
+
+@pytest.mark.slow
+def test_planning_keeps_the_best_so_far(tmp_path: Path) -> None:
+    arguments = ("plan", BENCH8, "--motion", MOTION, "-o", "p.json", "--keep", "50")
+    started = Started(arguments, tmp_path)
+    time.sleep(6.0)
+    _, said = started.interrupt()
+    assert started.process.returncode == 130
+    assert "interrupted: this is the best so far" in said or "interrupted: nothing was found yet" in said
+    written = [each.name for each in started.work.iterdir()]
+    assert bool(written) == ("this is the best so far" in said)
+    for name in written:
+        assert load_programme(started.work / name).report["verified"] is True
+
+
+@pytest.mark.slow
+def test_targets_side_by_side_are_all_ended(tmp_path: Path) -> None:
+    started = Started(("verify", DEMO3, "--targets", "quick", "--states", "1000000"), tmp_path)
+    started.until(lambda: any(started.scratch.iterdir()))
+    time.sleep(3.0)
+    begin = time.monotonic()
+    started.interrupt()
+    assert started.process.returncode == 130
+    assert time.monotonic() - begin < ENDS
+
+
+@pytest.mark.parametrize("moves", [0, 1, 2])
+def test_while_it_writes(moves: int, tmp_path: Path) -> None:
+    """Some files are in place, others not yet: the old ones come back, all of them."""
+    folder = tmp_path / "work"
+    started = Started(("new", "bench8", "-o", str(folder)), tmp_path, code=SLOW_MOVES)
+    started.until(lambda: len(list(folder.glob("bench8*"))) >= moves and any(folder.glob(".*")))
+    _, said = started.interrupt()
+    assert (started.process.returncode, said) == (130, "error: interrupted; no file is half written\n")
+    assert list(folder.iterdir()) == []

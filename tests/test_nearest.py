@@ -1,0 +1,94 @@
+"""What is said of a name that is not known, here and at every door that takes names."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from cli.run import BENCH8, DEMO3, refused
+from mahovik.nearest import LISTED, meant, nearest
+from mahovik.stand.units import LENGTH, QuantityError, number
+from mahovik.stands import path
+
+SAT4 = str(path("sat4"))
+PLAN = ("--motion", "motion.json", "-o", "p.json", "--method", "ocp")
+NAMES = ("mass", "inertia", "position")
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("masss", ', did you mean "mass"?'),
+        ("MASS", ', did you mean "mass"?'),
+        ("qq", ", expected one of mass, inertia, position"),
+        ("", ", expected one of mass, inertia, position"),
+        (3, ", expected one of mass, inertia, position"),
+    ],
+)
+def test_the_end_of_a_message(name: object, words: str) -> None:
+    assert meant(name, NAMES) == words
+
+
+def test_nothing_is_known() -> None:
+    assert meant("w1", (), "the stand has none") == ": the stand has none"
+
+
+def test_a_long_list_is_cut() -> None:
+    assert meant("?", [f"w{k}" for k in range(1000)]).count(",") == 1 + LISTED
+    assert meant("?", [f"w{k}" for k in range(1000)]).endswith(", w23, ...")
+
+
+def test_the_first_of_equals() -> None:
+    assert nearest("w9", ["w1", "w2"]) == "w1"
+
+
+@pytest.mark.parametrize(
+    ("unit", "words"),
+    [("1 mmm", 'did you mean "mm"?'), ("1 mmq", 'did you mean "mm"?'), ("1 kgg", 'did you mean "kg"?'), ("1 q^2", "")],
+)
+def test_a_misspelt_unit(unit: str, words: str) -> None:
+    with pytest.raises(QuantityError) as refusal:
+        number(unit, LENGTH)
+    assert words in str(refusal.value)
+    assert "expected one of" not in str(refusal.value)  # units are without number
+
+
+@pytest.mark.parametrize(
+    ("arguments", "meant_name"),
+    [
+        (("new", "bench9"), "bench8"),
+        (("check", BENCH8, "--spede", "1"), "--speed"),
+        (("linearize", SAT4, "--points", "acc11", "-o", "m.json"), "acc1"),
+        (("response", SAT4, "--speed", "rw1=10", "--at", "acc11"), "acc1"),
+        (("response", SAT4, "--speed", "rw11=10", "--at", "acc1"), "rw1"),
+        (("response", SAT4, "--speed", "rw1=2*rw22", "--at", "acc1"), "rw2"),
+        (("response", SAT4, "--speed", "rw1=10 rpmm", "--at", "acc1"), "rpm"),
+        (("quiet", SAT4, "--point", "acc11", "--band", "1..2Hz", "--momentum", "0 0 1"), "acc1"),
+        (("rest", BENCH8, "--phase", "w11=1"), "w1"),
+        (("verify", BENCH8, "--targets", "m77"), "m7"),
+        (("cost", BENCH8, "--targets", "m77"), "m7"),
+        (("verify", BENCH8, "--with", "cat", "--want", "forwrad"), "forward"),
+        (("evidence", BENCH8, "--only", "slftest"), "selftest"),
+        (("export", "target", "m77", BENCH8), "m7"),
+        (("export", "tagret", "m7", BENCH8), "target"),
+        (("design", DEMO3, "--motion", "m.json", "--free", "postion", "-o", "o.toml"), "position"),
+        (("plan", BENCH8, *PLAN, "--partition", "w11,w2,w3,w4,w5,w6"), "w1"),
+        (("modes", BENCH8, "--at", "state.json"), "phi_dot"),
+        (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--regime", "regime.toml"), "w1"),
+        (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--start", "state.json"), "phi_dot"),
+    ],
+    ids=lambda value: " ".join(value[:1] + value[2:]) if isinstance(value, tuple) else value,
+)  # fmt: skip
+def test_every_door_says_what_was_meant(
+    arguments: tuple[str, ...], meant_name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("state.json").write_text(json.dumps({"phi_dto": [0.0] * 8}))
+    Path("regime.toml").write_text("schema = 1\n[default]\nspeed = 1\n[flywheel.w11]\nspeed = 1\n")
+    Path("motion.json").write_text((Path(BENCH8).parent / "bench8.motion.json").read_text())
+    said = refused(*arguments)
+    assert re.search(f"""[Dd]id you mean ['"]{meant_name}['"]""", said), said
+    assert said.count("\n") == 1
