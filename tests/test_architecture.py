@@ -23,6 +23,7 @@ STAGES = (
     ("export",),
     ("study",),
     ("design",),
+    ("foreign",),
     ("control",),
     ("plan",),
     ("simulate",),
