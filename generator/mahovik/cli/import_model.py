@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,8 @@ from mahovik.cli.group import Commands
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
+    from mahovik.foreign.agreement import Original
+    from mahovik.foreign.merge import Imported
     from mahovik.foreign.model import ForeignModel
 
 _file = click.argument("model_file", metavar="FILE", type=click.Path())
@@ -53,7 +56,13 @@ def urdf(
     from mahovik.foreign.urdf import read_urdf
 
     path = Path(model_file)
-    _write(path, read_urdf(path), output, name, carrier, instruments, gravity)
+
+    def original(found: Imported, model: ForeignModel) -> Original:
+        from mahovik.foreign.agreement import PinocchioOriginal
+
+        return PinocchioOriginal(path, found, model.free is True)
+
+    _write(path, read_urdf(path), original, output, name, carrier, instruments, gravity)
 
 
 @import_model.command()
@@ -71,12 +80,20 @@ def mjcf(model_file: str, output: str | None, name: str | None, carrier: str | N
     from mahovik.foreign.mjcf import read_mjcf
 
     path = Path(model_file)
-    _write(path, read_mjcf(path), output, name, carrier, instruments)
+
+    def original(found: Imported, model: ForeignModel) -> Original:
+        from mahovik.foreign.agreement import MujocoOriginal
+        from mahovik.foreign.mjcf import compiled
+
+        return MujocoOriginal(compiled(path), found, model.free is not False)
+
+    _write(path, read_mjcf(path), original, output, name, carrier, instruments)
 
 
 def _write(
     path: Path,
     model: ForeignModel,
+    original: Callable[[Imported, ForeignModel], Original],
     output: str | None,
     name: str | None,
     carrier: str | None,
@@ -109,10 +126,36 @@ def _write(
         gravity=None if gravity is None else np.array(gravity),
         instruments=instruments,
     )
-    write(target, stand_file(found, path.name, f"mahovik import {click.get_current_context().info_name}"))
+    text = stand_file(found, path.name, f"mahovik import {click.get_current_context().info_name}")
+    said = _compared(found, model, original, path)
+    write(target, text)
     stand = found.stand
     made = [(len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"), (len(stand.points), "point")]
     words = [f"{n} {noun}{'' if n == 1 else 's'}" for n, noun in made if n or noun == "flywheel"]
     click.echo(f"{click.format_filename(target)}   carrier {found.carrier}, {', '.join(words)}")
-    for note in found.notes:
+    for note in (*found.notes, said):
         click.echo(note)
+
+
+def _compared(
+    found: Imported, model: ForeignModel, original: Callable[[Imported, ForeignModel], Original], path: Path
+) -> str:
+    """How well the stand agrees with the original file in the program of its format. Raises CheckError."""
+    from mahovik.errors import CheckError
+    from mahovik.foreign.agreement import agreement, disagreement
+
+    try:
+        theirs = original(found, model)
+    except ImportError as error:
+        return f"not compared with the original: {error.name or error} is not installed: pip install pin"
+    except ValueError as error:
+        return f"not compared with the original: {' '.join(str(error).split())}"
+    errors = agreement(found, theirs)
+    wrong = disagreement(errors)
+    if wrong:
+        raise CheckError(
+            f"{path.name}: the stand differs from the original in {theirs.name}, {wrong}: nothing was written"
+        )
+    worst = max(errors, key=lambda name: errors[name], default="")
+    most = f", largest relative difference {errors[worst]:.1g} ({worst})" if worst else ""
+    return f"agrees with the original in {theirs.name} at 20 random states{most}"

@@ -11,7 +11,7 @@ from mahovik.emit.layout import hanging, wrapped
 from mahovik.emit.names import Names
 from mahovik.emit.status import statuses
 from mahovik.emit.templates import template
-from mahovik.program.function import Argument, Function
+from mahovik.program.function import STATUS_VALUES, Argument, Function
 from mahovik.program.types import Kind, NamedCount, Struct
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
@@ -52,6 +52,8 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
         flywheels=bool(generated.layout.flywheels),
         ints=any(a.shape and _kind(a, names) == "int" for f in program.functions if f.public for a in f.arguments),
         statuses=[(c.removeprefix(names.constant("")), *more) for c, *more in statuses(names, generated.layout)],
+        refusals=[name for name, value in STATUS_VALUES.items() if value < 0],
+        bits=[name for name, value in STATUS_VALUES.items() if value > 0],
         counts=[(_count(c), names.constant(c.name), c.comment) for c in program.counts],
         structs=[
             (_struct(s), names.type(s), s.purpose)

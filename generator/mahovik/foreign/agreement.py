@@ -6,6 +6,7 @@ Both are judged in the terms of model.md; the originals know nothing of the stan
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -15,19 +16,39 @@ from scipy.spatial.transform import Rotation
 from mahovik.foreign.merge import Imported
 from mahovik.foreign.model import Array, Place
 from mahovik.reference import evaluate
-from mahovik.stand.model import Stand
+from mahovik.stand.model import Stand, Vec6
 from mahovik.stand.random_state import random_state
 from mahovik.stand.state import State
+
+_ZERO6: Vec6 = (0.0,) * 6
 
 QUANTITIES = ("K", "I", "bias", "V_dot", "phi_ddot", "tau")
 """Mass matrix (6x6) and coupling (6xN) of the carrier, its bias (6), accelerations for given tau, tau for a motion."""
 
 
 class Original(Protocol):
-    """The original file in a program that reads it."""
+    """The original file in a program that reads it: its name; `held`: attitude (3x3) of a carrier that cannot move."""
+
+    name: str
+    held: Array | None
 
     def evaluate(self, C: Array, state: State) -> Mapping[str, Array]:
         """QUANTITIES at a state whose carrier has the attitude C (3x3); those that it has."""
+
+
+LIMIT = 1e-9
+"""Of the relative difference of the equations (K, I, bias, tau): more is another model, not rounding."""
+
+
+def disagreement(errors: Mapping[str, float]) -> str:
+    """What of the equations differs by more than LIMIT, in words; "" where nothing does.
+
+    Accelerations may differ by what the condition of the mass matrix makes of rounding, and do not decide.
+    """
+    wrong = [
+        f"{name} by {errors[name]:.2g}" for name in ("K", "I", "bias", "tau") if not errors.get(name, 0.0) <= LIMIT
+    ]
+    return ", ".join(wrong)
 
 
 def agreement(found: Imported, original: Original, count: int = 20, seed: int = 1) -> dict[str, float]:
@@ -36,6 +57,9 @@ def agreement(found: Imported, original: Original, count: int = 20, seed: int = 
     worst: dict[str, float] = {}
     for _ in range(count):
         state = random_state(found.stand, rng)
+        if original.held is not None:
+            w, x, y, z = Rotation.from_matrix(original.held).as_quat(scalar_first=True).tolist()
+            state = replace(state, angles=None, quaternion=(w, x, y, z), V=_ZERO6, V_dot=_ZERO6)
         ours = _ours(found.stand, state)
         theirs = original.evaluate(_attitude(state), state)
         for name, value in theirs.items():
@@ -70,9 +94,13 @@ def twist_map(place: Place) -> Array:
 class PinocchioOriginal:
     """A URDF in Pinocchio, its root free, or what floats on it. ImportError where Pinocchio is not installed."""
 
+    held: Array | None
+
     def __init__(self, path: Path, found: Imported, floats: bool) -> None:
         import pinocchio as pin
 
+        self.name = f"Pinocchio {pin.__version__}"
+        self.held = None
         self._pin = pin
         self._model = (
             pin.buildModelFromUrdf(str(path))
@@ -127,13 +155,15 @@ class MujocoOriginal:
     """An MJCF file in MuJoCo, without contacts, friction, limits and laws of control.
 
     Of a base that is fixed there it has tau alone, of flywheels that turn on a carrier at rest.
-
     `model`: what MuJoCo's compiler made of the file.
     """
+
+    held: Array | None
 
     def __init__(self, model: Any, found: Imported, free: bool) -> None:
         import mujoco
 
+        self.name = f"MuJoCo {mujoco.__version__}"
         self._mj = mujoco
         self._model = model
         off = mujoco.mjtDisableBit
@@ -146,6 +176,11 @@ class MujocoOriginal:
         self._v = np.array([*range(6 * free), *model.jnt_dofadr[list(found.numbers)]], dtype=int)
         self._T = twist_map(found.place)
         self._turned = found.place.axes.T
+        self.held = None
+        if not free:
+            mujoco.mj_kinematics(model, self._data)
+            root = model.body_rootid[model.jnt_bodyid[found.numbers[0]]] if found.numbers else 1
+            self.held = self._data.xmat[root].reshape(3, 3) @ found.place.axes
 
     def evaluate(self, C: Array, state: State) -> Mapping[str, Array]:
         """See Original. A free joint has v in E0 and its derivative: v' = C (v* + omega x v)."""

@@ -14,7 +14,7 @@ from mahovik.foreign.naming import Names
 from mahovik.foreign.rotation import about, across, angles_of, spin_axes
 from mahovik.stand.model import Body, Carrier, Flywheel, Instrument, Mat3, Motor, MountingAxes, Point, Stand, Vec3
 from mahovik.stand.names import nearest
-from mahovik.stand.physical import check_body
+from mahovik.stand.physical import LARGEST, check_body
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import show
 
@@ -113,11 +113,8 @@ class _Merger:
         groups = self._groups()
         on_carrier = groups[first.name]
         base = self._base(chosen, on_carrier)
-        if self._model.free is False and chosen is None:
-            self._problems.add(
-                f"{self._called(first.name)}: is fixed on the world, a carrier moves: "
-                f"give --carrier {first.name} to have it free"
-            )
+        if self._model.free is False:
+            self._fixed_on_the_world(chosen, on_carrier)
         turning = [link for link in self._model.links if link.spin is not None]
         turning.sort(key=lambda link: cast(Spin, link.spin).number)
         for link in turning:
@@ -128,6 +125,11 @@ class _Merger:
         carrier = self._carrier(on_carrier, base, carrier_name)
         own = [self._instrument(*each, base) for each in self._apart(on_carrier, carrier_name)]
         wheels = [self._flywheel(link, groups, on_carrier, base) for link in turning]
+        motors = [show(s.name) for s in wheels if s.motor is not None]
+        if motors:
+            self._notes.append(
+                f"friction and limits of {', '.join(motors)} act in `mahovik simulate`, not in the equations"
+            )
         points = self._points(on_carrier, base, carrier_name)
         if not wheels:
             self._notes.append("nothing turns without end: the stand has no flywheels")
@@ -158,6 +160,11 @@ class _Merger:
     def _check_masses(self) -> None:
         """Each body by itself: in a sum one that cannot be would hide."""
         for link in self._model.links:
+            far = float(
+                max(np.abs(link.place.origin).max(), 0.0 if link.spin is None else np.abs(link.spin.anchor).max())
+            )
+            if not far <= LARGEST:
+                self._problems.add(self._called(link.name), f"is {far:g} m away, expected at most {LARGEST:g}")
             if link.mass is not None and link.mass.mass >= 0:
                 body = Body(
                     link.name,
@@ -170,6 +177,17 @@ class _Merger:
                     False,
                 )
                 check_body(body, self._called(link.name), self._problems)
+
+    def _fixed_on_the_world(self, chosen: str | None, on_carrier: _Group) -> None:
+        """A carrier moves; whether this one is to, its user says."""
+        if chosen is not None:
+            self._notes.append(f"{self._called(chosen)}: is fixed on the world there, and free here: see [suspension]")
+            return
+        with_mass = [name for name, (link, _) in on_carrier.members.items() if link.mass is not None]
+        base = [*with_mass, self._model.links[0].name][0]
+        self._problems.add(
+            self._called(base), f"is fixed on the world, a carrier moves: give --carrier {base} to have it free"
+        )
 
     def _groups(self) -> dict[str, _Group]:
         """By the first link of each: it, and what is fixed on it."""
@@ -256,9 +274,9 @@ class _Merger:
         motor = None
         if spin.viscous or spin.coulomb or spin.torque is not None:
             motor = Motor(spin.torque, None, None, None, None, spin.viscous, spin.coulomb, 0.1)
-            self._tell_motor(name, spin)
         lines = [f"{self._called(link.name).capitalize()} on joint {show(spin.joint)}, whose coordinate is the phase."]
         lines.append(self._sources([n for n, (member, _) in group.members.items() if member.mass is not None]))
+        lines += _motor_sources(spin)
         self._comments[name] = lines
         return Flywheel(
             name=name,
@@ -269,12 +287,6 @@ class _Merger:
             motor=motor,
             encoder=None,
         )
-
-    def _tell_motor(self, name: str, spin: Spin) -> None:
-        given = [("damping", "viscous", spin.viscous), ("friction", "coulomb", spin.coulomb)]
-        given.append(("largest torque", "torque", spin.torque or 0.0))
-        words = ", ".join(f"{theirs} {value:g} is motor.{ours}" for theirs, ours, value in given if value)
-        self._notes.append(f"flywheel {show(name)}: {words}: acts in `mahovik simulate`, not in the equations")
 
     def _points(self, on_carrier: _Group, base: Place, carrier: str) -> list[Point]:
         """Frames and links without mass on the carrier."""
@@ -303,6 +315,14 @@ class _Merger:
         if name != theirs:
             self._notes.append(f"{show(theirs)} is called {show(name)}: names become C identifiers")
         return name
+
+
+def _motor_sources(spin: Spin) -> list[str]:
+    """What of the joint each key of the motor is."""
+    given = [("damping", "viscous", spin.viscous), ("friction", "coulomb", spin.coulomb)]
+    given.append(("largest torque", "torque", spin.torque or 0.0))
+    words = [f"{ours} is its {theirs}" for theirs, ours, value in given if value]
+    return [f"Motor, from the joint: {', '.join(words)}."] if words else []
 
 
 def _properties(mass: RigidMass) -> dict[str, Any]:

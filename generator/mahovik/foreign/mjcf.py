@@ -5,6 +5,7 @@ What acts on the motion and a stand has not is refused by name; what does not ac
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -58,6 +59,9 @@ class _Reader:
         self.problems = problems
         self._notes: list[str] = []
         self._names = [model.body(i).name or f"body{i}" for i in range(model.nbody)]
+        self._children: list[list[int]] = [[] for _ in range(model.nbody)]
+        for i in range(1, model.nbody):
+            self._children[model.body_parentid[i]].append(i)
 
     def model(self) -> ForeignModel:
         """The bodies of what moves; of a file with problems only a beginning."""
@@ -115,14 +119,11 @@ class _Reader:
 
     # -- bodies --------------------------------------------------------------------------------------------------------
 
-    def _children(self, body: int) -> list[int]:
-        return [i for i in range(1, self._model.nbody) if self._model.body_parentid[i] == body and i != body]
-
     def _below(self, body: int) -> list[int]:
         """A body and all on it, parents first."""
         found = [body]
         for each in found:  # grows as it goes
-            found += self._children(each)
+            found += self._children[each]
         return found
 
     def _joints(self, body: int) -> list[int]:
@@ -132,11 +133,13 @@ class _Reader:
 
     def _root(self) -> int | None:
         """The body of the world that is the carrier: the one that is free, or on which something turns."""
-        moving = [b for b in self._children(_WORLD) if any(self._joints(each) for each in self._below(b))]
-        still = len(self._children(_WORLD)) - len(moving)
+        moving = [b for b in self._children[_WORLD] if any(self._joints(each) for each in self._below(b))]
+        still = len(self._children[_WORLD]) - len(moving)
         if len(moving) == 1:
             if still:
-                self._notes.append(f"left out: {still} bodies of the world that do not move")
+                self._notes.append(
+                    f"left out: what does not move of the world, {still} bod{'y' if still == 1 else 'ies'}"
+                )
             return moving[0]
         names = ", ".join(show(self._names[b]) for b in moving)
         found = f"{len(moving)} bodies of the world move, {names}" if moving else "no body moves"
@@ -208,7 +211,7 @@ class _Reader:
 
     # -- what does not act ---------------------------------------------------------------------------------------------
 
-    def _sites(self, inside: list[int]) -> list[int]:
+    def _sites(self, inside: Sequence[int]) -> list[int]:
         """Named places."""
         return [
             i for i in range(self._model.nsite) if self._model.site_bodyid[i] in inside and self._model.site(i).name
@@ -227,11 +230,8 @@ class _Reader:
         words = [f"{n} {noun}{'' if n == 1 or ' ' in noun else 's'}" for noun, n in counts.items() if n > 0]
         if words:
             self._notes.append(f"left out, without effect on the equations: {', '.join(words)}")
-        touching = [
-            i
-            for i in range(model.ngeom)
-            if model.geom_bodyid[i] in inside and (model.geom_contype[i] or model.geom_conaffinity[i])
-        ]
+        meets = np.isin(model.geom_bodyid, inside) & ((model.geom_contype != 0) | (model.geom_conaffinity != 0))
+        touching = int(meets.sum())
         contacts = not model.opt.disableflags & (off.mjDSBL_CONTACT | off.mjDSBL_CONSTRAINT)
         if contacts and (touching or model.npair):
-            self._notes.append(f"a stand has no contacts: {len(touching)} geoms that could touch something do not here")
+            self._notes.append(f"a stand has no contacts: {touching} geoms that could touch something do not here")

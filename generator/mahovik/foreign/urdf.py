@@ -21,6 +21,9 @@ _REFUSED = {
     "revolute": "revolute, with an end to its turning: expected continuous, or fixed",
     "planar": "planar: a flywheel has one axis",
 }
+_SHORTEST = 1e-100
+"""Largest component of an axis: below it squares vanish."""
+
 _ORIGIN = [0.0, 0.0, 0.0]
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 
@@ -59,6 +62,8 @@ class _Reader:
     def model(self) -> ForeignModel:
         """The links in order, parents first; of a file with problems only a beginning."""
         self._others()
+        if not self._root.get("name"):
+            self.problems.add("robot", "name", "required, but missing")
         masses = self._links()
         elements = enumerate(self._root.findall("joint"))
         joints = [joint for number, element in elements if (joint := self._joint(number, element)) is not None]
@@ -108,6 +113,8 @@ class _Reader:
         if mass < 0:
             self.problems.add(where, "mass", f"{mass:.17g} is negative")
         place = self._place(element.find("origin"), where)
+        if not any((mass, xx, yy, zz, xy, xz, yz)):
+            return None
         inertia = place.axes @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ place.axes.T
         return RigidMass(mass, place.origin, (inertia + inertia.T) / 2)
 
@@ -144,8 +151,8 @@ class _Reader:
 
     def _spin(self, element: ET.Element, name: str, number: int, where: str) -> Spin:
         axis = self._attributes.vector(element.find("axis"), "xyz", [1.0, 0.0, 0.0], where, "axis")
-        if not any(axis):
-            self.problems.add(where, "axis", "xyz", "0 0 0 has no direction")
+        if max(map(abs, axis)) < _SHORTEST:
+            self.problems.add(where, "axis", "xyz", f"{show(' '.join(map(str, axis)))} has no direction")
             axis = [1.0, 0.0, 0.0]
         dynamics, limit = element.find("dynamics"), element.find("limit")
         viscous = self._attributes.number(dynamics, "damping", 0.0, where, "dynamics")
@@ -183,13 +190,11 @@ class _Reader:
                 )
             above[joint.child] = joint
         roots = [name for name in masses if name not in above]
-        if len(roots) != 1:
-            what = (
-                f"{len(roots)} links have no parent, {', '.join(map(show, roots))}"
-                if roots
-                else "every link has a parent"
+        if not self.problems.lines and len(roots) != 1:
+            found = (
+                f"{len(roots)} links have no parent, {', '.join(map(show, roots))}" if roots else "no link is the root"
             )
-            self.problems.add(f"{what}: expected one root" if masses else "expected one root")
+            self.problems.add(f"{found}: expected one root")
         if self.problems.lines:
             return None, []
         root = roots[0]
@@ -203,10 +208,11 @@ class _Reader:
                     f"link {show(root)}: what floats is on it, so it is the world, and its mass has no effect"
                 )
             root = floating[0].child
+        free = True if floating else False if root == "world" else None  # what is fixed on `world` stays, by custom
         links = self._below(root, masses, joints)
-        if len(links) + bool(floating) != len(masses):
+        if not self.problems.lines and len(links) + bool(floating) != len(masses):
             self.problems.add("its joints close a loop")
-        return bool(floating) or None, links
+        return free, links
 
     @staticmethod
     def _below(root: str, masses: dict[str, RigidMass | None], joints: list[_Joint]) -> list[Link]:

@@ -8,6 +8,7 @@ from xml.etree import ElementTree as ET
 
 from mahovik.errors import ForeignError
 from mahovik.stand.content import content
+from mahovik.stand.physical import LARGEST
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import show
 
@@ -54,6 +55,8 @@ def numbers(text: str, count: int) -> list[float]:
         raise ValueError(f"expected {expected}, found {show(text)}")
     if not all(map(math.isfinite, found)):
         raise ValueError(f"{show(text)} is not finite")
+    if any(abs(x) > LARGEST for x in found):
+        raise ValueError(f"{show(text)} is beyond the range of the emitted C, expected at most {LARGEST:g}")
     return found
 
 
