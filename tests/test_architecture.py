@@ -24,6 +24,7 @@ STAGES = (
     ("export",),
     ("study",),
     ("design",),
+    ("foreign",),
     ("control",),
     ("plan",),
     ("simulate",),

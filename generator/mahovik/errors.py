@@ -50,6 +50,10 @@ class ServoError(FileError):
     """A servo file was refused."""
 
 
+class ForeignError(FileError):
+    """A model of another program was refused: no stand, or no model."""
+
+
 class StateError(MahovikError):
     """A state of `eval` cannot be evaluated: its result line holds the message in `error`."""
 

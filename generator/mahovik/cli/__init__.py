@@ -20,6 +20,7 @@ from mahovik.cli.evidence import evidence
 from mahovik.cli.export import export
 from mahovik.cli.generate import generate
 from mahovik.cli.group import Commands
+from mahovik.cli.import_model import import_model
 from mahovik.cli.judge import judge
 from mahovik.cli.judge_log import judge_log
 from mahovik.cli.linearize import linearize
@@ -37,7 +38,7 @@ from mahovik.cli.verify import verify
 from mahovik.cli.verify_programme import verify_programme
 
 SECTIONS = {
-    "A stand": (new, check, derive, rest),
+    "A stand": (new, import_model, check, derive, rest),
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion in time": (evaluate, simulate, replay),
     "Vibration": (modes, linearize, response, quiet),

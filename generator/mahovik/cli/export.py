@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from mahovik.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.cli.export_cmake import cmake
 from mahovik.cli.group import Commands
 from mahovik.cli.progress import progress
 
@@ -162,3 +163,6 @@ def programme(
         click.echo(click.format_filename(path))
     for line in made.lines:
         click.echo(line)
+
+
+export.add_command(cmake)

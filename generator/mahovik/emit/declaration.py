@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mahovik.emit.layout import WIDTH, paragraph, wrapped
+from mahovik.emit.layout import hanging, paragraph, wrapped
 from mahovik.emit.names import Names
 from mahovik.emit.statement import dimensions
 from mahovik.program.cost import cost
@@ -39,15 +39,7 @@ def prototype(function: Function, names: Names, apart: frozenset[tuple[str, str]
     returns = names.type(function.returns) if function.returns is not None else "void"
     head = f"{'' if function.public else 'static '}{returns} {names.function(function.name)}("
     arguments = [_argument(a, names, (function.name, a.name) in apart) for a in function.arguments] or ["void"]
-    lines, line = [], head
-    for number, argument in enumerate(arguments):
-        text = argument + (")" if number == len(arguments) - 1 else ",")
-        if line != head and len(line) + 1 + len(text) >= WIDTH:  # room for a semicolon
-            lines.append(line)
-            line = " " * len(head) + text
-        else:
-            line += text if line == head else f" {text}"
-    return "\n".join([*lines, line])
+    return "\n".join(hanging(head, arguments))
 
 
 def _argument(a: Argument, names: Names, apart: bool) -> str:

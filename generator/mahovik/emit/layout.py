@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 WIDTH = 110
 """Columns of a line of code or comment; rows of tables are longer."""
 
@@ -37,6 +39,19 @@ def _break(text: str, room: int) -> int:
         if (before_operator or after_comma) and weight <= best_depth:
             best, best_depth = i, weight
     return best
+
+
+def hanging(head: str, arguments: Sequence[str], end: str = "") -> list[str]:
+    """`head(` and its arguments, which continue under the opening parenthesis; after the last `)` and `end`."""
+    lines, line = [], head
+    for number, argument in enumerate(arguments):
+        text = argument + (f"){end}" if number == len(arguments) - 1 else ",")
+        if line != head and len(line) + 1 + len(text) >= WIDTH:  # room for a semicolon
+            lines.append(line)
+            line = " " * len(head) + text
+        else:
+            line += text if line == head else f" {text}"
+    return [*lines, line]
 
 
 def paragraph(text: str, first: str, later: str) -> list[str]:

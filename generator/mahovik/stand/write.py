@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 from mahovik.stand.model import (
@@ -18,26 +19,39 @@ from mahovik.stand.model import (
     Stand,
 )
 
+_NONE: Mapping[str, Sequence[str]] = MappingProxyType({})
 
-def dumps(stand: Stand) -> str:
-    """The stand as TOML text. `loads(dumps(stand)) == stand`, but for what stand.md lets vanish (all-zero parts)."""
+
+def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
+    """The stand as TOML text. `loads(dumps(stand)) == stand`, but for what stand.md lets vanish (all-zero parts).
+
+    `comments`: lines over the table of a body or point, by its name.
+    """
+
+    def head(title: str, name: str) -> list[str]:
+        return ["", *(f"# {line}" for line in comments.get(name, ())), title]
+
     lines = ["schema = 1", f'name = "{stand.name}"', f'angles = "{stand.angles}"', _line("gravity", stand.gravity)]
     if stand.stream is not None:
         lines.append(_line("stream", stand.stream))
     if stand.phase_input != "angle":
         lines.append(_line("phase_input", stand.phase_input))
-    lines += ["", "[carrier]", *_body(stand.carrier)]
+    lines += [*head("[carrier]", "carrier"), *_body(stand.carrier)]
     if stand.suspension is not None:
         lines += ["", "[suspension]", *_fields(stand.suspension, "stiffness", "damping", "position", "angles")]
     for leg in stand.legs:
         lines += ["", "[[leg]]", *_fields(leg, "ground", "carrier", "length", "stiffness", "damping")]
     for instrument in stand.instruments:
-        lines += ["", "[[instrument]]", f'name = "{instrument.name}"', *_fields(instrument, "position", "angles")]
+        lines += [
+            *head("[[instrument]]", instrument.name),
+            f'name = "{instrument.name}"',
+            *_fields(instrument, "position", "angles"),
+        ]
         lines += _body(instrument)
     for flywheel in stand.flywheels:
-        lines += ["", "[[flywheel]]", f'name = "{flywheel.name}"', *_flywheel(flywheel)]
+        lines += [*head("[[flywheel]]", flywheel.name), f'name = "{flywheel.name}"', *_flywheel(flywheel)]
     for point in stand.points:
-        lines += ["", "[[point]]", f'name = "{point.name}"', f'mount = "{point.mount}"']
+        lines += [*head("[[point]]", point.name), f'name = "{point.name}"', f'mount = "{point.mount}"']
         lines += _fields(point, "position", "angles")
     return "\n".join(lines) + "\n"
 

@@ -1,0 +1,84 @@
+"""`mahovik import` as a user has it: what is written and said, and what is not written."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cli.run import refused, run
+
+MODELS = Path(__file__).parent / "models"
+URDF, MJCF = str(MODELS / "sat.urdf"), str(MODELS / "sat.xml")
+
+
+@pytest.fixture(autouse=True)
+def somewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def test_a_urdf_becomes_a_stand_that_is_checked_and_generated() -> None:
+    said = run("import", "urdf", URDF).output
+    assert said.startswith("small_sat.toml   carrier base_link, 4 flywheels, 1 point\n")
+    assert "agrees with the original in Pinocchio" in said
+    assert os.listdir() == ["small_sat.toml"]
+    assert run("check", "small_sat.toml").exit_code == 0
+    assert run("generate", "small_sat.toml").exit_code == 0
+
+
+def test_an_mjcf_too() -> None:
+    said = run("import", "mjcf", MJCF, "-o", "new/other.toml", "--name", "other", "--instruments").output
+    assert "carrier hub, 1 instrument, 3 flywheels, 2 points" in said
+    assert "agrees with the original in MuJoCo" in said
+    assert run("check", "new/other.toml").output.startswith("other ")
+
+
+def test_gravity_of_a_urdf() -> None:
+    assert "--gravity" not in run("import", "urdf", URDF, "--gravity", "0", "0", "-9.81").output
+    assert "gravity = [0.0, 0.0, -9.81]" in Path("small_sat.toml").read_text()
+
+
+def test_nothing_is_overwritten() -> None:
+    Path("small_sat.toml").write_text("mine")
+    assert refused("import", "urdf", URDF) == "error: small_sat.toml: is there already, nothing was written\n"
+    assert Path("small_sat.toml").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("urdf", "no.urdf"), "no.urdf: no such file"),
+        (("urdf", MJCF), "sat.xml: its root element is <mujoco>: is an MJCF: mahovik import mjcf"),
+        (("mjcf", URDF), "sat.urdf: its root element is <robot>: is a URDF: mahovik import urdf"),
+        (("urdf", URDF, "--name", "a b"), '--name: "a b" is not a C identifier'),
+        (("urdf", URDF, "--name", "math"), '--name: "math" is the name of a standard header of C'),
+        (("urdf", URDF, "--carrier", "wheel4"), "--carrier wheel4: turns"),
+        (("urdf", URDF, "--gravity", "0", "0", "nan"), "--gravity: expected three finite numbers"),
+        (("sdf", URDF), 'no such command "sdf"'),
+    ],
+)
+def test_refused(arguments: tuple[str, ...], said: str) -> None:
+    text = refused("import", *arguments)
+    assert said in text
+    assert text.count("\n") == 1
+    assert os.listdir() == []
+
+
+def test_without_pinocchio_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pinocchio", None)
+    said = run("import", "urdf", URDF).output
+    assert "not compared with the original: pinocchio is not installed: pip install pin" in said
+    assert os.listdir() == ["small_sat.toml"]
+
+
+def test_a_stand_that_disagrees_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Should the reading of a format be wrong for a file, the other program notices."""
+    from mahovik.foreign import urdf
+
+    monkeypatch.setattr(urdf, "of_rpy", lambda *_: np.eye(3))
+    said = refused("import", "urdf", URDF, status=1)
+    assert said.startswith("error: sat.urdf: the stand differs from the original in Pinocchio")
+    assert os.listdir() == []
