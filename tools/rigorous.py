@@ -37,7 +37,7 @@ bound, proved for its states; the states are samples ([which](verification.md#st
 
 ```sh
 mahovik new demo3
-mahovik verify demo3.toml --rigorous
+mahovik verify demo3.toml --rigorous --states 50
 ```
 
 measures a stand of yours (`pip install 'mahovik[rigorous]'`), also with `--real float` or `--against DIR`. The exit

@@ -92,7 +92,7 @@ class Session:
             command,
             input=text,
             cwd=self.folder,
-            env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8", "NO_COLOR": "1"},
+            env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8", "NO_COLOR": "1", "PYTHONUNBUFFERED": "1"},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

@@ -85,9 +85,9 @@ SNIPPETS = [
     b
     for page in PAGES
     for b in blocks(page)
-    if b.language == "c" and re.search(r'#include "(\w+)\.h"', b.text) and "_recorder.h" not in b.text
+    if b.language == "c" and not b.file and re.search(r'#include "(\w+)\.h"', b.text)
 ]
-"""A program with a recorder is run by the commands of its page."""
+"""A program that is a file is run by the commands of its page."""
 
 
 def emit(name: str, folder: Path) -> None:
