@@ -20,6 +20,7 @@ exclude_patterns: list[str] = []
 nitpicky = True
 
 highlight_language = "text"  # of fences without a language
+smartquotes = False  # phi' is a derivative, not a quotation
 myst_heading_anchors = 6  # anchors of headings as in the repository
 
 html_theme = "furo"

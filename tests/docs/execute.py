@@ -5,7 +5,7 @@
 * A block of `python` is run as a script; names of the blocks before it on the page are there.
 * A block of `text` that comes next is what the block before prints: all of it, or all that its last command prints. A
   line `...` stands for any lines, `...` inside a line for any text.
-* A block with a second word after the fence (```c main.c) is a file of that name.
+* A block with a second word after the fence (```c main.c) is a file of that name, and only that.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def steps(page: Path) -> Iterator[Step]:
     """All blocks of a page that are to be run, in order."""
     found = blocks(page)
     for block, following in zip_longest(found, found[1:]):
-        if block.language in COMMANDS:
+        if block.language in COMMANDS and not block.file:
             shown = following.text if following is not None and following.language == "text" else None
             status = re.search(r"# exit status (\d+)", block.text)
             yield Step(block, shown, int(status[1]) if status else 0)
