@@ -51,6 +51,7 @@ help:
 	@echo "make proofs     Frama-C Eva on the C of the example stands, into docs/proofs.md, and the static checks"
 	@echo "make proofs-quick  Frama-C Eva on demo3, some minutes"
 	@echo "make static-checks  compilers, analyser, cppcheck with MISRA C:2012: fails at a new deviation"
+	@echo "make commands-page  what every command says of itself, into docs/commands.md"
 	@echo "make lint       format, lint and type checks"
 	@echo "make docs       the pages of docs/ as a site: build/docs/index.html; any warning is an error"
 	@echo "make clean      remove what the other targets made"
@@ -155,6 +156,9 @@ traceability: setup
 
 traceability-page: setup
 	$(BIN)/python tools/traceability.py --page
+
+commands-page: setup
+	$(BIN)/python tools/commands_page.py
 
 linear-campaign: setup
 	$(BIN)/python tools/linear_campaign.py --write

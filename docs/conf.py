@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,9 +14,13 @@ from sphinx.util import osutil
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))  # of formulas.py
+
 project = "mahovik"
 html_title = "mahovik"
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "formulas"]
+myst_enable_extensions = ["dollarmath"]
+html_math_renderer = "mathml"
 exclude_patterns: list[str] = []
 nitpicky = True
 
