@@ -25,6 +25,7 @@ exclude_patterns: list[str] = []
 nitpicky = True
 
 highlight_language = "text"  # of fences without a language
+smartquotes = False  # phi' is a derivative, not a quotation
 myst_heading_anchors = 6  # anchors of headings as in the repository
 
 html_theme = "furo"
@@ -49,13 +50,19 @@ def read(app: Sphinx, name: str, source: list[str]) -> None:
     not a page of this folder as a file."""
     if name == "index":
         source[0] += contents(source[0])
-    source[0] = re.sub(r"\]\((\.\./[^)#]*\.md)", r"](path:\1", source[0])
+    source[0] = re.sub(r"(?<=\]\()[^)#:]*\.md(?=\))", lambda link: outside(app, name, link[0]), source[0])
+
+
+def outside(app: Sphinx, name: str, target: str) -> str:
+    """A link of the page, marked as one to a file where it leads out of this folder."""
+    file = (Path(app.srcdir) / name).parent / target
+    return target if file.resolve().is_relative_to(app.srcdir) else f"path:{target}"
 
 
 def show(app: Sphinx, tree: nodes.document, name: str) -> None:
     """Files of the repository that pages link to (C, templates) are shown by the browser instead of saved."""
     page = app.builder.get_target_uri(name)
-    for link in list(tree.findall(addnodes.download_reference)):
+    for link in [link for link in tree.findall(addnodes.download_reference) if "filename" in link]:
         target = osutil.relative_uri(page, f"_downloads/{link['filename']}")
         link.replace_self(nodes.reference("", "", *link.children, refuri=target, internal=True))
 

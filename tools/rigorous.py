@@ -35,8 +35,9 @@ by python-flint): each number is a midpoint and a radius, each operation gives a
 the precision, 256 bits at first, is doubled until no ball adds more than 2^-16 ulp. So every error below is an upper
 bound, proved for its states; the states are samples ([which](verification.md#states)).
 
-```
-mahovik verify STAND.toml --rigorous
+```sh
+mahovik new demo3
+mahovik verify demo3.toml --rigorous --states 50
 ```
 
 measures a stand of yours (`pip install 'mahovik[rigorous]'`), also with `--real float` or `--against DIR`. The exit

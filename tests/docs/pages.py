@@ -13,12 +13,14 @@ PAGES = (*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md")))
 
 @dataclass(frozen=True)
 class Block:
-    """A fenced block: language (the first word after the fence), text, and its number on the page."""
+    """A fenced block: language (the first word after the fence), text, its number on the page, the name of the file
+    that it is (the second word)."""
 
     page: Path
     number: int
     language: str
     text: str
+    file: str = ""
 
     @property
     def name(self) -> str:
@@ -28,7 +30,13 @@ class Block:
 def blocks(page: Path) -> list[Block]:
     """Fenced blocks of a page, in order."""
     found = re.findall(r"^```([^\n]*)\n(.*?)^```$", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
-    return [Block(page, i, (head.split() or [""])[0], text) for i, (head, text) in enumerate(found)]
+    return [Block(page, i, _word(head, 0), text, _word(head, 1)) for i, (head, text) in enumerate(found)]
+
+
+def _word(head: str, number: int) -> str:
+    """Language or file of a fence; a directive, `{name} argument`, has neither."""
+    words = [] if head.startswith("{") else head.split()
+    return words[number] if number < len(words) else ""
 
 
 def prose(page: Path) -> str:

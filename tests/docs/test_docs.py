@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import ast
-import os
 import re
 import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -23,7 +21,6 @@ from mahovik.program.function import STATUS_VALUES
 from mahovik.program.types import DOUBLE
 from mahovik.stand import load, loads, schema
 from mahovik.toolchain.compiler import BITS, WARNINGS, find_compiler
-from toolchain.tools import require
 
 PACKAGE = ROOT / "generator" / "mahovik"
 ARCHITECTURE, MODEL, STAND_FILE, C_INTERFACE = (
@@ -82,59 +79,15 @@ def _defined(file: Path) -> set[str]:
     return found | {t.id for t in targets if isinstance(t, ast.Name)}
 
 
-# ---- commands ----
-
-RUNNABLE = [b for page in PAGES for b in blocks(page) if b.language == "sh" and "mahovik new" in b.text.split("\n")[0]]
-"""A block that begins with `mahovik new` needs nothing but itself (and the page's main.c): it can be run."""
-
-
-def test_there_are_runnable_blocks() -> None:
-    assert {C_INTERFACE, STAND_FILE, ROOT / "README.md"} <= {b.page for b in RUNNABLE}
-
-
-def run_block(block: Block, folder: Path) -> str:
-    """Runs a block of commands in a folder; returns what it printed."""
-    for program in mains(block.page):
-        (folder / "main.c").write_text(program.text, encoding="utf-8")
-    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
-    commands = block.text.replace(".venv/bin/mahovik", "mahovik")
-    done = subprocess.run(
-        ["sh", "-e"],
-        input=commands,
-        cwd=folder,
-        env={**os.environ, "PATH": path},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
-def mains(page: Path) -> list[Block]:
-    """Whole programs in C on a page."""
-    return [b for b in blocks(page) if b.language == "c" and "int main(" in b.text]
-
-
-@pytest.mark.parametrize("block", RUNNABLE, ids=lambda b: b.name)
-def test_commands_run(block: Block, tmp_path: Path) -> None:
-    if "gcc " in block.text:
-        require("gcc", "gcc")
-    printed = run_block(block, tmp_path)
-    following = blocks(block.page)[block.number + 1 : block.number + 2]
-    if following and following[0].language == "text" and block.text.rstrip().split("\n")[-1] == "./main":
-        assert printed.endswith(following[0].text)
-
-
 # ---- C ----
 
 SNIPPETS = [
     b
     for page in PAGES
     for b in blocks(page)
-    if b.language == "c" and re.search(r'#include "(\w+)\.h"', b.text) and "_recorder.h" not in b.text
+    if b.language == "c" and not b.file and re.search(r'#include "(\w+)\.h"', b.text)
 ]
-"""A program with a recorder is run by the commands of its page."""
+"""A program that is a file is run by the commands of its page."""
 
 
 def emit(name: str, folder: Path) -> None:

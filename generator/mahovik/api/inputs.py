@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.errors import InputError
-from mahovik.stand.names import nearest
+from mahovik.nearest import meant
 
 Array = NDArray[Any]
 Given = ArrayLike | Mapping[str, ArrayLike]
@@ -60,7 +60,7 @@ def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str)
     found = {}
     for name, value in given.items():
         if name not in names:
-            hint = f", did you mean {nearest(str(name), list(names))!r}?" if names else ": there is none"
+            hint = meant(str(name), names)
             raise InputError(f"{what}: no {noun} {name!r}{hint}")
         found[list(names).index(name)] = value
     return found
@@ -97,7 +97,7 @@ def flags(given: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.
     if isinstance(given, Sequence) and all(isinstance(each, str) for each in given):
         unknown = [str(each) for each in given if each not in names]
         if unknown:
-            hint = f", did you mean {nearest(unknown[0], list(names))!r}?" if names else ": there is none"
+            hint = meant(unknown[0], names)
             raise InputError(f"locked: no flywheel {unknown[0]!r}{hint}")
         return np.array([name in given for name in names], dtype=np.int32)
     found = np.asarray(given)

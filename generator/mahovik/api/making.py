@@ -12,7 +12,7 @@ from mahovik.api import inputs
 from mahovik.api.fields import Array
 from mahovik.errors import InputError
 from mahovik.stand.model import WRENCH_LETTERS
-from mahovik.stand.names import nearest
+from mahovik.nearest import meant
 from mahovik.verify.states import ROUNDING, UNIT_LENGTH
 
 
@@ -62,7 +62,7 @@ def wrenches(given: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known
     parts: dict[str, Array] = {}
     for body, value in (given or {}).items():
         if body not in known:
-            raise InputError(f"wrench: no body {body!r}, did you mean {nearest(str(body), list(known))!r}?")
+            raise InputError(f"wrench: no body {body!r}{meant(str(body), known)}")
         if body not in bodies:
             raise InputError(f"wrench: the C takes none on {body!r}: set `wrench_input = true` in the stand file")
         parts[body] = inputs.read(value, f"wrench of {body}", 6, WRENCH_LETTERS, "component")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mahovik.api.fields import Array, Field, Named
 from mahovik.errors import InputError
 from mahovik.program.function import STATUS_VALUES
-from mahovik.stand.names import nearest
+from mahovik.nearest import meant
 
 Real = NDArray[Any]
 
@@ -37,7 +37,7 @@ class Result(Named):
     def has_status(self, name: str) -> NDArray[np.bool_]:
         """Is the status so named set, for each state?"""
         if name not in STATUS_VALUES:
-            raise InputError(f"status: no {name!r}, did you mean {nearest(str(name), [*STATUS_VALUES])!r}?")
+            raise InputError(f"status: no {name!r}{meant(str(name), STATUS_VALUES)}")
         value = STATUS_VALUES[name]
         status = np.asarray(self.status)
         return np.asarray((status > 0) & (status & value != 0) if value > 0 else status == value)

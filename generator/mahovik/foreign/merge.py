@@ -13,7 +13,7 @@ from mahovik.foreign.model import Array, ForeignModel, Link, Place, RigidMass, S
 from mahovik.foreign.naming import Names
 from mahovik.foreign.rotation import about, across, angles_of, spin_axes
 from mahovik.stand.model import Body, Carrier, Flywheel, Instrument, Mat3, Motor, MountingAxes, Point, Stand, Vec3
-from mahovik.stand.names import nearest
+from mahovik.nearest import meant
 from mahovik.stand.physical import LARGEST, check_body
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import show
@@ -213,7 +213,7 @@ class _Merger:
                 first = self._model.links[0].name
                 reason = f"turns, expected {show(first)} or a {self._model.noun} that is fixed to it"
             else:
-                reason = f"is none of the file, did you mean {show(nearest(chosen, known))}?"
+                reason = f"is none of the file{meant(chosen, known)}"
             self._problems.add(f"--carrier {chosen}: {reason}")
             return _HERE
         return on_carrier.members[chosen][1].inverse

@@ -1,0 +1,177 @@
+"""Whoever copies a command of the pages gets what they show: every block is run, or listed with a reason."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import click
+import pytest
+
+from docs.execute import COMMANDS, Session, matches, name, steps
+from docs.pages import PAGES, ROOT, blocks, prose
+from mahovik.cli import main
+from toolchain.tools import require
+
+NOT_RUN = {
+    ("README.md", "make demo"): "sets up .venv anew from the network; .ci/run runs it",
+    ("docs/evidence.md", "mahovik evidence"): "minutes to hours; a short one: tests/report/evidence",
+    ("docs/proofs.md", "sh bench8_eva.sh"): "hours of Frama-C; `make proofs-quick` in .ci/run",
+}
+"""Blocks that no test runs, by page and how they begin; and why."""
+
+SLOW = {
+    "README.md",
+    "docs/batch.md",
+    "docs/delivery.md",
+    "docs/design.md",
+    "docs/diagnosis.md",
+    "docs/flight-recorder.md",
+    "docs/following.md",
+    "docs/howto/added-mass.md",
+    "docs/howto/field-log.md",
+    "docs/howto/own-stand.md",
+    "docs/howto/vibration-table.md",
+    "docs/lanes.md",
+    "docs/linear.md",
+    "docs/planning.md",
+    "docs/planning-ocp.md",
+    "docs/programme-c.md",
+    "docs/quiet.md",
+    "docs/response.md",
+    "docs/rounding.md",
+    "docs/servo.md",
+    "docs/targets.md",
+    "docs/tutorial.md",
+    "docs/verification.md",
+}
+"""Pages whose commands take more than five seconds in all: `make test-slow`."""
+
+TOOLS = {
+    "gcc ": [("gcc", "gcc")],
+    "make ": [("make", "make")],
+    "target m7": [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("qemu-system-arm", "qemu-system-arm")],
+    "--targets": [("qemu-system-arm", "qemu-system-arm"), ("qemu-system-riscv64", "qemu-system-misc")],
+    "mahovik cost": [("qemu-system-arm", "qemu-system-arm")],
+}
+"""What blocks with these words need, and the Debian packages that have it."""
+
+MARKER = re.compile(r"(\$ |\.venv/bin/)?(mahovik|make|cc|gcc|pip|sh|cmake|qemu-\S+|sed) ")
+
+
+def reason(page: Path, text: str) -> str | None:
+    """Why a block is not run; None: it is."""
+    found = [why for (where, start), why in NOT_RUN.items() if where == name(page) and text.startswith(start)]
+    return found[0] if found else None
+
+
+def runnable(page: Path) -> bool:
+    return any(reason(page, step.block.text) is None for step in steps(page))
+
+
+EXECUTED = [
+    pytest.param(page, id=name(page), marks=[pytest.mark.slow] if name(page) in SLOW else [])
+    for page in PAGES
+    if runnable(page)
+]
+
+
+@pytest.mark.parametrize("page", EXECUTED)
+def test_commands_give_what_is_shown(page: Path, tmp_path: Path) -> None:
+    session = Session(page, tmp_path)
+    for step in steps(page):
+        if reason(page, step.block.text) is None:
+            for tool, package in [pair for words, pairs in TOOLS.items() if words in step.block.text for pair in pairs]:
+                require(tool, package)
+            session.run(step)
+
+
+def test_the_lists_name_what_is_there() -> None:
+    """No entry for a page or block that is gone; none of a page that has nothing to run."""
+    for where, start in NOT_RUN:
+        assert any(step.block.text.startswith(start) for step in steps(ROOT / where)), (where, start)
+    assert {name(page) for page in PAGES if runnable(page)} >= SLOW
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_commands_stand_in_blocks_that_are_run(page: Path) -> None:
+    """No other block begins a line with a command, but what shows the output of the one before."""
+    shown = {step.block.number + 1 for step in steps(page) if step.shown is not None}
+    for block in blocks(page):
+        if block.language in ("", "text", "bash", "console", "shell") and block.number not in shown:
+            assert not [line for line in block.text.splitlines() if MARKER.match(line)], block.name
+        assert block.language in COMMANDS or "# exit status" not in block.text
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_commands_in_sentences_exist(page: Path) -> None:
+    """`mahovik command --option`: there is such a command, and it has that option."""
+    for text in re.findall(r"`mahovik ([a-z][^`]*)`", prose(page)):
+        if text.startswith("selftest "):
+            continue  # the first line of what a board prints
+        command, rest = resolved(" ".join(text.split()).split(" "))
+        options = {option for parameter in command.params for option in parameter.opts}
+        if not isinstance(command, click.Group):
+            named = set(re.findall(r"(?<![\w\"-])(--[a-z][\w-]*)", " ".join(rest).partition('"')[0]))
+            assert named - options - {"--help"} == set(), text
+
+
+def resolved(words: list[str]) -> tuple[click.Command, list[str]]:
+    """The command that words name, and the words after it."""
+    found: click.Command = main
+    context = click.Context(found)
+    while words and isinstance(found, click.Group) and re.fullmatch(r"[a-z][a-z-]*", words[0]):
+        inner = found.get_command(context, words[0].strip(",.;"))
+        assert inner is not None, words
+        found, words = inner, words[1:]
+    return found, words
+
+
+# ---- the comparison itself ----
+
+
+@pytest.mark.parametrize(
+    ("shown", "printed", "same"),
+    [
+        ("a\nb\n", "a  \nb\n\n", True),
+        ("a\nb\n", "a\nc\n", False),
+        ("a\n...\nd\n", "a\nb\nc\nd\n", True),
+        ("a\n...\nd\n", "a\nd\n", True),
+        ("a\n...\nd\n", "a\nb\nc\n", False),
+        ("x ... z\n", "x 1 y z\n", True),
+        ("x ... z\n", "x 1\nz\n", False),
+        ("a.c\n", "abc\n", False),
+    ],
+)
+def test_what_is_shown_is_compared(shown: str, printed: str, same: bool) -> None:
+    assert matches(shown, printed) is same
+
+
+def test_outputs_of_each_command_are_known(tmp_path: Path) -> None:
+    """A page of its own: a file, commands, a failure that is announced, Python that remembers."""
+    page = tmp_path / "page.md"
+    page.write_text(
+        "```text data.txt\nx\ny\n```\n"
+        "```sh\necho first\ncat data.txt \\\n  | sort -r\n```\n```text\ny\nx\n```\n"
+        "```sh\nls missing # exit status 2\n```\n```text\n...missing...\n```\n"
+        "```python\na = 3\nprint(a)\n```\n```python\nprint(a + 1)\n```\n```text\n4\n```\n",
+        encoding="utf-8",
+    )
+    session = Session(page, tmp_path)
+    for step in steps(page):
+        session.run(step)
+    assert session.outputs == ["4\n"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["```sh\nfalse\ntrue\n```\n", "```sh\necho a\n```\n```text\nb\n```\n", "```sh\ntrue # exit status 1\n```\n"],
+    ids=["fails", "prints something else", "should fail"],
+)
+def test_what_is_not_so_is_noticed(text: str, tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(text, encoding="utf-8")
+    session = Session(page, tmp_path)
+    with pytest.raises(AssertionError, match=r"page\.md-0"):
+        for step in steps(page):
+            session.run(step)

@@ -1,0 +1,73 @@
+"""The site: every page is in the index, it builds without a warning, and it needs no network."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from docs.pages import ROOT, links
+
+DOCS = ROOT / "docs"
+INDEX = DOCS / "index.md"
+
+
+def test_every_page_is_in_the_index_once() -> None:
+    listed = [target for target in links(INDEX) if target.endswith(".md")]
+    there = {page.relative_to(DOCS).as_posix() for page in DOCS.rglob("*.md")} - {"index.md"}
+    assert sorted(listed) == sorted(there)
+
+
+def test_headings_of_the_index() -> None:
+    """Those of the tables of contents, in this order."""
+    heads = re.findall(r"^## (.*)$", INDEX.read_text(encoding="utf-8"), re.MULTILINE)
+    assert heads[0] == "Start"
+    assert {"How-to", "Mathematics", "Reference", "How do we know it is right", "Around it"} <= set(heads)
+
+
+class Loads(HTMLParser):
+    """What a browser loads with a page, and where its links lead."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.loaded: list[str] = []
+        self.links: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = dict(attrs)
+        if tag in ("script", "img", "link", "iframe", "source", "object", "embed"):
+            self.loaded += [value for key in ("src", "href", "data") if (value := given.get(key))]
+        elif tag == "a" and given.get("href"):
+            self.links.append(str(given["href"]))
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Built as `make docs` builds it."""
+    out = tmp_path_factory.mktemp("site")
+    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-n", "-q", "-b", "html", str(DOCS), str(out)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert " ".join(command[2:-2]) in (ROOT / "Makefile").read_text(encoding="utf-8")
+    return out
+
+
+@pytest.mark.slow
+def test_nothing_is_loaded_from_the_network(site: Path) -> None:
+    """Neither by pages nor by their style sheets; every link into the site leads to a file."""
+    pages = sorted(site.rglob("*.html"))
+    assert len(pages) > len(list(DOCS.rglob("*.md")))
+    for page in pages:
+        found = Loads()
+        found.feed(page.read_text(encoding="utf-8"))
+        assert not [target for target in found.loaded if re.match(r"(https?:)?//", target)], page.name
+        for target in found.loaded + found.links:
+            path = re.split(r"[?#]", target)[0]
+            if path and not re.match(r"[a-z]+:", path):
+                assert (page.parent / path).exists(), f"{page.name}: {target}"
+    for sheet in site.rglob("*.css"):
+        assert not re.search(r"url\(['\"]?(https?:)?//|@import", sheet.read_text(encoding="utf-8")), sheet.name
