@@ -7,12 +7,16 @@ from pathlib import Path
 import click
 
 from mahovik.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.cli.export_fmu import fmu
 from mahovik.cli.group import Commands
 
 
 @click.group(cls=Commands, short_help="Projects around the C, for other tools.")
 def export() -> None:
     """Projects around the C of a stand, for other tools and boards."""
+
+
+export.add_command(fmu)
 
 
 @export.command()
