@@ -8,6 +8,7 @@ import click
 
 from mahovik.cli.arguments import load_stand, real_option, stand_argument
 from mahovik.cli.export_cmake import cmake
+from mahovik.cli.export_fmu import fmu
 from mahovik.cli.group import Commands
 from mahovik.cli.progress import progress
 
@@ -15,6 +16,9 @@ from mahovik.cli.progress import progress
 @click.group(cls=Commands, short_help="Projects around the C, for other tools.")
 def export() -> None:
     """Projects around the C of a stand, for other tools and boards."""
+
+
+export.add_command(fmu)
 
 
 @export.command()

@@ -36,3 +36,10 @@ def environment() -> Environment:
 def template(name: str) -> Template:
     """The template of that file name."""
     return environment().get_template(name)
+
+
+def source_text(name: str) -> str:
+    """A file beside the templates as it is: what others wrote, such as the headers of a standard."""
+    loader = environment().loader
+    assert loader is not None
+    return loader.get_source(environment(), name)[0]

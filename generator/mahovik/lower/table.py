@@ -241,13 +241,13 @@ class Tables(Kinds):
             fields.append(Field("frame", self.frame, (len(self.own),)))
         if self.sensors:
             fields.append(Field("sensor", self.sensor, (self.sensor_count,)))
-        fields += self._laws
+        fields += self.laws
         return Struct(
             "table", "The stand as the equations need it. Made by prepare, but for the laws at the end.", tuple(fields)
         )
 
     @property
-    def _laws(self) -> list[Field]:
+    def laws(self) -> list[Field]:
         """Laws of wrenches, as the stand file gives them: prepare does not touch them."""
         laws = []
         if self.weight:

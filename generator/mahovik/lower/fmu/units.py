@@ -1,0 +1,119 @@
+"""Units of an FMU's variables: names as FMI tools know them, exponents of the SI base units, units to display."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit by its exponents; `quantity` where the field has a name for what is measured in it alone."""
+
+    name: str
+    kg: int = 0
+    m: int = 0
+    s: int = 0
+    rad: int = 0
+    quantity: str = ""
+
+    @property
+    def exponents(self) -> dict[str, int]:
+        """Those of the base units that are not zero."""
+        found = {"kg": self.kg, "m": self.m, "s": self.s, "rad": self.rad}
+        return {name: exponent for name, exponent in found.items() if exponent}
+
+
+NONE = Unit("1")
+SECOND = Unit("s", s=1, quantity="Time")
+KILOGRAM = Unit("kg", kg=1, quantity="Mass")
+METRE = Unit("m", m=1, quantity="Length")
+RADIAN = Unit("rad", rad=1, quantity="Angle")
+VELOCITY = Unit("m/s", m=1, s=-1, quantity="Velocity")
+ANGULAR_VELOCITY = Unit("rad/s", s=-1, rad=1, quantity="AngularVelocity")
+ACCELERATION = Unit("m/s2", m=1, s=-2, quantity="Acceleration")
+ANGULAR_ACCELERATION = Unit("rad/s2", s=-2, rad=1, quantity="AngularAcceleration")
+FIRST_MOMENT = Unit("kg.m", kg=1, m=1, quantity="FirstMoment")
+INERTIA = Unit("kg.m2", kg=1, m=2, quantity="MomentOfInertia")
+MOMENTUM = Unit("kg.m/s", kg=1, m=1, s=-1, quantity="Momentum")
+ANGULAR_MOMENTUM = Unit("kg.m2/s", kg=1, m=2, s=-1, quantity="AngularMomentum")
+FORCE = Unit("N", kg=1, m=1, s=-2, quantity="Force")
+TORQUE = Unit("N.m", kg=1, m=2, s=-2, quantity="Torque")
+ENERGY = Unit("J", kg=1, m=2, s=-2, quantity="Energy")
+RATE = Unit("1/s", s=-1, quantity="Rate")
+STIFFNESS = Unit("N/m", kg=1, s=-2, quantity="Stiffness")
+DAMPING = Unit("N.s/m", kg=1, s=-1, quantity="Damping")
+
+DISPLAY = {
+    "rad": (("deg", 180 / math.pi),),
+    "rad/s": (("rpm", 30 / math.pi), ("deg/s", 180 / math.pi)),
+    "rad/s2": (("deg/s2", 180 / math.pi),),
+    "m": (("mm", 1e3),),
+    "kg": (("g", 1e3),),
+}
+"""Units to display, with how many of them are one SI unit."""
+
+_BY_NAME = {
+    "": NONE,
+    "m": METRE,
+    "kg": KILOGRAM,
+    "kg m": FIRST_MOMENT,
+    "kg m2": INERTIA,
+    "m/s": VELOCITY,
+    "m/s2": ACCELERATION,
+    "rad": RADIAN,
+    "rad/s": ANGULAR_VELOCITY,
+    "rad/s2": ANGULAR_ACCELERATION,
+    "J": ENERGY,
+    "N/m": STIFFNESS,
+    "N s/m": DAMPING,
+}
+
+
+def of_member(unit: str) -> Unit:
+    """The unit that a member of one unit has in the program. Raises KeyError for pairs, matrices and laws."""
+    return _BY_NAME[unit]
+
+
+def twist(component: int) -> Unit:
+    """Of component 0..5 of a twist."""
+    return VELOCITY if component < 3 else ANGULAR_VELOCITY
+
+
+def twist_rate(component: int) -> Unit:
+    """Of component 0..5 of a twist's derivative."""
+    return ACCELERATION if component < 3 else ANGULAR_ACCELERATION
+
+
+def wrench(component: int) -> Unit:
+    """Of component 0..5 of a wrench."""
+    return FORCE if component < 3 else TORQUE
+
+
+def momentum(component: int) -> Unit:
+    """Of component 0..5 of a momentum screw."""
+    return MOMENTUM if component < 3 else ANGULAR_MOMENTUM
+
+
+def added_mass(row: int, column: int) -> Unit:
+    """Of an element of Lambda."""
+    return (KILOGRAM, FIRST_MOMENT, INERTIA)[(row >= 3) + (column >= 3)]
+
+
+def law(row: int, factors: tuple[int, ...], rate: bool = True) -> Unit:
+    """Of the coefficient of a wrench's component: wrench by the product of components of a twist (0..5).
+
+    Without `rate` of displacements: a stiffness.
+    """
+    turning = sum(c >= 3 for c in factors)
+    moving = len(factors) - turning
+    seconds = len(factors) if rate else 0
+    lengths = (row >= 3) - moving  # of the coefficient, beside the newton
+    above = "N" + (".m" if lengths > 0 else "") + _power(".s", seconds)
+    below = [part for part in (_power("m", -lengths), _power("rad", turning)) if part]
+    name = above if not below else f"{above}/{below[0]}" if len(below) == 1 else f"{above}/({'.'.join(below)})"
+    return Unit(name, kg=1, m=1 + lengths, s=seconds - 2, rad=-turning)
+
+
+def _power(name: str, exponent: int) -> str:
+    return "" if exponent <= 0 else name if exponent == 1 else f"{name}{exponent}"
