@@ -14,9 +14,8 @@ import pytest
 
 from mahovik import __version__
 from mahovik.reference.evaluate import evaluate
-from mahovik.report.derivation.page import html, latex
 from mahovik.report.derivation.numbers import numbers
-from mahovik.report.derivation.page import significant
+from mahovik.report.derivation.page import html, latex, significant
 from mahovik.stand import Stand, State, load
 from mahovik.stand.identity import identities
 from mahovik.stand.random import Features, random_stand, random_state

@@ -47,8 +47,8 @@ class Figures:
 
     @property
     def name(self) -> str:
-        """Head of a column."""
-        return f"{self.target}, {self.real}>"
+        """Target and element type."""
+        return f"{self.target}, {self.real}"
 
 
 def section(material: Material) -> Section | None:
@@ -62,7 +62,7 @@ def section(material: Material) -> Section | None:
     else:
         found, origin = _compiled(stand, missing), "of the compiler, when this report was made"
     parts = [_introduction(origin), _operations(stand), _figures(found)]
-    other = [each.name.removesuffix(">") for each in found if each.source != _source(stand, each.real)]
+    other = [each.name for each in found if each.source != _source(stand, each.real)]
     if other:
         words = f"Of other C than this version generates: {'; '.join(other)}. Measure again with `mahovik cost`."
         parts.append(Markup("<p>{}</p>\n").format(verdict(words, "warn")))
@@ -94,31 +94,26 @@ def _operations(stand: Stand) -> Markup:
 
 
 def _figures(found: Sequence[Figures]) -> Markup:
-    """A table of each figure, a column a target."""
+    """A table of each target."""
     if not found:
         return Markup("")
     parts = [Markup('<h3>On processors</h3>\n<div class="side">\n')]
-    for title, figures in (
-        ("instructions", [each.instructions for each in found]),
-        ("stack, bytes", [each.stack for each in found]),
-        ("code, bytes", [each.code for each in found]),
-    ):
-        names = dict.fromkeys(name for each in figures for name in each)
-        if names:
-            lines = [
-                [Markup("<code>{}</code>").format(name), *(_figure(each, name) for each in figures)] for name in names
-            ]
-            foot: list[Cell] = (
-                ["whole file", *(_count(each.text) for each in found)] if title.startswith("code") else []
-            )
-            parts.append(table([title.partition(",")[0], *(each.name for each in found)], [lines], title, foot))
+    for each in found:
+        counted = ("instructions>",) if each.instructions else ()
+        lines: list[list[Cell]] = []
+        for name in each.code:
+            count = each.instructions.get(name, 0)
+            own = [_count(count) if count else "refused"] if counted else []
+            sizes = [_count(sizes[name]) if name in sizes else "" for sizes in (each.stack, each.code)]
+            lines.append([Markup("<code>{}</code>").format(name), *own, *sizes])
+        foot = ["whole file", *("" for _ in counted), "", _count(each.text)]
+        head = ("function", *counted, "stack, bytes>", "code, bytes>")
+        parts.append(table(head, [lines], each.name, foot))
     parts.append(Markup("</div>\n"))
     parts += [paragraph(f"{each.target}: {each.words}.") for each in found]
+    if any(not count for each in found for count in each.instructions.values()):
+        parts.append(paragraph("Refused: the states of the measurement are none for this function."))
     return Markup("").join(parts)
-
-
-def _figure(given: Mapping[str, int], name: str) -> str:
-    return "" if name not in given else _count(given[name]) if given[name] else "refused"
 
 
 def _count(number: int) -> str:

@@ -21,7 +21,7 @@ from mahovik.stand.state import State
 from mahovik.verify.judges.rigid import SEQUENCES
 from mahovik.verify.scales import scales
 
-MANY = 16
+MANY = 13
 """Flywheels from which on `I` and `J` are shown transposed, a row a flywheel: a page is as long as it has to be."""
 
 EQUATIONS = (

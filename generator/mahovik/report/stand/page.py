@@ -64,7 +64,7 @@ def _sections(material: Material) -> list[Section]:
     """Those that have something to show, in their order."""
     make = {name: import_module(f"mahovik.report.stand.{name}").section for name in ORDER}
     generated(material.stand)
-    with ThreadPoolExecutor(max_workers=len(BESIDE)) as pool:
+    with ThreadPoolExecutor(max_workers=2) as pool:
         beside = {name: pool.submit(make[name], material) for name in BESIDE if name in make}
         made = {name: make[name](material) for name in ORDER if name not in beside}
         made |= {name: task.result() for name, task in beside.items()}

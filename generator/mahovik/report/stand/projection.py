@@ -46,6 +46,21 @@ class Projection:
         a, b = (math.sqrt(max(float(x), 0.0)) for x in squares[::-1])
         return self.point(center), a, b, math.degrees(math.atan2(directions[1, 1], directions[0, 1]))
 
+    def cylinder(self, near: Array, far: Array, axis: Array, radius: float) -> str:
+        """Outline of a cylinder about `axis` (unit) between the centres of its faces, as the data of a path.
+
+        Half of the outline of each face, a circle of `radius` (m) seen aslant, and the straight lines between.
+        """
+        p, q, big = self.point(near), self.point(far), self.scale * radius
+        flat = big * abs(float(axis @ self.towards))
+        on_paper = self.rows @ axis
+        turn = math.atan2(on_paper[0], -on_paper[1])
+        e = big * np.array([math.cos(turn), math.sin(turn)])
+        sweep = int((p - q) @ np.array([-e[1], e[0]]) > 0)
+        arc = f"A{n(big)} {n(flat)} {n(math.degrees(turn))} 0 {sweep} "
+        a, b, c, d = (f"{n(x)} {n(y)}" for x, y in (p + e, p - e, q - e, q + e))
+        return f"M{a}{arc}{b}L{c}{arc}{d}Z"
+
 
 def n(x: float) -> str:
     """A number of the paper: a tenth of a px, no zeros that say nothing."""
@@ -108,17 +123,6 @@ def end_on(at: Array, towards: bool, colour: str, radius: float = 4.5) -> str:
     d = 0.68 * radius
     strokes = "".join(line(at + np.array([-d, s * d]), at + np.array([d, -s * d]), f"stroke:{colour}") for s in (1, -1))
     return circle(at, radius, style) + strokes
-
-
-def hull(points: Array) -> list[Array]:
-    """Convex hull of points (M, 2) of the paper, in order around it."""
-    from scipy.spatial import ConvexHull, QhullError
-
-    try:
-        return [points[i] for i in ConvexHull(points).vertices]
-    except QhullError:  # all on one line: seen edge on
-        along = points @ np.linalg.svd(points - points.mean(axis=0))[2][0]
-        return [points[int(np.argmin(along))], points[int(np.argmax(along))]]
 
 
 def round_length(largest: float) -> float:

@@ -8,7 +8,7 @@ from html import escape
 import numpy as np
 
 from mahovik.report.stand.labels import HEIGHT, Box, Places
-from mahovik.report.stand.projection import Array, Projection, arrow, circle, ellipse, end_on, hull, line, path, text
+from mahovik.report.stand.projection import Array, Projection, arrow, circle, ellipse, end_on, line, path, text
 from mahovik.report.stand.shape import Disc, Shape, Solid, Tie
 
 CROWD = 12
@@ -21,7 +21,6 @@ FAR = 2.5
 """Times the stand's size: a leg to a ground point beyond is cut off."""
 
 STATIC, DYNAMIC = "var(--bad)", "var(--accent)"
-_RIM = np.stack([np.cos(a := np.linspace(0.0, 2 * np.pi, 37)[:-1]), np.sin(a)])
 
 
 @dataclass(frozen=True)
@@ -101,23 +100,23 @@ class View:
         return f"<g>{title}{ellipse(outline, style)}</g>"
 
     def _disc(self, disc: Disc, index: int) -> str:
-        rim = disc.center[:, None] + disc.radius * (disc.C[:, 1:] @ _RIM)
-        half = disc.thickness / 2 * disc.C[:, :1]
-        faces = [self.projection.rows @ (rim + side * half) + np.array(self.projection.at)[:, None] for side in (-1, 1)]
-        near = disc.center + (half[:, 0] if disc.C[:, 0] @ self.projection.towards >= 0 else -half[:, 0])
-        round_ = self.projection.ellipsoid(near, disc.radius * disc.C[:, 1:])
+        axis = disc.C[:, 0]
+        half = disc.thickness / 2 * (axis if axis @ self.projection.towards >= 0 else -axis)
+        near = disc.center + half
+        outside = self.projection.cylinder(near, disc.center - half, axis, disc.radius)
+        rim = self.projection.ellipsoid(near, disc.radius * disc.C[:, 1:])
         tint = f"fill:{colour(index)};fill-opacity:.16;stroke:{colour(index)};stroke-width:1.2"
         if not disc.equivalent:
             tint += ";stroke-dasharray:2 2"
-        outline = path(hull(np.hstack(faces).T), tint + ";stroke-linejoin:round", closed=True)
-        face = ellipse(round_, f"fill:none;stroke:{colour(index)};stroke-width:.8")
+        outline = f'<path d="{outside}" style="{tint}"/>'
+        face = ellipse(rim, f"fill:none;stroke:{colour(index)};stroke-width:.8")
         return f"<g><title>{escape(disc.name)}</title>{outline}{face}</g>"
 
-    def _vector(self, start: Array, along: Array, paint: str, **kind: float | bool) -> str:
+    def _vector(self, start: Array, along: Array, paint: str, width: float) -> str:
         """A vector of the stand, m; end on where it points along the sight."""
         a, b = self.projection.point(start), self.projection.point(start + along)
         if np.hypot(*(b - a)) >= 0.2 * self.projection.scale * np.linalg.norm(along):
-            return arrow(a, b, paint, **kind)  # type: ignore[arg-type]
+            return arrow(a, b, paint, width)
         return end_on(a, bool(along @ self.projection.towards > 0), paint)
 
     def _axis(self, disc: Disc, index: int) -> str:

@@ -1,0 +1,79 @@
+"""Reports of example stands, and a page as its reader has it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from html.parser import HTMLParser
+
+VOID = {"meta", "link", "br", "img", "input", "hr", "source", "path", "circle", "line", "rect", "polygon", "polyline"}
+"""Elements without an end; those of SVG may have one."""
+
+
+APART = {"td", "th", "tr", "p", "dt", "dd", "li", "div", "caption", "figcaption", "h1", "h2", "h3", "button", "title"}
+"""Elements whose text does not run on into what follows."""
+
+
+@dataclass
+class Seen:
+    """What a page consists of: text by section, attributes by element, what is wrong with its structure."""
+
+    text: str = ""
+    sections: list[str] = field(default_factory=list)
+    attributes: list[tuple[str, str, str]] = field(default_factory=list)
+    wrong: list[str] = field(default_factory=list)
+
+
+class Reader(HTMLParser):
+    """Reads a page; every element must end where it has to, ids must be there once."""
+
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.seen = Seen()
+        self.open: list[str] = []
+        self.ids: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            self.seen.attributes.append((tag, name, value or ""))
+            if name == "id":
+                if value in self.ids:
+                    self.seen.wrong.append(f"id {value} twice")
+                self.ids.add(str(value))
+                if tag == "section":
+                    self.seen.sections.append(str(value))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag in APART:
+            self.seen.text += " "
+        if tag in VOID:
+            return
+        if not self.open or self.open[-1] != tag:
+            self.seen.wrong.append(f"</{tag}> where {self.open[-1:]} is open")
+        else:
+            self.open.pop()
+
+    def handle_data(self, data: str) -> None:
+        if self.open[-1:] not in (["style"], ["script"]):
+            self.seen.text += data
+
+
+def read(page: str) -> Seen:
+    """A page, read."""
+    reader = Reader()
+    reader.feed(page)
+    reader.close()
+    reader.seen.wrong += [f"<{tag}> is not closed" for tag in reader.open]
+    return reader.seen
+
+
+def words(page: str) -> str:
+    """The text of a page with single spaces; thin ones stay."""
+    return re.sub(r"[ \t\n]+", " ", read(page).text).strip()
