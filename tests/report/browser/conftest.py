@@ -53,6 +53,7 @@ def reports(tmp_path_factory):
     found["bench8"].write_text(assembled.page(material).html, encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(assembled, "ORDER", ("drawing", "animation"))
+        patch.setattr(assembled, "BESIDE", ("drawing",))
         patch.setattr(assembled, "generated", lambda stand: None)  # no C for these
         for name, stand in scenes.items():
             found[name].write_text(assembled.page(gather(stand, f"{name}.toml")).html, encoding="utf-8")

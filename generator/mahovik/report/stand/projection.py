@@ -52,12 +52,14 @@ class Projection:
         Half of the outline of each face, a circle of `radius` (m) seen aslant, and the straight lines between.
         """
         p, q, big = self.point(near), self.point(far), self.scale * radius
-        flat = big * abs(float(axis @ self.towards))
+        flat = abs(float(axis @ self.towards))
         on_paper = self.rows @ axis
         turn = math.atan2(on_paper[0], -on_paper[1])
         e = big * np.array([math.cos(turn), math.sin(turn)])
         sweep = int((p - q) @ np.array([-e[1], e[0]]) > 0)
-        arc = f"A{n(big)} {n(flat)} {n(math.degrees(turn))} 0 {sweep} "
+        arc = (
+            f"A1 {flat:.4f} {n(math.degrees(turn))} 0 {sweep} "  # too small, so enlarged to fit: no rounding shifts it
+        )
         a, b, c, d = (f"{n(x)} {n(y)}" for x, y in (p + e, p - e, q - e, q + e))
         return f"M{a}{arc}{b}L{c}{arc}{d}Z"
 
