@@ -21,6 +21,9 @@ GROWING = 1e-6
 SECANTS = 4
 """Steps from the grid to a crossing."""
 
+MET = 1e-6
+"""Part of a natural frequency that an order may miss it by: more is a frequency that comes or goes there."""
+
 ASYMMETRIC = 1e-9
 """Part of the mean of K above which its second harmonic counts."""
 
@@ -29,7 +32,7 @@ ASYMMETRIC = 1e-9
 class Crossing:
     """Where a flywheel's order meets a natural frequency: `order` times the speed (rad/s) is `frequency` (Hz).
 
-    mode      number of the natural frequency there, 1 the lowest
+    mode      column of the natural frequency, from 1; the highest is 6
     damping   ratio of that mode
     """
 
@@ -45,7 +48,7 @@ class Campbell:
     """Natural frequencies about rest, flywheels at one common speed that they keep; means over a turn.
 
     speed      (S, rad/s), rising from 0
-    natural    (S, 6; Hz): ascending; NaN where there are fewer. |eigenvalue| / 2 pi
+    natural    (S, 6; Hz): |eigenvalue| / 2 pi, ascending to the last column; NaN in the first where there are fewer
     damping    (S, 6): their ratios
     growth     (S, 1/s): largest real part of an eigenvalue; 0 where none grows
     orders     1; and 2 where asymmetric flywheels vary K twice a turn
@@ -76,7 +79,7 @@ def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
     values = np.linalg.eigvals(mean_equations(scene, speed))
     size = np.abs(values).max(axis=1, initial=0.0, keepdims=True)
     swinging = values.imag > np.maximum(1e-6 * size, 1e-6)
-    order = np.argsort(np.where(swinging, np.abs(values), np.inf), axis=1)[:, :6]
+    order = np.argsort(np.where(swinging, np.abs(values), -1.0), axis=1)[:, -6:]  # slow ones come and go: at the front
     kept = np.take_along_axis(swinging, order, axis=1)
     chosen = np.where(kept, np.take_along_axis(values, order, axis=1), np.nan)
     natural = np.abs(chosen)
@@ -124,8 +127,8 @@ def _crossings(scene: Scene, speed: Array, natural: Array, order: int) -> list[C
         high, at_high = np.where(same, high, x), np.where(same, at_high, at)
         settled = at_low == at_high
         at_high = np.where(settled, at_low + 1.0, at_high)
+    met = np.abs(at) <= MET * found[rows, k]
     return [
         Crossing(order, int(k[j]) + 1, float(x[j]), float(found[j, k[j]]), float(damping[j, k[j]]))
-        for j in range(len(i))
-        if np.isfinite(found[j, k[j]])
+        for j in np.flatnonzero(met)
     ]

@@ -51,6 +51,15 @@ class Opened:
                found(document.getElementById("stage").toDataURL()))))"""
         )
 
+    def changed(self, before):
+        """The canvas as soon as it is another; fails after seconds."""
+        for _ in range(100):
+            now = self.picture()
+            if now != before:
+                return now
+            self.page.wait_for_timeout(50)
+        pytest.fail("the picture stays as it was")
+
     def show(self):
         """Brings the animation into sight."""
         self.page.locator("#stage").scroll_into_view_if_needed()

@@ -97,6 +97,22 @@ def test_large_motion_is_not_magnified():
     assert magnifications(0.0, 0.0, 0.4) == ([1.0], 0)
 
 
+def test_rows_that_are_no_numbers_are_left_out():
+    """And an attitude that leaps from q to -q does not turn."""
+    stand = load(path("demo3"))
+    columns = {name: np.zeros(6) for name in (f"{a} [m]" for a in "xyz")}
+    columns |= {"t [s]": np.arange(6.0), "qw": np.array([1.0, 1, -1, -1, 1, 1])} | {f"q{a}": np.zeros(6) for a in "xyz"}
+    columns |= {f"phi {s.name} [rad]": np.array([0.0, 1, 2, np.nan, 4, 5]) for s in stand.flywheels}
+    run = Run("made.csv", tuple(s.name for s in stand.flywheels), columns)
+    found = motion_of(replace(gather(stand, "demo3.toml"), run=run))
+    assert found.t.tolist() == [0.0, 1.0, 2.0, 4.0, 5.0]
+    assert found.quaternion[:, 0].tolist() == [1.0] * 5
+    one = Run("made.csv", run.flywheels, {name: values[:1] for name, values in columns.items()})
+    found = motion_of(replace(gather(stand, "demo3.toml"), run=one))
+    assert not found.moves
+    assert "made.csv has less than two rows" in found.words
+
+
 def test_without_a_run_flywheels_turn_in_a_carrier_at_rest_and_it_says_so():
     """Nothing is invented: the words say that no run was given, no control speaks of the carrier's motion."""
     html = section(gather(load(path("bench8")), "bench8.toml")).html

@@ -9,6 +9,7 @@ import pytest
 
 from mahovik.report.stand import campbell as section
 from mahovik.stand import Stand
+from mahovik.stand.model import Leg
 from mahovik.study.campbell import NODES, _averaged, campbell, mean_equations, natural_at
 from mahovik.study.linear import linear_model
 from mahovik.study.response.scene import Scene
@@ -77,9 +78,32 @@ def test_a_free_stand_nutates() -> None:
     expected = np.abs(np.linalg.eigvals(np.linalg.solve(J, cross)).imag).max() / (2 * np.pi)
     natural = natural_at(scene, np.array([0.0, speed]))[0]
     assert not np.isfinite(natural[0]).any() and np.isfinite(natural[1]).sum() == 1
-    assert natural[1][0] == pytest.approx(expected, rel=1e-4)
+    assert natural[1][-1] == pytest.approx(expected, rel=1e-4)
     found = section.section(material(stand))
     assert found is not None and "by spin alone" in found.html and "No order crosses" in found.html
+
+
+LEGS = tuple(
+    Leg(ground, carrier, 0.5, 900.0, 3.0)
+    for ground, carrier in (
+        ((0.2, 0.0, -0.5), (0.2, 0.0, 0.0)),
+        ((-0.1, 0.2, -0.5), (-0.1, 0.2, 0.0)),
+        ((0.5, -0.2, 0.1), (0.0, -0.2, 0.1)),
+    )
+)
+
+
+@pytest.mark.parametrize("ties", range(4))
+def test_frequencies_that_come_with_speed_are_no_crossings(ties: int) -> None:
+    """On few legs most directions are free, and begin to swing at the first speed of the grid."""
+    stand = replace(example("bench8"), suspension=None, gravity=(0.0, 0.0, 0.0), legs=LEGS[:ties])
+    scene = Scene.of(stand)
+    assert scene.free.shape[1] >= 6 - ties
+    found = campbell(scene, np.linspace(0.0, 100.0, 60))
+    for each in found.crossings:
+        natural = natural_at(scene, each.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4]))[0][:, each.mode - 1]
+        assert natural == pytest.approx(each.frequency, rel=1e-2)
+        assert each.order * each.speed / (2 * np.pi) == pytest.approx(each.frequency, rel=1e-5)
 
 
 def test_no_equilibrium_is_said() -> None:

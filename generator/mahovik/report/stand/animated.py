@@ -14,7 +14,13 @@ from mahovik.stand.summary import summarize
 Array = NDArray[np.float64]
 
 PERIOD_ROWS = 1200
-"""Of a programme: rows of its span."""
+"""Of a periodic programme."""
+
+ROWS = 6000
+"""Of one that is not."""
+
+TURNS = 60
+"""Of flywheels at constant speed, until the animation begins anew."""
 
 STRAIGHT = 0.1
 """A motion may be thinned where straight lines between the rows left keep to this share of its range,"""
@@ -54,10 +60,10 @@ def motion_of(material: Material) -> Motion:
         numbers = np.hstack([run.t[:, None], run.position, run.quaternion, run.phi])
         good = np.isfinite(numbers).all(axis=1)
         if good.sum() > 1:
-            return Motion(f"the run {run.source}", run.t[good], run.position[good], run.quaternion[good],
-                          run.phi[good], True)  # fmt: skip
+            attitudes = _continuous(run.quaternion[good])
+            return Motion(f"the run {run.source}", run.t[good], run.position[good], attitudes, run.phi[good], True)
     if programme is not None:
-        t = np.linspace(0.0, programme.span, PERIOD_ROWS + 1)
+        t = np.linspace(0.0, programme.span, (PERIOD_ROWS if programme.periodic else ROWS) + 1)
         phi = programme.at(t).phi
         whole = "one period" if programme.periodic else "the whole"
         if material.motion is not None:
@@ -70,17 +76,15 @@ def motion_of(material: Material) -> Motion:
             "by --run, says how it moves"
         )
         return _still(words, t, phi)
+    why = "no run was given (mahovik simulate makes one, --run shows it)"
+    if run is not None:
+        why = f"the run {run.source} has less than two rows"
     if not N:
-        return _still(
-            "the stand at rest: it has no flywheels, and no run was given", np.array([0.0, 1.0]), np.zeros((2, 0))
-        )
+        return _still(f"the stand at rest: it has no flywheels, and {why}", np.array([0.0, 1.0]), np.zeros((2, 0)))
     speeds = np.array([row.speed for row in summarize(material.stand).unbalance])
-    turn = 2 * np.pi / float(speeds.min())
-    words = (
-        "flywheels at constant speed, those of the table of bodies, in a carrier drawn at rest: no run was given "
-        "(mahovik simulate makes one, --run shows it)"
-    )
-    return _still(words, np.array([0.0, 60 * turn]), np.outer([0.0, 60 * turn], speeds))
+    t = np.array([0.0, TURNS * 2 * np.pi / float(speeds.min())])
+    words = f"flywheels at constant speed, those of the table of bodies, in a carrier drawn at rest: {why}"
+    return _still(words, t, np.outer(t, speeds))
 
 
 def thinned(motion: Motion, most: int) -> tuple[Motion, str]:
@@ -123,6 +127,12 @@ def _follows(motion: Motion, thin: Motion, start: int) -> bool:
 def _still(words: str, t: Array, phi: Array) -> Motion:
     quaternion = np.tile([1.0, 0.0, 0.0, 0.0], (len(t), 1))
     return Motion(words, t, np.zeros((len(t), 3)), quaternion, phi, False)
+
+
+def _continuous(quaternion: Array) -> Array:
+    """The same attitudes without leaps from q to -q."""
+    leaps = np.sum(quaternion[1:] * quaternion[:-1], axis=1) < 0.0
+    return np.asarray(quaternion * np.cumprod(np.append(1.0, np.where(leaps, -1.0, 1.0)))[:, None])
 
 
 def _quaternions(C: Array) -> Array:

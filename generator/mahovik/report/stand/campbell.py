@@ -49,27 +49,37 @@ def section(material: Material) -> Section | None:
         return Section(ANCHOR, TITLE, paragraph(_nothing(scene)))
     last = max((each.speed for each in found.crossings), default=0.0) or _meeting(found)
     split = 0.0 < FAR * NEAR * last < limit
-    shown = [panel(found, "up to the limit of speed")]
+    wide = found
     if split:
         near = campbell(scene, np.linspace(0.0, NEAR * last, POINTS))
-        found = _joined(near, found)
-        shown.insert(0, panel(near, "where the orders cross"))
-    parts = [paragraph(_words(scene, found)), charts(shown), _table(found)]
-    lowest = float(np.nanmin(found.natural))
-    summary = f"natural frequencies from {lowest:.3g} to {float(np.nanmax(found.natural)):.3g} Hz"
+        found = _joined(near, wide)
+    absent = int((~np.isfinite(found.natural).any(axis=0)).sum())
+    shown = [panel(wide, "up to the limit of speed", absent)]
+    if split:
+        shown.insert(0, panel(near, "where the orders cross", absent))
+    parts = [paragraph(_words(scene, found)), charts(shown), _table(found, absent)]
+    still = found.natural[0][np.isfinite(found.natural[0])]
+    summary = f"natural frequencies up to {float(np.nanmax(found.natural)):.3g} Hz"
+    if still.size:
+        summary = (
+            "natural frequencies at rest " + " to ".join(dict.fromkeys(f"{x:.3g}" for x in still[[0, -1]])) + " Hz"
+        )
     if found.crossings:
         summary += f"; {len(found.crossings)} crossings up to {RPM * found.crossings[-1].speed:.4g} rpm"
     return Section(ANCHOR, TITLE, "".join(parts), summary=summary)
 
 
-def panel(found: Campbell, where: str) -> Panel:
-    """Natural frequencies, lines of orders, crossings."""
+def panel(found: Campbell, where: str, absent: int) -> Panel:
+    """Natural frequencies, lines of orders, crossings; `absent`: the first columns that are nowhere."""
     speed, top = RPM * found.speed, TOP * float(np.nanmax(found.natural))
-    modes = int(np.isfinite(found.natural).any(axis=0).sum())
-    lines = [Line(f"mode {k + 1}", speed, found.natural[:, k], k) for k in range(modes)]
+    lines = [Line(f"mode {k + 1}", speed, found.natural[:, absent + k], k) for k in range(6 - absent)]
     lines += [_order(n, speed, top) for n in found.orders]
     marks = tuple(
-        Mark(RPM * each.speed, each.frequency, f"{each.order}× meets mode {each.mode} at {RPM * each.speed:.4g} rpm")
+        Mark(
+            RPM * each.speed,
+            each.frequency,
+            f"{each.order}× meets mode {each.mode - absent} at {RPM * each.speed:.4g} rpm",
+        )
         for each in found.crossings
     )
     return Panel(
@@ -140,11 +150,17 @@ def _words(scene: Scene, found: Campbell) -> str:
     return words
 
 
-def _table(found: Campbell) -> str:
+def _table(found: Campbell, absent: int) -> str:
     if not found.crossings:
         return paragraph("No order crosses a natural frequency in this range.")
     rows = [
-        [f"{each.order}×", str(each.mode), figure(RPM * each.speed), figure(each.frequency), figure(each.damping, 3)]
+        [
+            f"{each.order}×",
+            str(each.mode - absent),
+            figure(RPM * each.speed),
+            figure(each.frequency),
+            figure(each.damping, 3),
+        ]
         for each in found.crossings
     ]
     return table(["order", "mode>", "speed, rpm>", "frequency, Hz>", "damping ratio>"], [rows], "Crossings")

@@ -170,7 +170,10 @@ def _compiled(stand: Stand, missing: list[str]) -> list[Figures]:
         if shutil.which(target.compiler[0]) is None:
             missing.append(f"{name}, {real}: no {target.compiler[0]}: apt-get install {' '.join(target.packages)}")
             continue
-        found.append(_object(stand, target, real))
+        try:
+            found.append(_object(stand, target, real))
+        except ToolchainError as error:
+            missing.append(f"{name}, {real}: {error}")
     return found
 
 

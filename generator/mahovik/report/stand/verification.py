@@ -23,7 +23,7 @@ from mahovik.verify.harness import judge, report, verify_c
 from mahovik.verify.judges.compare import JUDGES, load_judges, verify_by
 from mahovik.verify.judges.rigid import stripped
 from mahovik.verify.report import Report
-from mahovik.verify.targets import asked, verify_targets
+from mahovik.verify.targets import TargetsReport, asked, verify_targets
 
 STATES = 16
 """Random and extreme, of three derivations; `mahovik verify` takes more."""
@@ -55,14 +55,15 @@ def section(material: Material) -> Section | None:
         bad = failures_of(against, TITLES[name])
         failures += bad
         said.append(f"{TITLES[name]} {'disagrees' if bad else 'agrees'}")
-    if material.targets:
-        targets = verify_targets(stand, asked(material.targets))
+    targets, reason = _on_targets(material)
+    if targets is not None:
         parts.append(targets_table(targets))
         failures += [f"{row.target}, {row.real}: {row.reason}" for row in targets.rows if row.failed]
         equal = sum(row.verdict == "ok" for row in targets.rows)
         said.append(f"the same bits on {equal} of {len(targets.rows)} targets")
     else:
-        open_.append(("processors: the same bits as on the host", f"mahovik verify {file} --targets quick"))
+        command = f"mahovik verify {file} --targets {material.targets or 'quick'}"
+        open_.append((f"processors: the same bits as on the host{reason}", command))
     open_ += _further(material, file)
     parts.append(_not_run(open_))
     return Section("verification", "Verification", Markup("").join(parts), tuple(failures), "; ".join(said))
@@ -97,6 +98,16 @@ def _outside(stand: Stand, name: str) -> Report:
     bare = stripped(stand)
     judges = load_judges(bare, [name])
     return verify_by(bare, judges, count=JUDGED, until=0.0, backend=NumpyBackend(bare), judged="the literal reference")
+
+
+def _on_targets(material: Material) -> tuple[TargetsReport | None, str]:
+    """The self-test where `--targets` asked for it; else None, and why where that is not for want of asking."""
+    if not material.targets:
+        return None, ""
+    try:
+        return verify_targets(material.stand, asked(material.targets)), ""
+    except ToolchainError as error:
+        return None, f": {error}"
 
 
 def _further(material: Material, file: str) -> list[tuple[str, str]]:
