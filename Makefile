@@ -32,6 +32,7 @@ help:
 	@echo "make pil        servos on emulated M7 and M4 in closed loop with a stand, bit for bit: docs/servo.md"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/control-loop.md"
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/lanes.md"
+	@echo "make api-speed  nanoseconds a state of Python's forward beside the batch C, into docs/python.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make generation-time  generation cold and warm, start of commands, gcc: docs/generation.md"
 	@echo "make faults     plants faults in the C and in the derivation, each caught: docs/planted-faults.md; minutes"
@@ -138,6 +139,9 @@ pil: setup
 
 control-loop: setup
 	$(BIN)/python tools/control_loop.py
+
+api-speed: setup
+	$(BIN)/python tools/api_speed.py
 
 lanes-table: setup
 	$(BIN)/python tools/lanes_table.py

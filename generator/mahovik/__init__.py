@@ -10,7 +10,7 @@
 Public is what `__all__` names; docs/python.md describes it. It is loaded when it is first asked for.
 """
 
-from typing import TYPE_CHECKING, Any
+TYPE_CHECKING = False  # type checkers take it for True; `typing` itself is half of a start
 
 if TYPE_CHECKING:
     from mahovik.api.model import Model, build
@@ -61,14 +61,16 @@ _PLACES = {
 }
 
 
-def __getattr__(name: str) -> Any:
-    if name not in __all__:
-        raise AttributeError(f"module 'mahovik' has no attribute {name!r}")
-    from importlib import import_module
+if not TYPE_CHECKING:  # a name that is not there is an error for type checkers
 
-    found = getattr(import_module(f"mahovik.{_PLACES.get(name, 'errors')}"), name)
-    globals()[name] = found  # the next time without this
-    return found
+    def __getattr__(name: str) -> object:
+        if name not in __all__:
+            raise AttributeError(f"module 'mahovik' has no attribute {name!r}")
+        from importlib import import_module
+
+        found = getattr(import_module(f"mahovik.{_PLACES.get(name, 'errors')}"), name)
+        globals()[name] = found  # the next time without this
+        return found
 
 
 def __dir__() -> list[str]:

@@ -14,6 +14,7 @@ import mahovik
 from api.models import model, stand
 from mahovik.api import compiled, store
 from mahovik.toolchain import compiler
+from toolchain.tools import require
 
 
 def test_threads_of_python_do_not_disturb_one_another():
@@ -62,6 +63,20 @@ def test_worker_processes(start, threads, tmp_path):
     command = [sys.executable, "-W", "ignore", str(script), start]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
     assert done.stdout.startswith("same"), done.stderr
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("other", ["gcc", "clang"])
+def test_every_compiler_gives_the_same_bits(other):
+    require(other, other)
+    m, one = mahovik.build(stand("general"), compiler=other), model("general")
+    rng = np.random.default_rng(1)
+    x = m.states(V=rng.normal(size=(99, 6)), phi=rng.normal(size=(99, 2)), phi_dot=rng.normal(size=(99, 2)) * 100)
+    assert m.compiler == other
+    for function in ("forward", "coupled", "torque", "matrices", "mounts", "momentum", "step"):
+        given = [1e-3] if function == "step" else []
+        for key, value in getattr(m, function)(x, *given).to_dict().items():
+            assert np.array_equal(value, getattr(one, function)(x, *given)[key]), (function, key)
 
 
 @pytest.mark.slow

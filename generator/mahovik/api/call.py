@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Any, Literal
 
@@ -28,7 +27,6 @@ class Caller:
         self._made = made
         self._real = real
         self._threads = threads
-        self._process = os.getpid()
         self._records = {f.name: [record(a.members, real) for a in f.arguments] for f in made.functions.values()}
         self._fields = {name: self._of(f) for name, f in made.functions.items()}
 
@@ -58,9 +56,7 @@ class Caller:
             else:
                 arrays.append(by_component(given[a.name], a.components, n, self._real))
         status = np.zeros(n, dtype=np.int32)
-        # libgomp keeps no threads across a fork
-        threads = self._threads if os.getpid() == self._process else 1
-        if self._made.library.call(function, n, arrays, status, threads) < 0:
+        if self._made.library.call(function, n, arrays, status, self._threads) < 0:
             if on_error == "raise":
                 inputs = {a.name: (a, x) for a, x in zip(f.arguments, arrays, strict=True) if a.direction == "in"}
                 raise refused(function, status, inputs, self._stand, self._made.inputs)

@@ -158,7 +158,7 @@ class Built:
             "phi": (inputs.read(phi, "phi", count, self._flywheels, "flywheel"), count),
             "phi_dot": (inputs.read(phi_dot, "phi_dot", count, self._flywheels, "flywheel"), count),
         }
-        single = n is None and inputs.common({name: part for name, (part, _) in parts.items()}) is None
+        single = n is None and inputs.batch_size({name: part for name, (part, _) in parts.items()}) is None
         return States(self._stand.name, self._state, packed(parts, n, self._element), single)
 
     def states_of(self, array: ArrayLike) -> States:
@@ -219,7 +219,7 @@ class Built:
         if not self._flywheels:
             for name in given.keys() - {a.name for a in f.arguments}:
                 inputs.read(given[name], name, 0, (), "flywheel")
-        n = inputs.common(parts)
+        n = inputs.batch_size(parts)
         found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error)
         return found, status, n is None
 

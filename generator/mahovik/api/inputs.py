@@ -48,7 +48,7 @@ def _by_name(given: Mapping[str, ArrayLike], what: str, names: Sequence[str], no
         parts[i] = numbers(value, f"{what} of {names[i]}")
         if parts[i].ndim > 1:
             raise InputError(f"{what} of {names[i]}: expected a number or shape (n,), found {parts[i].shape}")
-    n = common({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
+    n = batch_size({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
     found = np.zeros((len(names),) if n is None else (n, len(names)))
     for i, part in parts.items():
         found[..., i] = part
@@ -66,7 +66,7 @@ def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str)
     return found
 
 
-def common(parts: Mapping[str, Array], axes: int = 2) -> int | None:
+def batch_size(parts: Mapping[str, Array], axes: int = 2) -> int | None:
     """The number of states of arrays that have a batch axis (those of so many axes); None where none has.
 
     Raises InputError where they differ.

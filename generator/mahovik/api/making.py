@@ -18,7 +18,7 @@ from mahovik.verify.states import ROUNDING, UNIT_LENGTH
 
 def packed(parts: Mapping[str, tuple[Array, int]], n: int | None, real: np.dtype[Any]) -> Array:
     """Arrays of shape (), (count,), (n, count) below one another, (components, n). Raises InputError."""
-    many = inputs.common({name: part for name, (part, _) in parts.items()})
+    many = inputs.batch_size({name: part for name, (part, _) in parts.items()})
     if n is not None and (isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0):
         raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
     if n is not None and many not in (None, n):
@@ -66,7 +66,7 @@ def wrenches(given: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known
         if body not in bodies:
             raise InputError(f"wrench: the C takes none on {body!r}: set `wrench_input = true` in the stand file")
         parts[body] = inputs.read(value, f"wrench of {body}", 6, WRENCH_LETTERS, "component")
-    n = inputs.common(parts)
+    n = inputs.batch_size(parts)
     found = np.zeros((6 * len(bodies),) if n is None else (n, 6 * len(bodies)))
     for body, part in parts.items():
         first = 6 * list(bodies).index(body)

@@ -26,6 +26,18 @@ _PARALLEL = "-fopenmp"
 _PLACE = ["-shared", "-fPIC"]
 
 
+_PROCESS = {"forked": False}
+
+
+def _after_fork() -> None:
+    """The threads of OpenMP stayed behind in the process that this was forked from: waiting for them would not end."""
+    _PROCESS["forked"] = True
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
+
+
 @lru_cache
 def machine(compiler: tuple[str, ...]) -> str:
     """What the compiler says of itself and of this processor: where it is the same, so is the code it makes."""
@@ -79,9 +91,12 @@ class ArrayLibrary:
     def call(
         self, function: str, n: int, arrays: Sequence[NDArray[Any]], status: NDArray[np.int32], threads: int = 1
     ) -> int:
-        """Calls a function on contiguous arrays; returns the first negative status, else 0."""
+        """Calls a function on contiguous arrays; returns the first negative status, else 0.
+
+        In a process that was forked and runs no other program, `threads` is 1.
+        """
         if self._threads is not None:
-            self._threads(threads)
+            self._threads(1 if _PROCESS["forked"] else threads)
         address = self._ffi.from_buffer
         passed = self._ffi.new(self._void, [address(a) if a.size else self._ffi.NULL for a in arrays])
         return int(self._calls[function](n, passed, address("int[]", status)))
