@@ -40,25 +40,28 @@ from mahovik.cli.verify_programme import verify_programme
 SECTIONS = {
     "A stand": (new, import_model, check, derive, rest),
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
-    "Motion in time": (evaluate, simulate, replay),
-    "Vibration": (modes, linearize, response, quiet),
+    "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, quiet),
     "Programmes of the flywheels": (plan, design, verify_programme),
     "Around it": (report, plot, export, doctor, completion),
 }
-"""Commands under the headings of `--help`, in the order in which one uses them."""
+"""Commands under the headings of `--help`, in the order in which one uses them; all fit on a screen of 40 lines."""
 
 
-@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(
+    cls=Commands,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    options_metavar="[-h | --version]",
+    subcommand_metavar="COMMAND ...",
+)
 @click.version_option(__version__, prog_name="mahovik")
 def main() -> None:
-    """Exact equations of motion of a carrier with unbalanced flywheels, as verified, dependency-free C.
-
-    \b
+    """\b
+    Exact equations of motion of carrier and unbalanced flywheels, as verified C.
         mahovik new bench8               copy an example stand
         mahovik generate bench8.toml     C into ./bench8
         mahovik verify bench8.toml       that C against the literal reference
 
-    Exit status: 0 good, 1 a check failed or some states, 2 bad input or usage, 130 Ctrl-C.
+    Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
     """
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -39,11 +40,13 @@ def given(option: str) -> bool:
 
 
 def console(piped: int = 4000) -> Console:
-    """Colours and box lines on a terminal only; elsewhere no line is cut or folded before `piped` columns."""
+    """As wide as the terminal; elsewhere no line is cut or folded before `piped` columns.
+
+    Colours on a terminal, unless NO_COLOR is set or TERM is dumb; elsewhere only where FORCE_COLOR is.
+    """
     from rich.console import Console
 
-    found = Console(highlight=False, soft_wrap=False)
-    return found if found.is_terminal else Console(highlight=False, width=piped)
+    return Console(highlight=False, width=None if sys.stdout.isatty() else piped)
 
 
 def table(*columns: str, title: str | None = None) -> Table:

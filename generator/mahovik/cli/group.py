@@ -74,6 +74,13 @@ class Commands(click.Group):
             formatter.write_dl([(n.ljust(width), self.commands[n].get_short_help_str(limit)) for n in names])
             formatter.dedent()
 
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Where commands have sections, the options are in the line of usage: only the commands follow."""
+        if self._sections:
+            self.format_commands(ctx, formatter)
+        else:
+            super().format_options(ctx, formatter)
+
     def make_context(self, *given: Any, **more: Any) -> click.Context:
         """As click's, which makes status 1 of Ctrl-C."""
         try:

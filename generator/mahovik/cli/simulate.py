@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from mahovik.stand.state import State
 
 
-@click.command()
+@click.command(short_help="Simulate a stand, or a programme on it.")
 @stand_argument
 @click.option("--until", metavar="S", type=float, help="Duration, s.")
 @click.option("-o", "output", metavar="FILE.csv|FILE.parquet", type=click.Path(), help="Columns.")

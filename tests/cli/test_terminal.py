@@ -1,0 +1,67 @@
+"""Colours, and the width of terminals: what the environment asks for, on terminals and in pipes."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from cli.run import AUV6, DEMO3, process
+from cli.terminal import Seen, on_terminal
+from mahovik.stands import path
+
+SAT4 = str(path("sat4"))
+TABLES = {
+    "check": ("check", AUV6),
+    "rest": ("rest", AUV6),
+    "modes": ("modes", SAT4),
+    "doctor": ("doctor",),
+    "verify": ("verify", DEMO3, "--with", "cat", "--states", "2"),
+}
+
+
+def words(seen: Seen) -> str:
+    """All that is said, whatever the width: without blanks and lines of boxes."""
+    return re.sub(r"[\s─-]", "", "\n".join(seen.lines))
+
+
+@pytest.mark.parametrize("columns", [40, 80])
+@pytest.mark.parametrize("arguments", TABLES.values(), ids=TABLES)
+def test_no_line_is_longer_than_the_terminal(arguments: tuple[str, ...], columns: int) -> None:
+    seen = on_terminal(*arguments, columns=columns, piped=False)
+    assert len(seen.lines) > 1 or "verify" in arguments
+    complaints = [line for line in seen.lines if line.startswith(("error:", "warning:"))]
+    assert all(len(line.rstrip()) <= columns for line in seen.lines if line not in complaints)
+
+
+def test_a_narrow_terminal_folds_and_never_cuts() -> None:
+    narrow, wide = (on_terminal("check", DEMO3, columns=columns) for columns in (40, 200))
+    assert "…" not in narrow.screen
+    assert sorted(words(narrow)) == sorted(words(wide))
+
+
+@pytest.mark.parametrize(
+    ("env", "coloured"),
+    [({}, True), ({"NO_COLOR": "1"}, False), ({"TERM": "dumb"}, False), ({"NO_COLOR": "1", "FORCE_COLOR": "1"}, False)],
+)
+def test_colours_on_a_terminal(env: dict[str, str], coloured: bool) -> None:
+    """The warning of auv6 is yellow."""
+    seen = on_terminal("check", AUV6, **env)
+    assert "warning:" in seen.screen
+    assert seen.colours == coloured
+
+
+def test_colours_in_a_pipe_only_where_they_are_forced() -> None:
+    plain = process("check", AUV6, NO_COLOR="", FORCE_COLOR="")
+    assert "\x1b" not in plain.stdout
+    forced = process("check", AUV6, FORCE_COLOR="1", TERM="xterm", NO_COLOR="")
+    assert "\x1b[33m" in forced.stdout
+    assert re.sub(r"\x1b\[[\d;]*m", "", forced.stdout) == plain.stdout  # and no line is folded
+
+
+@pytest.mark.parametrize("columns", [80, 132])
+def test_help_fits_a_terminal(columns: int) -> None:
+    seen = on_terminal("--help", columns=columns)
+    assert len(seen.lines) <= 40
+    assert max(map(len, seen.lines)) <= columns
+    assert not any(line.endswith("...") for line in seen.lines if line.startswith("  "))
