@@ -14,6 +14,7 @@ import numpy as np
 from mahovik.errors import ForeignError, UsageError
 from mahovik.foreign.actuators import torque_limits
 from mahovik.foreign.model import Array, ForeignModel, Frame, Link, Place, RigidMass, Spin
+from mahovik.foreign.unlogged import unlogged
 from mahovik.foreign.xml import parsed
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import show
@@ -41,7 +42,8 @@ def compiled(path: Path) -> Any:
     except ImportError as error:
         raise UsageError(f"MuJoCo, which reads MJCF, is not installed ({error.name or error}): {INSTALL}") from None
     try:
-        return mujoco.MjModel.from_xml_path(str(path))
+        with unlogged():
+            return mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:
         said = " ".join(str(error).split()).removeprefix("Error: ").removeprefix("XML Error: ")
         raise ForeignError([f"{path.name}: MuJoCo refuses it: {said}"]) from None
@@ -66,8 +68,9 @@ class _Reader:
     def model(self) -> ForeignModel:
         """The bodies of what moves; of a file with problems only a beginning."""
         self._refuse_what_acts()
+        self._refuse_not_finite()
         root = self._root()
-        if root is None:
+        if root is None or self.problems.lines:
             return ForeignModel(self._name, "body", None, (), (), None, ())
         inside = self._below(root)
         limits, said = torque_limits(self._model)
@@ -103,6 +106,23 @@ class _Reader:
         for i in range(model.nactuator):
             if model.actuator_armature[i]:
                 add(f"actuator {show(model.actuator(i).name or str(i))}", "armature: inertia without a body")
+
+    def _refuse_not_finite(self) -> None:
+        """MuJoCo's compiler takes NaN and infinity."""
+        model = self._model
+        for key in ("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia"):
+            for i in _not_finite(getattr(model, key)):
+                self.problems.add(f"body {show(self._names[i])}", key.removeprefix("body_"), "is not finite")
+        joints = {key: getattr(model, f"jnt_{key}") for key in ("pos", "axis", "stiffness", "range", "actfrcrange")}
+        joints |= {"ref": model.qpos0[model.jnt_qposadr]}
+        joints |= {
+            key: getattr(model, f"dof_{key}")[model.jnt_dofadr] for key in ("damping", "armature", "frictionloss")
+        }
+        for key, values in joints.items():
+            for i in _not_finite(values):
+                self.problems.add(f"joint {show(model.joint(i).name or str(i))}", key, "is not finite")
+        if _not_finite(model.opt.gravity):
+            self.problems.add("option", "gravity", "is not finite")
 
     def _refuse_of_joint(self, joint: int, where: str) -> None:
         """What makes more of a joint than a drive torque and friction."""
@@ -235,3 +255,8 @@ class _Reader:
         contacts = not model.opt.disableflags & (off.mjDSBL_CONTACT | off.mjDSBL_CONSTRAINT)
         if contacts and (touching or model.npair):
             self._notes.append(f"a stand has no contacts: {touching} geoms that could touch something do not here")
+
+
+def _not_finite(values: Array) -> list[int]:
+    """Rows in which a number is NaN or infinite."""
+    return [i for i, row in enumerate(values) if not np.isfinite(row).all()]
