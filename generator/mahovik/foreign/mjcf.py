@@ -26,13 +26,12 @@ _FREE, _BALL, _SLIDE, _HINGE = range(4)
 
 
 def read_mjcf(path: Path) -> ForeignModel:
-    """The model of an MJCF file. Raises ForeignError with every problem found, UsageError without MuJoCo."""
+    """The model of an MJCF file, with every problem found.
+
+    Raises ForeignError where MuJoCo's compiler takes no such file, UsageError without MuJoCo.
+    """
     name = parsed(path, "mujoco").get("model", "")
-    reader = _Reader(compiled(path), Problems(path.name), name)
-    model = reader.model()
-    if reader.problems.lines:
-        raise ForeignError(reader.problems.lines)
-    return model
+    return _Reader(compiled(path), Problems(path.name), name).model()
 
 
 def compiled(path: Path) -> Any:
@@ -66,12 +65,12 @@ class _Reader:
             self._children[model.body_parentid[i]].append(i)
 
     def model(self) -> ForeignModel:
-        """The bodies of what moves; of a file with problems only a beginning."""
+        """The bodies of what moves; none where that is not one tree of finite numbers."""
         self._refuse_what_acts()
-        self._refuse_not_finite()
+        finite = self._finite()
         root = self._root()
-        if root is None or self.problems.lines:
-            return ForeignModel(self._name, "body", None, (), (), None, ())
+        if root is None or not finite:
+            return ForeignModel(self._name, "body", None, (), (), None, (), tuple(self.problems.lines))
         inside = self._below(root)
         limits, said = torque_limits(self._model)
         self._notes += said
@@ -80,8 +79,9 @@ class _Reader:
         self._tell(inside)
         disabled = self._model.opt.disableflags & self._mj.mjtDisableBit.mjDSBL_GRAVITY
         gravity = np.zeros(3) if disabled else np.array(self._model.opt.gravity)
-        free = self._joints(root)[:1] == [_FREE]
-        return ForeignModel(self._name, "body", gravity, tuple(links), tuple(frames), free, tuple(self._notes))
+        free = _FREE in self._joints(root) if self._joints(root) in ([], [_FREE]) else None  # None: refused above
+        notes, problems = tuple(self._notes), tuple(self.problems.lines)
+        return ForeignModel(self._name, "body", gravity, tuple(links), tuple(frames), free, notes, problems)
 
     # -- what a stand has not ------------------------------------------------------------------------------------------
 
@@ -107,9 +107,9 @@ class _Reader:
             if model.actuator_armature[i]:
                 add(f"actuator {show(model.actuator(i).name or str(i))}", "armature: inertia without a body")
 
-    def _refuse_not_finite(self) -> None:
-        """MuJoCo's compiler takes NaN and infinity."""
-        model = self._model
+    def _finite(self) -> bool:
+        """Whether all numbers are; MuJoCo's compiler takes NaN and infinity."""
+        model, before = self._model, len(self.problems.lines)
         for key in ("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia"):
             for i in _not_finite(getattr(model, key)):
                 self.problems.add(f"body {show(self._names[i])}", key.removeprefix("body_"), "is not finite")
@@ -123,6 +123,7 @@ class _Reader:
                 self.problems.add(f"joint {show(model.joint(i).name or str(i))}", key, "is not finite")
         if _not_finite(model.opt.gravity):
             self.problems.add("option", "gravity", "is not finite")
+        return len(self.problems.lines) == before
 
     def _refuse_of_joint(self, joint: int, where: str) -> None:
         """What makes more of a joint than a drive torque and friction."""
