@@ -176,8 +176,10 @@ target_link_libraries(both PRIVATE mahovik::demo3_batch mahovik::auv6)
 #include "demo3_batch.h"
 int main(void) { return sizeof(auv6_real) == 4 && sizeof(demo3_real) == 8 ? demo3_wrap(7, &(demo3_real){ 0 }) : 1; }
 """)
-    tests = ("-DDEMO3_TESTS=ON", "-DAUV6_TESTS=ON", "-DBUILD_SHARED_LIBS=ON")
-    made = build(tmp_path, *tests, f"-DCMAKE_C_COMPILER={clang}", f"-DCMAKE_CXX_COMPILER={other}")
+    tests = ("-DDEMO3_TESTS=ON", "-DAUV6_TESTS=ON", "-DDEMO3_EXAMPLE=ON", "-DAUV6_EXAMPLE=ON")
+    made = build(
+        tmp_path, *tests, "-DBUILD_SHARED_LIBS=ON", f"-DCMAKE_C_COMPILER={clang}", f"-DCMAKE_CXX_COMPILER={other}"
+    )
     call(made / "both")
     assert ctest(made) == 4
 
@@ -186,7 +188,13 @@ int main(void) { return sizeof(auv6_real) == 4 && sizeof(demo3_real) == 8 ? demo
 def test_threads_of_batches_are_found_with_the_package(tmp_path: Path) -> None:
     folder = tmp_path / "demo3"
     assert run("export", "cmake", DEMO3, "-o", str(folder), "--batch").exit_code == 0
-    made = build(folder, "-DDEMO3_OPENMP=ON", "-DDEMO3_TESTS=OFF", f"-DCMAKE_C_COMPILER={require('gcc', 'gcc')}")
+    made = build(
+        folder,
+        "-DDEMO3_OPENMP=ON",
+        "-DDEMO3_TESTS=OFF",
+        "-DDEMO3_EXAMPLE=OFF",
+        f"-DCMAKE_C_COMPILER={require('gcc', 'gcc')}",
+    )
     call(cmake(), "--install", made, "--prefix", tmp_path / "prefix")
     mine = tmp_path / "mine"
     mine.mkdir()
@@ -206,6 +214,22 @@ int main(void)
 }
 """)
     call(build(mine, f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}", "-DCMAKE_C_COMPILER=gcc") / "main")
+
+
+@pytest.mark.slow
+def test_cross_compiled(exported: Path, tmp_path: Path) -> None:
+    """For a Cortex-M7: no C++ compiler of this machine is asked."""
+    require("arm-none-eabi-gcc", "gcc-arm-none-eabi")
+    chain = tmp_path / "m7.cmake"
+    chain.write_text("""set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR arm)
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+set(CMAKE_C_FLAGS_INIT "-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard --specs=nosys.specs")
+""")
+    made = build(exported, f"-DCMAKE_TOOLCHAIN_FILE={chain}", where=str(tmp_path / "made"))
+    image = (made / "libmahovik_bench8.a").read_bytes()
+    assert b"bench8_forward" in image
+    assert not (made / "mahovik_bench8_example").exists()
 
 
 @pytest.mark.slow

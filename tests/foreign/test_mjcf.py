@@ -151,6 +151,8 @@ REFUSED = {
         hub(GOOD, '<joint name="f" type="free" damping="1"/>'),
         'joint "f": damping: not of a carrier that moves freely',
     ),
+    "nan": (hub(GOOD.replace("<body ", '<body pos="0 nan 0" ')), 'body "w", pos: is not finite'),
+    "infinite": (hub(WHEEL.format('axis="0 inf 0"')), 'joint "j", axis: is not finite'),
     "no inertia": (
         hub('<body name="w"><joint/></body>'),
         "MuJoCo refuses it: mass and inertia of moving bodies must be",

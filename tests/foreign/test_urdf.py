@@ -205,14 +205,16 @@ def test_refused(case: str, tmp_path: Path) -> None:
 
 
 def test_all_problems_are_told_together(tmp_path: Path) -> None:
+    """Of the file, of the bodies, of what turns on what."""
     path = tmp_path / "m.urdf"
-    wheels = WHEEL + LINK.format("x", -2)
+    wheels = WHEEL + LINK.format("x", -2) + LINK.format("y", 1).replace('ixx="1"', 'ixx="3"') + LINK.format("z", 1)
+    wheels += joint("continuous", "", "l", "base", "y") + joint("continuous", "", "m", "y", "z")
     path.write_text(
         f"<robot name='r'>{BASE}{wheels}{joint('prismatic')}{joint('planar', '<mimic/>', 'k', child='x')}</robot>"
     )
     with pytest.raises(ForeignError) as error:
         imported(path)
-    assert len(error.value.problems) == 4
+    assert len(error.value.problems) == 6
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.foreign.merge import Imported
 from mahovik.foreign.model import Array, Place
+from mahovik.foreign.unlogged import unlogged
 from mahovik.reference import evaluate
 from mahovik.stand.model import Stand, Vec6
 from mahovik.stand.random_state import random_state
@@ -200,7 +201,8 @@ class MujocoOriginal:
         data.qvel[order] = turn @ np.concatenate([V[:base], state.phi_dot])
         data.qfrc_applied[:] = 0.0
         data.qfrc_applied[order] = [*[0.0] * base, *state.tau]
-        mj.mj_forward(model, data)
+        with unlogged():
+            mj.mj_forward(model, data)
         given = np.concatenate([V_dot[:base], state.phi_ddot])
         accelerations = np.linalg.solve(turn, data.qacc[order] - turning)
         full = np.zeros((model.nv, model.nv))

@@ -99,7 +99,7 @@ class _Merger:
     def __init__(self, model: ForeignModel, name: str, source: str, gravity: Array | None, instruments: bool) -> None:
         self._model = model
         self._name = name
-        self._problems = Problems(source)
+        self._problems = Problems(source, list(model.problems))
         self._gravity = gravity
         self._instruments = instruments
         self._names = Names()
@@ -108,6 +108,8 @@ class _Merger:
 
     def stand(self, chosen: str | None) -> Imported:
         """See stand_of."""
+        if not self._model.links:
+            raise ForeignError(self._problems.lines)
         self._check_masses()
         first = self._model.links[0]
         groups = self._groups()

@@ -14,6 +14,7 @@ import numpy as np
 from mahovik.errors import ForeignError, UsageError
 from mahovik.foreign.actuators import torque_limits
 from mahovik.foreign.model import Array, ForeignModel, Frame, Link, Place, RigidMass, Spin
+from mahovik.foreign.unlogged import unlogged
 from mahovik.foreign.xml import parsed
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import show
@@ -25,13 +26,12 @@ _FREE, _BALL, _SLIDE, _HINGE = range(4)
 
 
 def read_mjcf(path: Path) -> ForeignModel:
-    """The model of an MJCF file. Raises ForeignError with every problem found, UsageError without MuJoCo."""
+    """The model of an MJCF file, with every problem found.
+
+    Raises ForeignError where MuJoCo's compiler takes no such file, UsageError without MuJoCo.
+    """
     name = parsed(path, "mujoco").get("model", "")
-    reader = _Reader(compiled(path), Problems(path.name), name)
-    model = reader.model()
-    if reader.problems.lines:
-        raise ForeignError(reader.problems.lines)
-    return model
+    return _Reader(compiled(path), Problems(path.name), name).model()
 
 
 def compiled(path: Path) -> Any:
@@ -41,7 +41,8 @@ def compiled(path: Path) -> Any:
     except ImportError as error:
         raise UsageError(f"MuJoCo, which reads MJCF, is not installed ({error.name or error}): {INSTALL}") from None
     try:
-        return mujoco.MjModel.from_xml_path(str(path))
+        with unlogged():
+            return mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:
         said = " ".join(str(error).split()).removeprefix("Error: ").removeprefix("XML Error: ")
         raise ForeignError([f"{path.name}: MuJoCo refuses it: {said}"]) from None
@@ -64,11 +65,12 @@ class _Reader:
             self._children[model.body_parentid[i]].append(i)
 
     def model(self) -> ForeignModel:
-        """The bodies of what moves; of a file with problems only a beginning."""
+        """The bodies of what moves; none where that is not one tree of finite numbers."""
         self._refuse_what_acts()
+        finite = self._finite()
         root = self._root()
-        if root is None:
-            return ForeignModel(self._name, "body", None, (), (), None, ())
+        if root is None or not finite:
+            return ForeignModel(self._name, "body", None, (), (), None, (), tuple(self.problems.lines))
         inside = self._below(root)
         limits, said = torque_limits(self._model)
         self._notes += said
@@ -77,8 +79,9 @@ class _Reader:
         self._tell(inside)
         disabled = self._model.opt.disableflags & self._mj.mjtDisableBit.mjDSBL_GRAVITY
         gravity = np.zeros(3) if disabled else np.array(self._model.opt.gravity)
-        free = self._joints(root)[:1] == [_FREE]
-        return ForeignModel(self._name, "body", gravity, tuple(links), tuple(frames), free, tuple(self._notes))
+        free = _FREE in self._joints(root) if self._joints(root) in ([], [_FREE]) else None  # None: refused above
+        notes, problems = tuple(self._notes), tuple(self.problems.lines)
+        return ForeignModel(self._name, "body", gravity, tuple(links), tuple(frames), free, notes, problems)
 
     # -- what a stand has not ------------------------------------------------------------------------------------------
 
@@ -103,6 +106,24 @@ class _Reader:
         for i in range(model.nactuator):
             if model.actuator_armature[i]:
                 add(f"actuator {show(model.actuator(i).name or str(i))}", "armature: inertia without a body")
+
+    def _finite(self) -> bool:
+        """Whether all numbers are; MuJoCo's compiler takes NaN and infinity."""
+        model, before = self._model, len(self.problems.lines)
+        for key in ("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia"):
+            for i in _not_finite(getattr(model, key)):
+                self.problems.add(f"body {show(self._names[i])}", key.removeprefix("body_"), "is not finite")
+        joints = {key: getattr(model, f"jnt_{key}") for key in ("pos", "axis", "stiffness", "range", "actfrcrange")}
+        joints |= {"ref": model.qpos0[model.jnt_qposadr]}
+        joints |= {
+            key: getattr(model, f"dof_{key}")[model.jnt_dofadr] for key in ("damping", "armature", "frictionloss")
+        }
+        for key, values in joints.items():
+            for i in _not_finite(values):
+                self.problems.add(f"joint {show(model.joint(i).name or str(i))}", key, "is not finite")
+        if _not_finite(model.opt.gravity):
+            self.problems.add("option", "gravity", "is not finite")
+        return len(self.problems.lines) == before
 
     def _refuse_of_joint(self, joint: int, where: str) -> None:
         """What makes more of a joint than a drive torque and friction."""
@@ -235,3 +256,8 @@ class _Reader:
         contacts = not model.opt.disableflags & (off.mjDSBL_CONTACT | off.mjDSBL_CONSTRAINT)
         if contacts and (touching or model.npair):
             self._notes.append(f"a stand has no contacts: {touching} geoms that could touch something do not here")
+
+
+def _not_finite(values: Array) -> list[int]:
+    """Rows in which a number is NaN or infinite."""
+    return [i for i, row in enumerate(values) if not np.isfinite(row).all()]

@@ -83,7 +83,7 @@ class ForeignModel:
     """A model as it was read: links, parents first; `free`: the first one moves freely, None where the file cannot say.
 
     `gravity` (3, m/s2) None where the format has none; `notes`: what is left out, a line each; `noun`: what the
-    format calls a body.
+    format calls a body. `problems`: why it is no stand, a line each; then links may be missing.
     """
 
     name: str
@@ -93,3 +93,4 @@ class ForeignModel:
     frames: tuple[Frame, ...]
     free: bool | None
     notes: tuple[str, ...]
+    problems: tuple[str, ...] = ()

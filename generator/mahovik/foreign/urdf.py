@@ -9,7 +9,6 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from mahovik.errors import ForeignError
 from mahovik.foreign.model import ForeignModel, Link, Place, RigidMass, Spin
 from mahovik.foreign.rotation import of_rpy
 from mahovik.foreign.xml import Attributes, parsed
@@ -41,13 +40,8 @@ class _Joint:
 
 
 def read_urdf(path: Path) -> ForeignModel:
-    """The model of a URDF file. Raises ForeignError with every problem found."""
-    root = parsed(path, "robot")
-    reader = _Reader(root, Problems(path.name))
-    model = reader.model()
-    if reader.problems.lines:
-        raise ForeignError(reader.problems.lines)
-    return model
+    """The model of a URDF file, with every problem found. Raises ForeignError where it is none at all."""
+    return _Reader(parsed(path, "robot"), Problems(path.name)).model()
 
 
 class _Reader:
@@ -60,7 +54,7 @@ class _Reader:
         self._notes: list[str] = []
 
     def model(self) -> ForeignModel:
-        """The links in order, parents first; of a file with problems only a beginning."""
+        """The links in order, parents first; none where the joints make no tree."""
         self._others()
         if not self._root.get("name"):
             self.problems.add("robot", "name", "required, but missing")
@@ -68,9 +62,9 @@ class _Reader:
         elements = enumerate(self._root.findall("joint"))
         joints = [joint for number, element in elements if (joint := self._joint(number, element)) is not None]
         free, links = self._tree(masses, joints)
-        return ForeignModel(
-            self._root.get("name", ""), "link", None, tuple(links), (), free, tuple(dict.fromkeys(self._notes))
-        )
+        notes = tuple(dict.fromkeys(self._notes))
+        name = self._root.get("name", "")
+        return ForeignModel(name, "link", None, tuple(links), (), free, notes, tuple(self.problems.lines))
 
     def _others(self) -> None:
         """What is neither link nor joint is told; xacro is not URDF yet."""
@@ -108,7 +102,7 @@ class _Reader:
         tensor = element.find("inertia")
         if tensor is None:
             self.problems.add(where, "inertia", "required, but missing")
-            return None
+            return RigidMass(mass, np.zeros(3), np.eye(3))  # so that nothing follows from what is told here
         xx, yy, zz, xy, xz, yz = (self._attributes.number(tensor, key, None, where, "inertia") for key in _MOMENTS)
         if mass < 0:
             self.problems.add(where, "mass", f"{mass:.17g} is negative")
@@ -174,6 +168,9 @@ class _Reader:
 
     def _tree(self, masses: dict[str, RigidMass | None], joints: list[_Joint]) -> tuple[bool | None, list[Link]]:
         """Links from the root on. A floating joint of the root says that its child is what is free."""
+        if not masses:
+            return None, []
+        before = len(self.problems.lines)
         names: set[str] = set()
         above: dict[str, _Joint] = {}
         for joint in joints:
@@ -190,19 +187,19 @@ class _Reader:
                 )
             above[joint.child] = joint
         roots = [name for name in masses if name not in above]
-        if not self.problems.lines and len(roots) != 1:
+        if len(self.problems.lines) == before and len(roots) != 1:
             found = (
                 f"{len(roots)} links have no parent, {', '.join(map(show, roots))}" if roots else "no link is the root"
             )
             self.problems.add(f"{found}: expected one root")
-        if self.problems.lines:
+        if len(self.problems.lines) > before:
             return None, []
         root = roots[0]
         floating = [joint for joint in joints if joint.type == "floating"]
         for joint in floating:
             if joint.parent != root or len([j for j in joints if j.parent == root]) > 1:
                 self.problems.add(f"joint {show(joint.name)}", "floating: only the root may float, alone")
-        if floating and not self.problems.lines:
+        if floating and len(self.problems.lines) == before:
             if masses[root] is not None:
                 self._notes.append(
                     f"link {show(root)}: what floats is on it, so it is the world, and its mass has no effect"
@@ -210,7 +207,7 @@ class _Reader:
             root = floating[0].child
         free = True if floating else False if root == "world" else None  # what is fixed on `world` stays, by custom
         links = self._below(root, masses, joints)
-        if not self.problems.lines and len(links) + bool(floating) != len(masses):
+        if len(self.problems.lines) == before and len(links) + bool(floating) != len(masses):
             self.problems.add("its joints close a loop")
         return free, links
 
