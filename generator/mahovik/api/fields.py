@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import InputError
+from mahovik.nearest import meant
 from mahovik.program.arrays import Member
 from mahovik.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
-from mahovik.nearest import meant
 
 Array = NDArray[Any]
 Labels = tuple[str, ...]

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 from mahovik.api import inputs
 from mahovik.api.fields import Array
 from mahovik.errors import InputError
-from mahovik.stand.model import WRENCH_LETTERS
 from mahovik.nearest import meant
+from mahovik.stand.model import WRENCH_LETTERS
 from mahovik.verify.states import ROUNDING, UNIT_LENGTH
 
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from mahovik.api.fields import Array, Field, Named
 from mahovik.errors import InputError
-from mahovik.program.function import STATUS_VALUES
 from mahovik.nearest import meant
+from mahovik.program.function import STATUS_VALUES
 
 Real = NDArray[Any]
 

@@ -12,8 +12,8 @@ from mahovik.errors import ForeignError
 from mahovik.foreign.model import Array, ForeignModel, Link, Place, RigidMass, Spin
 from mahovik.foreign.naming import Names
 from mahovik.foreign.rotation import about, across, angles_of, spin_axes
-from mahovik.stand.model import Body, Carrier, Flywheel, Instrument, Mat3, Motor, MountingAxes, Point, Stand, Vec3
 from mahovik.nearest import meant
+from mahovik.stand.model import Body, Carrier, Flywheel, Instrument, Mat3, Motor, MountingAxes, Point, Stand, Vec3
 from mahovik.stand.physical import LARGEST, check_body
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import show
