@@ -23,6 +23,7 @@ NOT_RUN = {
 SLOW = {
     "README.md",
     "docs/batch.md",
+    "docs/cmake.md",
     "docs/delivery.md",
     "docs/design.md",
     "docs/diagnosis.md",
@@ -95,11 +96,13 @@ def test_the_lists_name_what_is_there() -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_commands_stand_in_blocks_that_are_run(page: Path) -> None:
-    """No other block begins a line with a command, but what shows the output of the one before."""
+    """No other block begins a line with a command, but what shows the output of the one before; a synopsis, with
+    what may be left out in brackets, is not to be copied."""
     shown = {step.block.number + 1 for step in steps(page) if step.shown is not None}
     for block in blocks(page):
         if block.language in ("", "text", "bash", "console", "shell") and block.number not in shown:
-            assert not [line for line in block.text.splitlines() if MARKER.match(line)], block.name
+            commands = [line for line in block.text.splitlines() if MARKER.match(line)]
+            assert not [line for line in commands if "[" not in line], block.name
         assert block.language in COMMANDS or "# exit status" not in block.text
 
 

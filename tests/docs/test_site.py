@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from docs.pages import ROOT, links
+from report.browser.chromium import Opened, launched
 
 DOCS = ROOT / "docs"
 INDEX = DOCS / "index.md"
@@ -71,3 +72,16 @@ def test_nothing_is_loaded_from_the_network(site: Path) -> None:
                 assert (page.parent / path).exists(), f"{page.name}: {target}"
     for sheet in site.rglob("*.css"):
         assert not re.search(r"url\(['\"]?(https?:)?//|@import", sheet.read_text(encoding="utf-8")), sheet.name
+
+
+@pytest.mark.slow
+def test_pages_fit_a_phone_and_ask_for_nothing(site: Path) -> None:
+    """In a browser, in the dark: no page is wider than the screen, none complains, none makes a request."""
+    root = "document.documentElement"
+    with launched() as browser:
+        opened = Opened(browser, site / "index.html", viewport={"width": 390, "height": 844}, color_scheme="dark")
+        for page in sorted(site.rglob("*.html")):
+            opened.page.goto(page.as_uri())
+            assert opened.page.evaluate(f"{root}.scrollWidth <= {root}.clientWidth"), page.name
+        assert opened.complaints == []
+        assert [url for url in opened.requests if not url.startswith("file:")] == []
