@@ -16,6 +16,7 @@ from mahovik.emit.names import Names
 from mahovik.emit.statement import Statements
 from mahovik.emit.templates import source_text, template
 from mahovik.lower.fmu.program import lower_fmu
+from mahovik.lower.fmu.units import NONE
 from mahovik.lower.fmu.variables import Form, Variable
 from mahovik.lower.layout import Layout
 from mahovik.program.apart import apart
@@ -30,6 +31,28 @@ HEADERS = {
 }
 """Headers of the FMI standard, unchanged, by version."""
 
+SPELLING = {
+    "2.0": {
+        "token_name": "guid",
+        "logger": "fmi2CallbackLogger",
+        "component": "fmi2Component",
+        "state": "FMUstate",
+        "deserialize": "DeSerialize",
+        "derivatives": "GetDerivatives",
+        "number": "Real",
+    },
+    "3.0": {
+        "token_name": "instantiationToken",
+        "logger": "fmi3LogMessageCallback",
+        "component": "fmi3Instance",
+        "state": "FMUState",
+        "deserialize": "Deserialize",
+        "derivatives": "GetContinuousStateDerivatives",
+        "number": "Float64",
+    },
+}
+"""How the versions spell what both have."""
+
 
 @dataclass(frozen=True)
 class Sources:
@@ -39,19 +62,25 @@ class Sources:
     compiled: tuple[str, ...]
 
 
+def compiled_sources(stand: Stand, version: str) -> tuple[str, ...]:
+    """Names of the C files of an FMU, in the order in which they are compiled."""
+    name = stand.name
+    return (f"{name}.c", f"{name}_pose.c", f"{name}_model.c", f"{name}_fmi{version[0]}.c")
+
+
 def fmu_sources(stand: Stand, generated: Generated, form: Form, version: str, token: str) -> Sources:
     """All sources of an FMU; `token`: what its description and its binary must agree on."""
     printer = _Printer(stand, generated, form)
-    name, interface = stand.name, f"{stand.name}_fmi{version[0]}.c"
+    name, compiled = stand.name, compiled_sources(stand, version)
     files = dict(generated.files) | {
         f"{name}_pose.h": printer.pose("fmu/pose.h.j2"),
         f"{name}_pose.c": printer.pose("fmu/pose.c.j2"),
         f"{name}_model.h": printer.model("fmu/model.h.j2"),
         f"{name}_model.c": printer.model("fmu/model.c.j2"),
-        interface: printer.interface(version, token),
+        compiled[-1]: printer.interface(version, token),
     }
     files |= {header: source_text(f"fmu/{header}") for header in HEADERS[version]}
-    return Sources(files, (f"{name}.c", f"{name}_pose.c", f"{name}_model.c", interface))
+    return Sources(files, compiled)
 
 
 class _Printer:
@@ -117,8 +146,7 @@ class _Printer:
             **self._known,
             fmi=fmi,
             token=token,
-            token_name={"fmi2": "guid", "fmi3": "instantiationToken"}[fmi],
-            logger={"fmi2": "fmi2CallbackLogger", "fmi3": "fmi3LogMessageCallback"}[fmi],
+            **SPELLING[version],
             nominals=wrapped(", ".join(real_literal(n, self._layout.precision) for n in nominals), ""),
         )
 
@@ -127,7 +155,8 @@ class _Printer:
     def _row(self, v: Variable) -> str:
         numbers = [v.start or 0.0, self._bound(v.least, -1), self._bound(v.most, 1)]
         literals = ", ".join(real_literal(float(x), self._layout.precision) for x in numbers)
-        return f'{{ "{v.name}", "{v.unit.name}", {literals} }},'
+        unit = "" if v.unit is NONE else f" {v.unit.name}"
+        return f'{{ "{v.name}", "{unit}", {literals} }},'
 
     def _bound(self, given: float | None, sign: int) -> float:
         return sign * self._layout.precision.largest if given is None else given
@@ -228,21 +257,22 @@ class _Printer:
     def _calls(self) -> dict[str, Any]:
         """Calls of functions of the stand, by what they take."""
         NAME = self._stand.name.upper()
+        values = f"&model->value[{NAME}_AT_"
         V_dot, phi_ddot = "rates + 7", f"rates + 13 + {NAME}_N"
         common = {
             "stand": "&model->table",
             "x": "&model->x",
             "locked": "locked",
-            "wrench": f"&value[{NAME}_AT_WRENCH]",
+            "wrench": f"{values}WRENCH]",
             "mounting": "&model->mounting",
         }
-        drive = {"tau": f"&value[{NAME}_AT_DRIVE]", "phi_ddot": f"&value[{NAME}_AT_DRIVE]"}
+        drive = {"tau": f"{values}DRIVE]", "phi_ddot": f"{values}DRIVE]"}
         given = common | {"V_dot": V_dot, "phi_ddot": phi_ddot, "out": "&momenta"}
         outputs = [("momentum", given)]
         if self._layout.flywheels:
             if self._form.inputs == "acceleration":
-                outputs.append(("torque", given | {"tau": f"&value[{NAME}_AT_TORQUE]"}))
-            outputs.append(("mounts", given | {"loads": f"&value[{NAME}_AT_LOADS]"}))
+                outputs.append(("torque", given | {"tau": f"{values}TORQUE]"}))
+            outputs.append(("mounts", given | {"loads": f"{values}LOADS]"}))
         if self._layout.sensors:
             outputs.append(("measure", given | {"out": "readings"}))
         rates = common | {"V_dot": V_dot}

@@ -50,6 +50,7 @@ def _known(stand: Stand, form: Form, version: str, compiled: Sequence[str], step
     index = {v.name: k + 1 for k, (_, v) in enumerate(shown)}
     number = index if version == "2.0" else references  # how the structure names variables
     used = {v.unit.name: v.unit for _, v in shown if v.unit is not NONE}
+    measured = {v.unit.quantity: v.unit for _, v in shown if v.unit.quantity}
     return {
         "name": stand.name,
         "version": __version__,
@@ -61,7 +62,7 @@ def _known(stand: Stand, form: Form, version: str, compiled: Sequence[str], step
         "compiled": compiled,
         "step": _text(step),
         "units": [_unit(unit) for unit in used.values()],
-        "types": [(unit.quantity, unit.name, _display(unit)) for unit in used.values() if unit.quantity],
+        "types": [(unit.quantity, unit.name, _display(unit)) for unit in measured.values()],
         "variables": [_variable(reference, v, number) for reference, v in shown],
         "outputs": [_unknown(v, number, True) for _, v in shown if v.causality == "output"],
         "derivatives": [_unknown(v, number, True) for _, v in shown if v.derivative is not None],

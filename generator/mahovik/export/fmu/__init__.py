@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.emit.fmu import fmu_sources
+from mahovik.emit.fmu import compiled_sources, fmu_sources
 from mahovik.emit.fmu_description import fmu_build, fmu_description
-from mahovik.emit.generate import generate_all
+from mahovik.emit.generate import Generated, generate_all
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.export.fmu.archive import archive
 from mahovik.export.fmu.start import start_of
@@ -37,18 +37,20 @@ def export_fmu(
     dt: float = 1e-4,
     start: State | None = None,
     binary: bool = True,
+    generated: Generated | None = None,
 ) -> Fmu:
     """The FMU of a stand. `start`: default the static equilibrium, as `simulate` begins; `dt`: longest step inside, s.
+
+    `generated`: the C of the stand in double, for a caller that has it already.
 
     Raises UsageError; CheckError where there is no equilibrium to begin in; ToolchainError where the compiler refuses.
     Where there is no compiler the FMU has sources alone, and a line says so.
     """
     if not 1e-9 <= dt <= 10.0:
         raise UsageError(f"--dt {dt:g}: expected 1e-09 to 10 s, the longest step inside the FMU")
-    generated = generate_all(stand)
+    generated = generated or generate_all(stand)
     found = form(stand, generated.layout, generated.values, kind, inputs, dt, start_of(stand, start, generated))
-    names = fmu_sources(stand, generated, found, version, "").compiled
-    description = fmu_description(stand, found, version, names, max(STEP, dt))
+    description = fmu_description(stand, found, version, compiled_sources(stand, version), max(STEP, dt))
     sources = fmu_sources(stand, generated, found, version, description.token)
     files: dict[str, str | bytes] = {"modelDescription.xml": description.text}
     files |= {f"sources/{name}": text for name, text in sources.files.items()}

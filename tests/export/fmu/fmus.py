@@ -1,0 +1,164 @@
+"""FMUs of a few stands, each made once; an instance that fmpy drives call by call."""
+
+from __future__ import annotations
+
+import atexit
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import fmpy
+import numpy as np
+from fmpy.fmi2 import FMU2Model, FMU2Slave, defaultCallbacks, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+from fmpy.fmi3 import FMU3Model, FMU3Slave
+
+from mahovik import stands
+from mahovik.emit.generate import Generated, generate_all
+from mahovik.export.fmu import Fmu, export_fmu
+from mahovik.lower.fmu.variables import Inputs, Kind
+from mahovik.stand import read
+from mahovik.stand.model import Stand
+from mahovik.stand.random import EVERYTHING, random_stand
+from mahovik.stand.state import State, rest_state
+from mahovik.study.rest import rest
+
+_FOLDER = Path(tempfile.mkdtemp(prefix="mahovik-fmus-"))
+atexit.register(shutil.rmtree, _FOLDER, ignore_errors=True)
+
+STANDS = ("bench8", "rigid", "auv6", "driven")
+COMBINATIONS = tuple((v, k, i) for v in ("2.0", "3.0") for k in ("cs", "me") for i in ("torque", "acceleration"))
+
+
+@lru_cache
+def stand(name: str) -> Stand:
+    """An example, or: `rigid`, without flywheels; `driven`, with wrenches, legs, terms, instruments, points."""
+    if name in ("rigid", "driven"):
+        rng = np.random.default_rng(7)
+        without_motors = replace(EVERYTHING, motors=False)  # friction and limits of motors act in `simulate` alone
+        return random_stand(rng, 0 if name == "rigid" else 2, without_motors, name)
+    return read.load(stands.path(name))
+
+
+@lru_cache
+def generated(name: str) -> Generated:
+    """The C of such a stand."""
+    return generate_all(stand(name))
+
+
+@lru_cache
+def made(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
+    """Its FMU; begins at rest in the origin where the stand has no equilibrium."""
+    found = stand(name)
+    start = rest_state(found) if name in ("rigid", "driven") else None
+    return export_fmu(found, version, kind, inputs, start=start, binary=binary, generated=generated(name))
+
+
+@lru_cache
+def path(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> str:
+    """The same as a file."""
+    file = _FOLDER / f"{name}-{version}-{kind}-{inputs}{'' if binary else '-sources'}.fmu"
+    file.write_bytes(made(name, version, kind, inputs, binary).content)
+    return str(file)
+
+
+@dataclass
+class Instance:
+    """An instance, value references by name, and what it has logged: (status, category, message)."""
+
+    fmu: Any
+    references: dict[str, int]
+    log: list[tuple[int, str, str]]
+
+    def get(self, *names: str) -> list[float]:
+        """Values by name."""
+        call = self.fmu.getReal if isinstance(self.fmu, FMU2Slave | FMU2Model) else self.fmu.getFloat64
+        return list(call([self.references[n] for n in names]))
+
+    def set(self, **values: float) -> None:
+        """Sets values; `__` in a keyword stands for a point, `_at_` for an index."""
+        self.put({_spelt(name): value for name, value in values.items()})
+
+    def put(self, values: dict[str, float]) -> None:
+        """Sets values by name."""
+        call = self.fmu.setReal if isinstance(self.fmu, FMU2Slave | FMU2Model) else self.fmu.setFloat64
+        call([self.references[n] for n in values], list(values.values()))
+
+    def begin(self) -> None:
+        """Into and out of Initialization Mode."""
+        if isinstance(self.fmu, FMU2Slave | FMU2Model):
+            self.fmu.setupExperiment(startTime=0.0)
+        self.fmu.enterInitializationMode()
+        self.fmu.exitInitializationMode()
+
+    def step(self, now: float, duration: float) -> None:
+        """One communication step."""
+        self.fmu.doStep(currentCommunicationPoint=now, communicationStepSize=duration)
+
+
+def _spelt(name: str) -> str:
+    head, _, index = name.replace("__", ".").partition("_at_")
+    return f"{head}[{index}]" if index else head
+
+
+@contextmanager
+def instance(name: str, version: str, kind: Kind, inputs: Inputs, talks: bool = False) -> Iterator[Instance]:
+    """An instance that is freed at the end."""
+    file = path(name, version, kind, inputs)
+    description = fmpy.read_model_description(file)
+    folder = fmpy.extract(file)
+    log: list[tuple[int, str, str]] = []
+    types: dict[tuple[str, Kind], Any] = {
+        ("2.0", "cs"): FMU2Slave, ("2.0", "me"): FMU2Model, ("3.0", "cs"): FMU3Slave, ("3.0", "me"): FMU3Model,
+    }  # fmt: skip
+    found = types[version, kind](
+        guid=description.guid, unzipDirectory=folder, modelIdentifier=name, instanceName="one", fmiCallLogger=None
+    )
+    if version == "2.0":
+
+        def logger(_env: Any, _name: bytes, status: int, category: bytes, message: bytes) -> None:
+            log.append((status, category.decode(), message.decode()))
+
+        callbacks = fmi2CallbackFunctions()
+        callbacks.logger = fmi2CallbackLoggerTYPE(logger)
+        callbacks.allocateMemory = defaultCallbacks.allocateMemory
+        callbacks.freeMemory = defaultCallbacks.freeMemory
+        found.instantiate(callbacks=callbacks, loggingOn=talks)
+    else:
+
+        def log3(_env: Any, status: int, category: bytes, message: bytes) -> None:
+            log.append((status, category.decode(), message.decode()))
+
+        found.instantiate(loggingOn=talks, logMessage=log3)
+    try:
+        yield Instance(found, {v.name: v.valueReference for v in description.modelVariables}, log)
+    finally:
+        found.freeInstance()
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def heavier(found: Stand, by: float) -> Stand:
+    """A stand whose carrier has another mass, and the same moments of inertia about its origin."""
+    J = generated(found.name).values.parameters["carrier"]["inertia"]
+    tensor = ((J[0], J[3], J[4]), (J[3], J[1], J[5]), (J[4], J[5], J[2]))
+    carrier = replace(found.carrier, mass=by * found.carrier.mass, inertia=tensor, inertia_about="origin")
+    return replace(found, carrier=carrier)
+
+
+def moving(found: Stand, speed: float) -> State:
+    """A state near that in which the FMU begins, in motion; its flywheels turn at about `speed`, rad/s."""
+    state = rest_state(found) if found.name in ("rigid", "driven") else rest(found).state
+    N = len(found.flywheels)
+    wheel = [(-1.0) ** k * (1.0 + 0.1 * k) for k in range(N)]
+    return replace(
+        state,
+        angles=None,
+        quaternion=(0.98, 0.1, -0.1, float(np.sqrt(1 - 0.98**2 - 0.02))),
+        V=(0.1, -0.2, 0.15, 0.3, -0.2, 0.1),
+        phi=tuple(2.5 * x for x in wheel),
+        phi_dot=tuple(speed * x for x in wheel),
+    )

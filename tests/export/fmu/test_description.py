@@ -1,0 +1,142 @@
+"""What an FMU says of itself: judged by fmpy, and by what the stand file says."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree
+
+import fmpy
+import pytest
+from fmpy.validation import validate_fmu
+
+from export.fmu import fmus
+from export.fmu.fmus import COMBINATIONS, STANDS
+from mahovik.export.fmu import export_fmu
+from mahovik.lower.fmu import units
+from mahovik.lower.fmu.variables import Inputs, Kind
+from mahovik.stand.state import rest_state
+
+QUICK = [("bench8", *COMBINATIONS[4]), ("driven", *COMBINATIONS[2]), ("driven", *COMBINATIONS[5])]
+QUICK += [("rigid", *COMBINATIONS[2])]
+ALL = [(name, *c) for name in STANDS for c in COMBINATIONS]
+NAME = re.compile(r"(der\()?[A-Za-z_]\w*(\[\d+(,\d)?\])?(\.[A-Za-z_]\w*(\[\d(,\d)?\])?)*\)?")
+
+
+@pytest.mark.parametrize(("name", "version", "kind", "inputs"), QUICK)
+def test_the_checker_finds_nothing_but_for_names(name: str, version: str, kind: Kind, inputs: Inputs) -> None:
+    """Schema, structure, start values, causalities, units; names by a pattern, as the checker's grammar is slow."""
+    file = fmus.path(name, version, kind, inputs, binary=False)
+    read = fmpy.read_model_description(file, validate=True, validate_model_structure=True)
+    assert all(NAME.fullmatch(v.name) for v in read.modelVariables)
+    assert read.variableNamingConvention == "structured"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "version", "kind", "inputs"), ALL)
+def test_the_checker_finds_nothing(name: str, version: str, kind: Kind, inputs: Inputs) -> None:
+    """The checker of fmpy as it is."""
+    assert validate_fmu(fmus.path(name, version, kind, inputs, binary=False)) == []
+
+
+def test_the_checker_can_find_something(tmp_path: Path) -> None:
+    text = fmus.made("rigid", "2.0", "me", "torque", binary=False).files["modelDescription.xml"]
+    assert isinstance(text, str)
+    for wrong in (text.replace('unit="kg"', 'unit="pound"', 1), text.replace("<Unknown", "<Unkown", 1)):
+        (tmp_path / "modelDescription.xml").write_text(wrong)
+        with pytest.raises(Exception, match=r"pound|Unkown"):
+            fmpy.read_model_description(str(tmp_path), validate=True, validate_model_structure=True)
+
+
+def test_start_values_are_those_of_the_stand() -> None:
+    found = fmus.stand("bench8")
+    read = fmpy.read_model_description(fmus.path("bench8", "3.0", "cs", "torque", binary=False))
+    variables = {v.name: v for v in read.modelVariables}
+    assert float(variables["carrier.mass"].start) == found.carrier.mass
+    assert [float(variables[f"gravity[{i}]"].start) for i in (1, 2, 3)] == list(found.gravity)
+    w3 = found.flywheels[2]
+    assert float(variables["w3.mass"].start) == w3.mass
+    assert [float(variables[f"w3.center_of_mass[{i}]"].start) for i in (1, 2, 3)] == list(w3.center_of_mass)
+    assert found.suspension is not None
+    assert float(variables["suspension.stiffness[4,4]"].start) == found.suspension.stiffness[3][3]
+    for name in ("carrier.mass", "w3.position[2]", "suspension.damping[1,1]"):
+        assert (variables[name].causality, variables[name].variability) == ("parameter", "tunable")
+    assert variables["w3.tau"].causality == "input"
+    assert float(variables["carrier.attitude[1]"].start) == pytest.approx(1.0, abs=1e-3)  # of the equilibrium
+
+
+def test_every_flywheel_instrument_and_input_has_its_variables() -> None:
+    names = {
+        v.name for v in fmpy.read_model_description(fmus.path("driven", "2.0", "me", "torque", False)).modelVariables
+    }
+    found = fmus.stand("driven")
+    for s in found.flywheels:
+        assert {f"{s.name}.{x}" for x in ("tau", "phi", "phi_dot", "phi_ddot", "mount_wrench[6]", "mass")} <= names
+    for reading in (*found.instruments, *found.points):
+        assert {
+            f"{reading.name}.reading.{x}" for x in ("specific_force[3]", "twist[6]", "C[3,3]", "position[1]")
+        } <= names
+    for body in found.bodies:
+        assert (f"{body.name}.wrench[1]" in names) == body.wrench_input
+    assert {"leg[1].length", "stream[1]", "energy", "momentum[6]", "added_mass[6,6]"} <= names
+    assert len([n for n in names if n.startswith("derivative[")]) == sum(
+        len(body.damping.terms) for body in found.bodies if body.damping is not None
+    )
+
+
+def test_units_are_what_their_exponents_say() -> None:
+    """Names of units are products of powers: each is multiplied out on its own."""
+    base = {"kg": (1, 0, 0, 0), "m": (0, 1, 0, 0), "s": (0, 0, 1, 0), "rad": (0, 0, 0, 1), "N": (1, 1, -2, 0)}
+    base |= {"J": (1, 2, -2, 0), "1": (0, 0, 0, 0)}
+
+    def powers(text: str, sign: int) -> list[int]:
+        total = [0, 0, 0, 0]
+        for part in text.strip("()").split("."):
+            matched = re.fullmatch(r"([A-Za-z]+|1)(\d?)", part)
+            assert matched, text
+            count = sign * int(matched[2] or 1)
+            total = [t + count * b for t, b in zip(total, base[matched[1]], strict=True)]
+        return total
+
+    seen = set()
+    for name in ("driven", "rigid"):
+        text = fmus.made(name, "2.0", "me", "torque", binary=False).files["modelDescription.xml"]
+        for unit in ElementTree.fromstring(text).iterfind("UnitDefinitions/Unit"):
+            above, _, below = unit.attrib["name"].partition("/")
+            expected = powers(above, 1)
+            if below:
+                expected = [a + b for a, b in zip(expected, powers(below, -1), strict=True)]
+            exponents = unit.find("BaseUnit")
+            assert exponents is not None
+            assert [int(exponents.attrib.get(b, 0)) for b in ("kg", "m", "s", "rad")] == expected, unit.attrib["name"]
+            seen.add(unit.attrib["name"])
+    assert {"N.m", "kg.m2", "N.s2/rad2", "rad/s2"} <= seen
+    assert units.law(5, (1, 5)).name == "N.s2/rad"
+    assert units.law(1, (0, 5)).name == "N.s2/(m.rad)"
+
+
+def test_dependencies_name_the_feedthrough() -> None:
+    """Of co-simulation: accelerations depend on the inputs at once, positions do not."""
+    text = fmus.made("bench8", "3.0", "cs", "torque", binary=False).files["modelDescription.xml"]
+    outputs = {
+        o.attrib["valueReference"]: o.attrib.get("dependencies") for o in ElementTree.fromstring(text).iter("Output")
+    }
+    references = {v.attrib["name"]: v.attrib["valueReference"] for v in ElementTree.fromstring(text).iter("Float64")}
+    drives = {references[f"w{k}.tau"] for k in range(1, 9)}
+    assert outputs[references["carrier.position[1]"]] == ""
+    assert set((outputs[references["carrier.V_dot[2]"]] or "").split()) == drives
+
+
+def test_bytes_are_the_same_twice_and_tell_stands_apart() -> None:
+    found, made = fmus.stand("rigid"), fmus.generated("rigid")
+    first, again = (
+        export_fmu(found, "3.0", "cs", start=rest_state(found), binary=False, generated=made) for _ in range(2)
+    )
+    assert first.content == again.content
+    assert not re.search(
+        rb"20\d\d-\d\d-\d\d", b"".join(str(x).encode() for n, x in first.files.items() if "fmi3" not in n)
+    )
+    other = replace(found, gravity=(0.0, 0.0, -1.62))
+    moon = export_fmu(other, "3.0", "cs", start=rest_state(other), binary=False)
+    assert moon.lines[0] != first.lines[0]

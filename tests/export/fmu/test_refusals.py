@@ -1,0 +1,103 @@
+"""Wrong start values, wrong calls: an error and one line that says where, what was found, what was expected."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from fmpy.fmi1 import FMICallException
+
+from export.fmu import fmus
+from export.fmu.fmus import Instance
+
+ERROR = 3
+NONE: dict[str, float] = {}
+
+
+def said(one: Instance, call: Any) -> str:
+    """The one line that a call logs as it fails."""
+    before = len(one.log)
+    with pytest.raises(FMICallException, match="error"):
+        call()
+    assert len(one.log) == before + 1
+    status, category, message = one.log[-1]
+    assert (status, category) == (ERROR, "logStatusError")
+    assert "\n" not in message
+    return message
+
+
+WRONG = [
+    ({"carrier.mass": math.nan}, "carrier.mass: found nan, expected 0 to 1e+15 kg"),
+    ({"carrier.mass": -3.0}, "carrier.mass: found -3, expected 0 to 1e+15 kg"),
+    ({"carrier.attitude[1]": 0.5}, "carrier.attitude: found (0.5, 0, 0, 0) of length 0.5, expected a unit quaternion"),
+    ({"w1.inertia.J11": -1e-3}, "w1.mass, center_of_mass and inertia: no body can have these"),
+    ({"w2.inertia.J22": 5.0}, "w2.mass, center_of_mass and inertia: no body can have these"),
+    ({"i1.axis[1]": 0.0, "i1.axis[2]": 0.0, "i1.axis[3]": 0.0}, "i1.axis and zero: expected two directions"),
+    ({"added_mass[1,2]": 77.0}, "added_mass.elements: expected a symmetric, positive semidefinite matrix"),
+    ({"w1.phi_dot": 2e5}, "w1.phi_dot: found 200000, expected -100000 to 100000 rad/s"),
+    ({"carrier.position[2]": math.inf}, "carrier.position[2]: found inf, expected -1e+06 to 1e+06 m"),
+    ({"stream[1]": -math.inf}, "stream[1]: found -inf, expected -10000 to 10000 m/s"),
+    ({"suspension.attitude[1]": 3.0}, "suspension.attitude: found (3, "),
+    ({"w1.tau": math.nan}, "w1.tau: found nan, expected -1e+09 to 1e+09 N.m"),
+    ({"dt": 0.0}, "dt: found 0, expected 1e-09 to 10 s"),
+]
+
+
+@pytest.mark.parametrize(("values", "expected"), WRONG, ids=[next(iter(v)) for v, _ in WRONG])
+def test_wrong_start_values_are_refused(values: dict[str, float], expected: str) -> None:
+    with fmus.instance("driven", "2.0", "cs", "torque") as one:
+        one.put(values)
+        assert said(one, one.begin).startswith(expected)
+        one.fmu.reset()  # and all is well again
+        one.begin()
+        one.step(0.0, 0.01)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("version", "kind"), [("2.0", "me"), ("3.0", "cs"), ("3.0", "me")])
+@pytest.mark.parametrize(("values", "expected"), WRONG[:-1], ids=[next(iter(v)) for v, _ in WRONG[:-1]])
+def test_by_every_interface(version: str, kind: Any, values: dict[str, float], expected: str) -> None:
+    with fmus.instance("driven", version, kind, "torque") as one:
+        one.put(values)
+        assert said(one, one.begin).startswith(expected)
+
+
+def test_wrong_calls_are_refused() -> None:
+    with fmus.instance("driven", "2.0", "cs", "torque") as one:
+        assert said(one, lambda: one.step(0.0, 0.1)) == "fmi2DoStep: not allowed in Instantiated"
+        assert said(one, lambda: one.put({"energy": 1.0})).startswith("value reference ")
+        one.begin()
+        assert said(one, lambda: one.put({"carrier.V[1]": 1.0})) == "carrier.V[1]: cannot be set in Step Mode"
+        assert said(one, lambda: one.fmu.getReal([10**6])).startswith("value reference 1000000: there is none")
+        one.put({"w1.tau": math.nan})
+        assert said(one, lambda: one.step(0.0, 0.1)).startswith("w1.tau: found nan")
+        assert said(one, lambda: one.step(0.0, 0.1)) == "fmi2DoStep: not allowed in the state after an error"
+        one.fmu.reset()
+        one.begin()
+        assert said(one, lambda: one.step(0.0, -0.1)).startswith("communication step: found -0.1 s, expected above 0")
+
+
+def test_a_motion_that_leaves_its_ranges_says_when() -> None:
+    with fmus.instance("driven", "2.0", "cs", "torque") as one:
+        one.put({"w1.tau": 1e6})
+        one.begin()
+        one.step(0.0, 1e-4)
+
+        def on() -> None:
+            for k in range(1, 2000):
+                one.step(k * 1e-4, 1e-4)
+
+        message = said(one, on)
+        assert "RANGE" in message
+        assert "the motion leaves the ranges" in message
+
+
+def test_another_token_is_no_instance() -> None:
+    with fmus.instance("driven", "2.0", "cs", "torque") as one:
+        one.fmu.guid, right = "{other}", one.fmu.guid
+        kept = one.fmu.component
+        with pytest.raises(Exception, match="instantiate"):
+            one.fmu.instantiate(callbacks=one.fmu.callbacks)
+        one.fmu.guid, one.fmu.component = right, kept
+        assert one.log[-1][2].startswith("guid: found {other}, expected {")
