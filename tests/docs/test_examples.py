@@ -39,6 +39,7 @@ SLOW = {
     "docs/planning-ocp.md",
     "docs/programme-c.md",
     "docs/quiet.md",
+    "docs/report.md",
     "docs/response.md",
     "docs/rounding.md",
     "docs/servo.md",
