@@ -41,7 +41,7 @@ def test_table_columns_and_panels(given: list[str], tmp_path: Path) -> None:
 
 
 def test_ctrl_c_while_causes_are_asked_keeps_the_figures(given: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    def pressed(_: object) -> None:
+    def pressed(*_: object) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr("mahovik.control.causes.contributions", pressed)
