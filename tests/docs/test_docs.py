@@ -120,6 +120,8 @@ def mains(page: Path) -> list[Block]:
 def test_commands_run(block: Block, tmp_path: Path) -> None:
     if "gcc " in block.text:
         require("gcc", "gcc")
+    if "cmake " in block.text:
+        require("cmake", "cmake")
     printed = run_block(block, tmp_path)
     following = blocks(block.page)[block.number + 1 : block.number + 2]
     if following and following[0].language == "text" and block.text.rstrip().split("\n")[-1] == "./main":
