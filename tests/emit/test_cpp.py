@@ -184,4 +184,3 @@ def test_names_that_clash(name, tmp_path):
     user = tmp_path / "user.cpp"
     user.write_text(f'#include "{name}.hpp"\nmahovik::{namespace(given)}::State x;\n')
     run(require("g++", "g++"), "-std=gnu++17", *STRICT, "-fsyntax-only", user)
-    run(require("g++", "g++"), "-std=c++17", *STRICT, "-fsyntax-only", folder / "example.cpp")
