@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, stand, write
-from mahovik.emit.cpp import cpp_header, namespace
+from mahovik.emit.cpp import cpp_example, cpp_header, namespace
 from mahovik.emit.generate import generate_all
 from mahovik.program.function import STATUS_VALUES
 from mahovik.stand.random import BARE, random_stand
@@ -37,11 +37,12 @@ int main()
 
 def check(name, made, folder, compilers):
     """Each compiler takes the header, twice, with all warnings as errors."""
-    write({**made.files, **cpp_header(stand(name), made)}, folder)
+    write({**made.files, **cpp_header(stand(name), made), **cpp_example(stand(name), made)}, folder)
     user = folder / "user.cpp"
     user.write_text(USER.format(name=name))
     for compiler, package, standard in compilers:
         run(require(compiler, package), f"-std={standard}", *STRICT, "-fsyntax-only", user)
+    run(require("g++", "g++"), "-std=c++17", *STRICT, "-fsyntax-only", folder / "example.cpp")
 
 
 @pytest.mark.parametrize("name", FEW)

@@ -36,6 +36,12 @@ def test_an_mjcf_too() -> None:
     assert run("check", "new/other.toml").output.startswith("other ")
 
 
+def test_into_a_folder() -> None:
+    for folder in (".", "new/"):
+        run("import", "urdf", URDF, "-o", folder)
+    assert Path("small_sat.toml").read_bytes() == Path("new/small_sat.toml").read_bytes()
+
+
 def test_gravity_of_a_urdf() -> None:
     assert "--gravity" not in run("import", "urdf", URDF, "--gravity", "0", "0", "-9.81").output
     assert "gravity = [0.0, 0.0, -9.81]" in Path("small_sat.toml").read_text()

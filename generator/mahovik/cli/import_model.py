@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from mahovik.foreign.model import ForeignModel
 
 _file = click.argument("model_file", metavar="FILE", type=click.Path())
-_output = click.option("-o", "output", metavar="STAND.toml", type=click.Path(), help="Default: ./NAME.toml.")
+_output = click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Where to; default ./NAME.toml.")
 _name = click.option("--name", help="Of the stand; default: that of the model.")
 _carrier = click.option("--carrier", help="Body whose frame is E1, fixed to the first one; default: the first.")
 _instruments = click.option(
@@ -116,6 +116,8 @@ def _write(
         raise UsageError("--gravity: expected three finite numbers")
     own = name or stand_name(model.name or path.stem)
     target = Path(output) if output is not None else Path(f"{own}.toml")
+    if target.is_dir() or (output is not None and output.endswith("/")):
+        target = target / f"{own}.toml"
     if target.exists():
         raise UsageError(f"{target}: is there already, nothing was written")
     found = stand_of(
