@@ -3,8 +3,8 @@
 * A block of `sh` is run by bash, which stops at the first command that fails; `# exit status 1` in it says how its
   last command has to end.
 * A block of `python` is run as a script; names of the blocks before it on the page are there.
-* A block of `text` that comes next, under the same heading, is what the block before prints: all of it, or all that its last command prints. A
-  line `...` stands for any lines, `...` inside a line for any text.
+* A block of `text` that comes next, under the same heading, is what the block before prints: all of it, or all that its
+  last command prints. A line `...` stands for any lines, `...` inside a line for any text.
 * A block with a second word after the fence (```c main.c) is a file of that name, and only that.
 """
 
