@@ -47,7 +47,7 @@ def seconds(candidates: Sequence[Callable[[], object]]) -> list[float]:
 def rows() -> list[str]:
     """A row a number of states."""
     stand = mahovik.example("bench8")
-    model, library = mahovik.build(stand), compiled(stand, "double", None, parallel=False).library
+    model, library = mahovik.build(stand), compiled(stand, "double", np.dtype(np.float64), None, parallel=False)
     rng = np.random.default_rng(1)
     count = len(stand.flywheels)
     found = []
@@ -55,11 +55,16 @@ def rows() -> list[str]:
         x = model.states(n, V=rng.normal(size=(n, 6)), phi=rng.uniform(-3, 3, (n, count)), phi_dot=100.0)
         by_state = rng.normal(size=(n, count))
         by_component = np.asfortranarray(by_state)
-        arrays = [np.ascontiguousarray(x.array.T), np.ascontiguousarray(by_state.T), np.empty((6, n))]
+        arrays = [
+            library.tables["stand"],
+            np.ascontiguousarray(x.array.T),
+            np.ascontiguousarray(by_state.T),
+            np.empty((6, n)),
+        ]
         status = np.zeros(n, dtype=np.int32)
         alone, ready, turned = seconds(
             [
-                lambda n=n, arrays=arrays, status=status: library.call("forward", n, arrays, status),
+                lambda n=n, arrays=arrays, status=status: library.library.call("forward", n, arrays, status),
                 lambda x=x, a=by_component: model.forward(x, a),
                 lambda x=x, a=by_state: model.forward(x, a),
             ]

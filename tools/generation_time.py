@@ -1,9 +1,9 @@
 """How long generation, the start of commands and the C compiler take: writes the tables of docs/generation.md.
 
-python tools/generation_time.py [--repeat 5] [--no-page]
+python tools/generation_time.py [--repeat 5] [--only generation|start] [--no-page]
 
 Every run is a process of its own: seconds of the clock and of the processor, and the most memory it held; the least of
-the repetitions. Exit status 1 where a limit is exceeded.
+the repetitions, of the start of commands also the median. Exit status 1 where a limit is exceeded.
 """
 
 from __future__ import annotations
@@ -11,19 +11,22 @@ from __future__ import annotations
 import argparse
 import os
 import platform
+import statistics
 import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 
 from mahovik.formula.cache import VARIABLE
 from mahovik.stands import path
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "generation.md"
-BEGIN, END = "<!-- figures: tools/generation_time.py -->", "<!-- end of figures -->"
+BEGIN, END = "<!-- figures: tools/generation_time.py {} -->", "<!-- end of figures -->"
+PARTS = ("generation", "start")
 
 COUNTS = (2, 8, 64, 1000)
 """Flywheels."""
@@ -40,11 +43,28 @@ print(dumps(random_stand(np.random.default_rng([1986, count]), count, features, 
 """
 """Writes a stand. In a process of its own: what this one has imported would count as memory of those it starts."""
 
-MOST_GENERATION, MOST_MEMORY, MOST_START, MOST_COMPILE = 3.0, 300.0, 0.25, 2.0
-"""s, MB, s, s: generation with at most 64 flywheels, also without a cache; memory; start of a command; compiler.
+MOST_GENERATION, MOST_MEMORY, MOST_COMPILE = 3.0, 300.0, 2.0
+"""s, MB, s: generation with at most 64 flywheels, also without a cache; memory; compiler.
 
 Seconds of the processor, which are those of the clock on a machine without other work: each is a process of one thread.
 """
+
+AT_ONCE, SOON, REPORT = 0.25, 0.6, 6.0
+"""s: help, lists; what reads a stand; `report` of a run of ten seconds."""
+
+STARTS = (
+    (("--help",), AT_ONCE),
+    (("--version",), AT_ONCE),
+    (("new", "--list"), AT_ONCE),
+    (("generate", "--help"), AT_ONCE),
+    (("check", "STAND.toml"), SOON),
+    (("rest", "STAND.toml"), SOON),
+    (("eval", "STAND.toml", "--backend", "numpy"), SOON),
+)
+"""Commands that need no formulas, and the limit of each."""
+
+REPORTS = ((("report", "STAND.toml", "--run", "run.csv", "-o", "report.html"), REPORT),)
+"""The same of the page of a stand, where this version has it."""
 
 
 @dataclass(frozen=True)
@@ -61,10 +81,10 @@ class Spent:
         return [f"{self.clock:.2f}", f"{self.processor:.2f}", f"{self.memory:.0f}"]
 
 
-def run(command: Sequence[str], env: Mapping[str, str]) -> Spent:
+def run(command: Sequence[str], env: Mapping[str, str], cwd: Path | None = None) -> Spent:
     """One process. Raises SystemExit where it fails."""
     begin = time.perf_counter()
-    process = subprocess.Popen(command, env=dict(env), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+    process = subprocess.Popen(command, env=dict(env), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, cwd=cwd)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
@@ -72,9 +92,18 @@ def run(command: Sequence[str], env: Mapping[str, str]) -> Spent:
     return Spent(time.perf_counter() - begin, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
 
 
+def median(command: Sequence[str], env: Mapping[str, str], repeat: int, cwd: Path) -> tuple[Spent, float]:
+    """The least of each figure over repetitions, and the median of the clock."""
+    found = [run(command, env, cwd) for _ in range(repeat)]
+    return _least(found), statistics.median(s.clock for s in found)
+
+
 def least(command: Sequence[str], env: Mapping[str, str], repeat: int) -> Spent:
     """The least of each figure over repetitions."""
-    found = [run(command, env) for _ in range(repeat)]
+    return _least([run(command, env) for _ in range(repeat)])
+
+
+def _least(found: Sequence[Spent]) -> Spent:
     return Spent(min(s.clock for s in found), min(s.processor for s in found), max(s.memory for s in found))
 
 
@@ -129,29 +158,19 @@ class Measurement:
         return table(["stand, N", *(c for first in columns for c in (first, "processor, s", "MB"))], rows)
 
     def start(self) -> str:
-        """Commands that need no formulas."""
-        bench8, log = str(path("bench8")), self._folder / "log"
-        log.write_text("")
+        """Commands as a user starts them, in a folder with the stand and a run of it."""
+        (self._folder / "STAND.toml").write_text(path("bench8").read_text(encoding="utf-8"), encoding="utf-8")
+        run(self._command("simulate", "STAND.toml", "--until", "10", "-o", "run.csv"), self._env, self._folder)
         rows = []
-        for arguments in (
-            ["--help"],
-            ["--version"],
-            ["new", "--list"],
-            ["generate", "--help"],
-            ["check", bench8],
-            ["rest", bench8],
-            ["eval", bench8, "--backend", "numpy"],
-        ):
-            found = least(self._command(*arguments), self._env, 2 * self._repeat)
-            shown = " ".join("STAND.toml" if a == bench8 else a for a in arguments)
-            rows.append([f"`mahovik {shown}`", *found.cells])
+        for arguments, most in (*STARTS, *(REPORTS if find_spec("mahovik.cli.report") else ())):
+            found, middle = median(self._command(*arguments), self._env, 2 * self._repeat, self._folder)
+            rows.append([f"`mahovik {' '.join(arguments)}`", *found.cells, f"{middle:.2f}", f"{most:g}"])
             print(*rows[-1], sep="   ", flush=True)
-            self._held(f"mahovik {shown}, s", found.processor, MOST_START)
-        bare = least([sys.executable, "-c", "pass"], self._env, 2 * self._repeat)
-        numbers = least([sys.executable, "-c", "import numpy, pydantic"], self._env, 2 * self._repeat)
-        rows.append(["Python alone", *bare.cells])
-        rows.append(["Python and `import numpy, pydantic`", *numbers.cells])
-        return table(["command", "s", "processor, s", "MB"], rows)
+            self._held(f"mahovik {' '.join(arguments)}, s", found.processor, most)
+        for what, code in (("Python alone", "pass"), ("Python and `import numpy, pydantic`", "import numpy, pydantic")):
+            found, middle = median([sys.executable, "-c", code], self._env, 2 * self._repeat, self._folder)
+            rows.append([what, *found.cells, f"{middle:.2f}", ""])
+        return table(["command", "s", "processor, s", "MB", "median, s", "limit, s"], rows)
 
 
 def machine() -> str:
@@ -172,18 +191,23 @@ def main() -> None:
     """Measure, print, write the page. Exit status 1 where a limit is passed."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--only", choices=PARTS)
     parser.add_argument("--no-page", action="store_true", help="print only")
     asked = parser.parse_args()
-    with tempfile.TemporaryDirectory() as scratch:
-        found = Measurement(Path(scratch), asked.repeat)
-        generation, start = found.generation(), found.start()
-    verdict = "".join(f"* {line}\n" for line in found.passed_limits) or "None.\n"
-    text = f"{machine()}\n\n{generation}\n{start}\nLimits that were exceeded:\n\n{verdict}"
-    if not asked.no_page:
-        before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-        PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}", encoding="utf-8")
-    print(text)
-    raise SystemExit(1 if found.passed_limits else 0)
+    failed = False
+    for part in PARTS if asked.only is None else (asked.only,):
+        with tempfile.TemporaryDirectory() as scratch:
+            found = Measurement(Path(scratch), asked.repeat)
+            figures = found.generation() if part == "generation" else found.start()
+        verdict = "".join(f"* {line}\n" for line in found.passed_limits) or "None.\n"
+        text = f"{machine()}\n\n{figures}\nLimits that were exceeded:\n\n{verdict}"
+        failed |= bool(found.passed_limits)
+        print(text)
+        if not asked.no_page:
+            before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN.format(part))
+            after = rest.split(END, 1)[1]
+            PAGE.write_text(f"{before}{BEGIN.format(part)}\n\n{text}\n{END}{after}", encoding="utf-8")
+    raise SystemExit(1 if failed else 0)
 
 
 if __name__ == "__main__":

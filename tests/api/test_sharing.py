@@ -13,7 +13,10 @@ import pytest
 import mahovik
 from api.models import model, stand
 from mahovik.api import compiled, store
+from mahovik.stand.random import random_state
+from mahovik.stand.structure import structure
 from mahovik.toolchain import compiler
+from mahovik.verify.c_backend import CBackend
 from toolchain.tools import require
 
 
@@ -95,15 +98,16 @@ def test_threads_of_openmp_give_the_same_bits():
 def made(monkeypatch):
     """Stands compiled from now on, by name; what comes out lay in the store before."""
     model("bench8")
-    there = store.find(store.key(stand("bench8"), "double", tuple(compiler.find_compiler()), False))
-    assert there is not None
+    there = store.find(store.library_key(structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False))
+    numbers = store.find_numbers(store.numbers_key(stand("bench8"), "double"))
+    assert there is not None and numbers is not None
     library, facts = there[0].read_bytes(), there[1]
     found = []
 
     def copied(of, real, command, parallel, scratch):
         found.append(of.name)
         (scratch / "copy.so").write_bytes(library)
-        return scratch / "copy.so", facts
+        return scratch / "copy.so", facts, numbers
 
     monkeypatch.setattr(compiled, "_made", copied)
     return found
@@ -119,12 +123,41 @@ def test_the_second_build_compiles_nothing(made):
     assert works(mahovik.build(stand("bench8"))) and made == []
 
 
-def test_another_number_is_another_library():
+def test_stands_of_one_structure_share_a_library(made):
     one = stand("bench8")
-    heavier = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))
-    keys = {store.key(one, "double", ("cc",), False), store.key(heavier, "double", ("cc",), False)}
-    keys |= {store.key(one, "float", ("cc",), False), store.key(one, "double", ("cc",), True)}
-    assert len(keys) == 4
+    heavier = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * 1.25), gravity=(0.0, 0.5, -9.0))
+    m = mahovik.build(heavier)
+    assert made == []
+    c, state = CBackend(heavier), random_state(heavier, np.random.default_rng(1))
+    x = m.state(V=state.V, phi=state.phi, phi_dot=state.phi_dot, position=state.position)
+    aligned = replace(state, angles=None, quaternion=None)
+    expected = c.evaluate(aligned, ["forward", "mounts", "matrices"])
+    assert np.array_equal(m.forward(x, state.phi_ddot).V_dot, expected["V_dot"])
+    assert np.array_equal(m.mounts(x, state.V_dot, state.phi_ddot).mount_wrench, expected["mount_wrench"])
+    assert np.array_equal(m.matrices(x).F, expected["F"])
+    assert not np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
+
+
+def test_keys_tell_apart_what_differs():
+    one = stand("bench8")
+    other = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))
+    assert store.numbers_key(one, "double") != store.numbers_key(other, "double")
+    forms = [structure(one), structure(replace(one, name="other"))]
+    keys = {
+        store.library_key(form, r, ("cc",), p) for form in forms for r in ("double", "float") for p in (False, True)
+    }
+    assert len(keys) == 8
+
+
+@pytest.mark.parametrize("damage", ["digit", "half"])
+def test_damaged_numbers_are_not_believed(damage, tmp_path, monkeypatch, made):
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
+    mahovik.build(stand("bench8"))
+    (numbers,) = (tmp_path / "models").glob("*.numbers")
+    content = numbers.read_bytes()
+    numbers.write_bytes(content[:2000] if damage == "half" else content.replace(b"18.3", b"19.3"))
+    assert numbers.read_bytes() != content
+    assert works(mahovik.build(stand("bench8"))) and numbers.read_bytes() == content
 
 
 @pytest.mark.parametrize("damage", ["truncated", "empty", "no facts", "other facts", "a list"])

@@ -13,9 +13,7 @@ from mahovik.stands import path
 SAT4 = str(path("sat4"))
 TABLES = {
     "check": ("check", AUV6),
-    "rest": ("rest", AUV6),
     "modes": ("modes", SAT4),
-    "doctor": ("doctor",),
     "verify": ("verify", DEMO3, "--with", "cat", "--states", "2"),
 }
 
@@ -29,7 +27,6 @@ def words(seen: Seen) -> str:
 @pytest.mark.parametrize("arguments", TABLES.values(), ids=TABLES)
 def test_no_line_is_longer_than_the_terminal(arguments: tuple[str, ...], columns: int) -> None:
     seen = on_terminal(*arguments, columns=columns, piped=False)
-    assert len(seen.lines) > 1 or "verify" in arguments
     complaints = [line for line in seen.lines if line.startswith(("error:", "warning:"))]
     assert all(len(line.rstrip()) <= columns for line in seen.lines if line not in complaints)
 

@@ -127,6 +127,34 @@ def test_calls_have_the_bits_of_the_c(tmp_path):
     run(program)
 
 
+FREE = """#include "bench8.hpp"
+namespace stand = mahovik::bench8;
+extern "C" int by_c(const bench8_state* x, const double phi_ddot[8], double V_dot[6]) noexcept
+{
+    return bench8_forward(&bench8_default, x, phi_ddot, V_dot);
+}
+extern "C" int by_cpp(const stand::State& x, const stand::Reals<8>& phi_ddot, stand::Reals<6>& V_dot) noexcept
+{
+    return static_cast<int>(stand::forward(stand::default_table, x, phi_ddot, V_dot));
+}
+"""
+
+
+def test_a_call_costs_what_it_costs_in_c(tmp_path):
+    """The same instructions, byte by byte, of a caller that is `noexcept` itself."""
+    made = generated("bench8")
+    write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
+    user, thing = tmp_path / "user.cpp", tmp_path / "user.o"
+    user.write_text(FREE)
+    run(require("g++", "g++"), "-std=c++17", "-O2", "-c", user, "-o", thing)
+    printed = run(require("objdump", "binutils"), "-d", thing)
+    codes = dict(re.findall(r"<(by_\w+)>:\n(.*?)(?:\n\n|\Z)", printed, re.DOTALL))
+    until_return = {name: text.partition("ret")[0] for name, text in codes.items()}
+    bodies = {name: re.findall(r":\t((?:[0-9a-f]{2} )+)", text) for name, text in until_return.items()}
+    assert bodies["by_c"]
+    assert bodies["by_c"] == bodies["by_cpp"]
+
+
 def test_a_status_that_is_ignored_is_a_warning(tmp_path):
     made = generated("bench8")
     write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)

@@ -47,7 +47,9 @@ class Caller:
         arrays: list[Array] = []
         outputs: list[tuple[Passed, Array]] = []
         for a, layout in zip(f.arguments, self._records[function], strict=True):
-            if a.direction != "in":
+            if a.name in self._made.tables:
+                arrays.append(self._made.tables[a.name])
+            elif a.direction != "in":
                 memory = self._memory(a, layout, n)
                 outputs.append((a, memory))
                 arrays.append(memory)

@@ -53,10 +53,10 @@ class Built:
         self._stand = stand
         self._real = real
         self._given = (compiler, threads)
-        self._made = compiled(stand, real, compiler, threads > 1)
+        self._made = compiled(stand, real, ELEMENT[real], compiler, threads > 1)
         self._element = ELEMENT[real]
         self._call = Caller(stand, self._made, self._element, threads)
-        state = self._made.functions["forward"].arguments[0]
+        state = next(a for a in self._made.functions["forward"].arguments if a.name == "x")
         self._state = tuple(field(m, stand, ()) for m in state.members)
         self._components = state.components
         self._flywheels = tuple(s.name for s in stand.flywheels)
@@ -105,7 +105,7 @@ class Built:
         for function, f in self._made.functions.items():
             method = _METHODS.get(function, function)
             if method != "quaternion":
-                takes = tuple(a.name for a in f.arguments if a.direction == "in")
+                takes = tuple(a.name for a in f.arguments if a.direction == "in" and a.name not in self._made.tables)
                 gives = ("states",) if "step" in method else tuple(g.name for g in self._call.fields(function))
                 found.append(Offered(method, takes, gives, f.wide))
         return tuple(found)
@@ -205,7 +205,7 @@ class Built:
         if wrench is not None or self._made.inputs:
             by_body = wrenches(wrench, self._made.inputs, self._bodies)
         for a in f.arguments:
-            if a.direction != "in":
+            if a.direction != "in" or a.name in self._made.tables:
                 continue
             if a.name == "x":
                 parts["x"] = self._array(x)

@@ -1,4 +1,6 @@
-"""Compiled stands on disk: a library and what is known of its functions, by a key of all that they depend on.
+"""Compiled stands on disk: libraries of structures with what is known of their functions, and numbers of stands.
+
+Each lies there by a key of all that it depends on.
 
 They lie in the folder of the cache of formulas. An entry is whole or not there; the oldest go where there are many.
 """
@@ -20,21 +22,31 @@ from mahovik import __version__
 from mahovik.emit.templates import folders
 from mahovik.formula import cache as formulas
 from mahovik.stand.model import Stand
+from mahovik.stand.structure import Structure
 from mahovik.toolchain.arrays import machine
 
 KEPT = 256
-"""Libraries kept; the one not used for the longest time goes first."""
+"""Libraries kept, and as many numbers; the one not used for the longest time goes first."""
 
 _DIGEST = "digest"
+_NUMBERS = ".numbers"
 _PACKAGE = Path(__file__).resolve().parents[1]
 _STAGES = ("emit", "lower", "program", "routines", "toolchain")
 _TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.j2")
 
 
-def key(stand: Stand, real: str, compiler: Sequence[str], parallel: bool) -> str:
-    """Of a library: stand, element type, compiler with this processor, generator. Raises ToolchainError."""
-    parts = (repr(asdict(stand)), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel), _generator())
-    return hashlib.sha256("\0".join(parts).encode("utf-8", "replace")).hexdigest()[:32]
+def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool) -> str:
+    """Structure, element type, compiler with this processor, generator. Raises ToolchainError."""
+    return _key(repr(of), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel))
+
+
+def numbers_key(stand: Stand, real: str) -> str:
+    """Stand, element type, generator."""
+    return _key(repr(asdict(stand)), real)
+
+
+def _key(*parts: str) -> str:
+    return hashlib.sha256("\0".join((*parts, _generator())).encode("utf-8", "replace")).hexdigest()[:32]
 
 
 @cache
@@ -73,6 +85,35 @@ def find(name: str) -> tuple[Path, dict[str, Any]] | None:
     return library, facts
 
 
+def find_numbers(name: str) -> dict[str, Any] | None:
+    """The numbers of a key; None where there is no whole entry."""
+    place = folder()
+    if place is None:
+        return None
+    path = place / f"{name}{_NUMBERS}"
+    try:
+        digest, _, content = path.read_bytes().partition(b"\n")
+        if digest.decode("ascii") != _digest(content):
+            return None
+        os.utime(path)
+        found: dict[str, Any] = json.loads(content)
+    except (OSError, ValueError, RecursionError):
+        return None
+    return found
+
+
+def keep_numbers(name: str, numbers: Mapping[str, Any]) -> None:
+    """Puts numbers there. Where that cannot be done nothing is kept."""
+    place = folder()
+    if place is None:
+        return
+    with contextlib.suppress(OSError):
+        place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        content = json.dumps(numbers, default=float).encode()
+        _write(place / f"{name}{_NUMBERS}", _digest(content).encode() + b"\n" + content)
+        _forget(place, f"*{_NUMBERS}")
+
+
 def keep(name: str, library: Path, facts: Mapping[str, Any]) -> None:
     """Puts a library there with its facts. Where that cannot be done nothing is kept."""
     place = folder()
@@ -83,7 +124,7 @@ def keep(name: str, library: Path, facts: Mapping[str, Any]) -> None:
         content = library.read_bytes()
         _write(place / f"{name}.so", content)
         _write(place / f"{name}.json", json.dumps({**facts, _DIGEST: _digest(content)}).encode())
-        _forget(place)
+        _forget(place, "*.so")
 
 
 def _digest(content: bytes) -> str:
@@ -102,9 +143,9 @@ def _write(path: Path, content: bytes) -> None:
         raise
 
 
-def _forget(place: Path) -> None:
+def _forget(place: Path, which: str) -> None:
     """Removes the oldest of too many entries."""
-    ages = sorted((path.stat().st_mtime, path) for path in place.glob("*.so"))
+    ages = sorted((path.stat().st_mtime, path) for path in place.glob(which))
     for _, path in ages[:-KEPT]:
         for each in (path, path.with_suffix(".json")):
             each.unlink(missing_ok=True)

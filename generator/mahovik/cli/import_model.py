@@ -25,7 +25,7 @@ _instruments = click.option(
 )
 
 
-@click.group("import", cls=Commands, short_help="Stand files of URDF and MuJoCo models.")
+@click.group("import", cls=Commands, short_help="Make a stand file of a URDF or a MuJoCo model.")
 def import_model() -> None:
     """Stand files made of the models of other programs.
 

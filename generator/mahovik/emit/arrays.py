@@ -28,11 +28,11 @@ LOOPED = (
 )  # fmt: skip
 """Functions that have no batch, where the stand has them."""
 
-_ALIKE = (*ALIKE, "options")
+_ALIKE = (*ALIKE, "options", "mounting")
 """Arguments that are the same for all states."""
 
-_OWN = ("stand", "mounting")
-"""Arguments that the C has itself."""
+TABLES = ("stand", "mounting")
+"""Those that hold the numbers of a stand; all else is of its structure."""
 
 
 def array_functions(generated: Generated) -> tuple[ArrayFunction, ...]:
@@ -42,10 +42,16 @@ def array_functions(generated: Generated) -> tuple[ArrayFunction, ...]:
             f.name,
             f.purpose,
             f.name in BATCHED,
-            tuple(_passed(a, generated, f.name in BATCHED) for a in f.arguments if a.name not in _OWN),
+            tuple(_passed(a, generated, f.name in BATCHED) for a in f.arguments),
         )
         for f in _functions(generated)
     )
+
+
+def tables(generated: Generated) -> dict[str, tuple[Member, ...]]:
+    """The records of TABLES that the stand has."""
+    layout = generated.layout
+    return {"stand": members(layout.table)} | ({"mounting": members(layout.mount_table)} if layout.flywheels else {})
 
 
 def array_source(stand: Stand, generated: Generated) -> dict[str, str]:
@@ -70,7 +76,9 @@ def _functions(generated: Generated) -> list[Function]:
 
 
 def _passed(a: Argument, generated: Generated, wide: bool) -> Passed:
-    if isinstance(a.type, Struct) and not a.shape:
+    if a.name in TABLES:
+        fields: tuple[Member, ...] = ()  # see `tables`
+    elif isinstance(a.type, Struct) and not a.shape:
         fields = members(a.type)
     else:
         fields = (member(a.name, a.type, a.shape, a.unit, a.purpose.partition("; may overlap")[0]),)
@@ -89,7 +97,7 @@ def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
     found: dict[str, Struct] = {}
     for f in _functions(generated):
         for a in f.arguments:
-            if isinstance(a.type, Struct) and a.name not in _OWN:
+            if isinstance(a.type, Struct):
                 found[a.type.name] = a.type
     return [{"name": s.name, "type": names.type(s), "bytes": record(members(s), real).itemsize} for s in found.values()]
 
@@ -101,8 +109,7 @@ class _Call:
         self._f = f
         self._names = names
         self._wide = f.name in BATCHED
-        given = [a for a in f.arguments if a.name not in _OWN]
-        self._pairs = [(i, a, _passed(a, generated, self._wide)) for i, a in enumerate(given)]
+        self._pairs = [(i, a, _passed(a, generated, self._wide)) for i, a in enumerate(f.arguments)]
         self._state = generated.layout.state
 
     @property
@@ -112,7 +119,6 @@ class _Call:
             "name": self._f.name,
             "comment": self._comment(),
             "wide": self._wide,
-            "mounting": any(a.name == "mounting" for a in self._f.arguments),
             "given": [self._given(i, a) for i, a, _ in self._pairs if a.shape or isinstance(a.type, Struct)],
             "scalars": [self._scalar(i, a) for i, a, _ in self._pairs if not a.shape and isinstance(a.type, Kind)],
             "locals": [self._local(a) for _, a, p in self._pairs if p.order == "components"],
@@ -156,10 +162,6 @@ class _Call:
 
     def _argument(self, a: Argument) -> str:
         """An argument of the function for one state."""
-        if a.name == "stand":
-            return f"&{self._names.function('default')}"
-        if a.name == "mounting":
-            return "&mounting"
         passed = next(p for _, b, p in self._pairs if b is a)
         if passed.order == "components":
             return f"&{a.name}_j" if isinstance(a.type, Struct) else f"{a.name}_j"
@@ -170,7 +172,7 @@ class _Call:
     @property
     def _batched(self) -> list[str]:
         """Arguments of the batch."""
-        words = [f"&{self._names.function('default')}" if a.name == "stand" else a.name for a in self._f.arguments]
+        words = [a.name for a in self._f.arguments]
         return [words[0], "n", *words[1:], f"({self._names.type(Kind.STATUS)} *)status"]
 
 

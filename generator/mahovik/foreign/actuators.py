@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -44,6 +45,7 @@ def torque_limits(model: Any) -> tuple[dict[int, float], list[str]]:
             gain = abs(float(model.actuator_gainprm[i][0]))
             given.append(float(np.abs(model.actuator_ctrlrange[i]).max()) * gain * gear)
         joint = int(model.actuator_trnid[i][0])
-        if given:
-            limits[joint] = min([*given, limits[joint]] if joint in limits else given)
+        given += [limits[joint]] if joint in limits else []
+        if given and math.isfinite(min(given)):
+            limits[joint] = min(given)
     return limits, notes

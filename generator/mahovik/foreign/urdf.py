@@ -151,7 +151,8 @@ class _Reader:
         dynamics, limit = element.find("dynamics"), element.find("limit")
         viscous = self._attributes.number(dynamics, "damping", 0.0, where, "dynamics")
         coulomb = self._attributes.number(dynamics, "friction", 0.0, where, "dynamics")
-        effort = self._attributes.number(limit, "effort", 0.0, where, "limit")
+        endless = limit is not None and limit.get("effort", "").strip().lower() in ("inf", "+inf", "infinity")
+        effort = 0.0 if endless else self._attributes.number(limit, "effort", 0.0, where, "limit")
         for key, value in (("damping", viscous), ("friction", coulomb), ("effort", effort)):
             if value < 0:
                 self.problems.add(where, key, f"{value:.17g} is negative")

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.program.types import Kind, NamedCount, Struct
 
@@ -87,6 +88,29 @@ def record(of: Sequence[Member], real: np.dtype[Any]) -> np.dtype[Any]:
     return np.dtype(types, align=True)
 
 
+def filled(of: Sequence[Member], real: np.dtype[Any], value: Mapping[str, Any]) -> NDArray[Any]:
+    """One record in an array of one, from dicts (records), lists (arrays) and numbers."""
+    found = np.zeros(1, dtype=record(of, real))
+    _fill(of, found[0], value)
+    return found
+
+
+def _fill(of: Sequence[Member], place: Any, value: Mapping[str, Any]) -> None:
+    for each in of:
+        if each.kind != "record":
+            place[each.name] = value[each.name]
+        elif each.shape:
+            for i, inner in enumerate(value[each.name]):
+                _fill(each.members, place[each.name][i], inner)
+        else:
+            _fill(each.members, place[each.name], value[each.name])
+
+
+def members_to_plain(of: Sequence[Member]) -> list[dict[str, Any]]:
+    """Dicts and lists, which `json` can write."""
+    return [asdict(each) for each in of]
+
+
 def to_plain(functions: Sequence[ArrayFunction]) -> list[dict[str, Any]]:
     """Dicts and lists, which `json` can write."""
     return [asdict(function) for function in functions]
@@ -99,13 +123,16 @@ def from_plain(found: Sequence[Mapping[str, Any]]) -> tuple[ArrayFunction, ...]:
             f["name"],
             f["purpose"],
             f["wide"],
-            tuple(Passed(a["name"], a["direction"], a["order"], _members(a["members"])) for a in f["arguments"]),
+            tuple(
+                Passed(a["name"], a["direction"], a["order"], members_from_plain(a["members"])) for a in f["arguments"]
+            ),
         )
         for f in found
     )
 
 
-def _members(found: Sequence[Mapping[str, Any]]) -> tuple[Member, ...]:
+def members_from_plain(found: Sequence[Mapping[str, Any]]) -> tuple[Member, ...]:
+    """What `members_to_plain` gave, after `json` has read it."""
     return tuple(
         Member(
             m["name"],
@@ -114,7 +141,7 @@ def _members(found: Sequence[Mapping[str, Any]]) -> tuple[Member, ...]:
             tuple(m["axes"]),
             m["unit"],
             m["meaning"],
-            _members(m["members"]),
+            members_from_plain(m["members"]),
         )
         for m in found
     )

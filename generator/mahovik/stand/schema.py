@@ -176,7 +176,7 @@ ZERO3: Vec3 = (0.0, 0.0, 0.0)
 class Table(BaseModel):
     """Base of all tables: a key that is no field is an error."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
 
 
 class Header(Table):

@@ -1,0 +1,88 @@
+"""Names that become C identifiers, and rotations as a stand file writes them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from mahovik.foreign.merge import combined, moved
+from mahovik.foreign.model import Place, RigidMass
+from mahovik.foreign.naming import Names, stand_name
+from mahovik.foreign.rotation import about, angles_of, of_rpy, spin_axes
+from mahovik.stand.names import name_problem, stand_name_problem
+
+
+def test_every_name_is_an_identifier_of_its_own() -> None:
+    names = Names()
+    given = [
+        "wheel 1",
+        "wheel_1",
+        "wheel/1",
+        "1st",
+        "",
+        "колесо",
+        "int",
+        "carrier",
+        "a" * 300,
+        "a" * 301,
+        "x_",
+        "class",
+    ]
+    found = [names.name(each, "flywheel") for each in given]
+    assert found[:5] == ["wheel_1", "wheel_1_2", "wheel_1_3", "_1st", "flywheel"]
+    assert len(set(found)) == len(found)
+    assert [name_problem(each) for each in found] == [None] * len(found)
+    assert "carrier" not in found
+
+
+@pytest.mark.parametrize("given", ["my-sat", "math", "int", "", "класс", "7", "std"])
+def test_every_stand_has_a_name(given: str) -> None:
+    assert stand_name_problem(stand_name(given)) is None
+
+
+def test_angles_of_any_axes() -> None:
+    """At the singularity of the angles as well, where either of two may be anything."""
+    rng = np.random.default_rng(3)
+    for _ in range(500):
+        psi, theta, phi = rng.uniform(-3, 3, 3)
+        if rng.random() < 0.6:
+            theta = rng.choice([-1, 1]) * (np.pi / 2 + 10.0 ** rng.uniform(-17, -1) * rng.choice([-1, 0, 1]))
+        axes = np.asarray(Rotation.from_euler("ZYX", [psi, theta, phi]).as_matrix())
+        again = Rotation.from_euler("ZYX", angles_of(axes)).as_matrix()
+        assert np.abs(again - axes).max() < 1e-15 * 4
+
+
+def test_rotations_are_those_of_scipy() -> None:
+    rng = np.random.default_rng(4)
+    for _ in range(50):
+        roll, pitch, yaw = rng.uniform(-3, 3, 3)
+        assert np.allclose(
+            of_rpy(roll, pitch, yaw), Rotation.from_euler("xyz", [roll, pitch, yaw]).as_matrix(), atol=1e-15
+        )
+        axis, angle = rng.normal(size=3), rng.uniform(-3, 3)
+        turn = Rotation.from_rotvec(axis / np.linalg.norm(axis) * angle).as_matrix()
+        assert np.allclose(about(axis, angle), turn, atol=1e-15)
+        axes = spin_axes(axis, rng.normal(size=3))
+        assert np.allclose(axes.T @ axes, np.eye(3), atol=1e-15)
+        assert np.allclose(axes[:, 0] * np.linalg.norm(axis), axis)
+        assert np.linalg.det(axes) > 0
+
+
+def test_bodies_that_are_merged_keep_momentum_and_energy() -> None:
+    """Two points of a body are a body: mass, first moment, inertia about any point are sums."""
+    rng = np.random.default_rng(5)
+    points = rng.normal(size=(7, 3))
+    masses = rng.uniform(1, 2, 7)
+    whole = combined([RigidMass(float(m), p, np.zeros((3, 3))) for m, p in zip(masses, points, strict=True)])
+    assert whole.mass == pytest.approx(masses.sum())
+    assert whole.center == pytest.approx(masses @ points / masses.sum())
+    arms = points - whole.center
+    expected = sum(m * (a @ a * np.eye(3) - np.outer(a, a)) for m, a in zip(masses, arms, strict=True))
+    assert whole.inertia == pytest.approx(expected)
+    place = Place(rng.normal(size=3), of_rpy(*rng.normal(size=3)))
+    back = moved(moved(whole, place), place.inverse)
+    assert back.center == pytest.approx(whole.center)
+    assert back.inertia == pytest.approx(whole.inertia)
+    alone = RigidMass(0.1, np.array([0.1, 0.2, 0.3]), np.diag([0.1, 0.2, 0.3]))
+    assert combined([alone]) is alone
