@@ -3,8 +3,8 @@
 * A block of `sh` is run by bash, which stops at the first command that fails; `# exit status 1` in it says how its
   last command has to end.
 * A block of `python` is run as a script; names of the blocks before it on the page are there.
-* A block of `text` that comes next is what the block before prints: all of it, or all that its last command prints. A
-  line `...` stands for any lines, `...` inside a line for any text.
+* A block of `text` that comes next, under the same heading, is what the block before prints: all of it, or all that its
+  last command prints. A line `...` stands for any lines, `...` inside a line for any text.
 * A block with a second word after the fence (```c main.c) is a file of that name, and only that.
 """
 
@@ -42,7 +42,8 @@ def steps(page: Path) -> Iterator[Step]:
     found = blocks(page)
     for block, following in zip_longest(found, found[1:]):
         if block.language in COMMANDS and not block.file:
-            shown = following.text if following is not None and following.language == "text" else None
+            shows = following is not None and (following.language, following.section) == ("text", block.section)
+            shown = following.text if shows else None
             status = re.search(r"# exit status (\d+)", block.text)
             yield Step(block, shown, int(status[1]) if status else 0)
 

@@ -14,13 +14,14 @@ PAGES = (*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md")))
 @dataclass(frozen=True)
 class Block:
     """A fenced block: language (the first word after the fence), text, its number on the page, the name of the file
-    that it is (the second word)."""
+    that it is (the second word), how many headings stand before it."""
 
     page: Path
     number: int
     language: str
     text: str
     file: str = ""
+    section: int = 0
 
     @property
     def name(self) -> str:
@@ -29,8 +30,12 @@ class Block:
 
 def blocks(page: Path) -> list[Block]:
     """Fenced blocks of a page, in order."""
-    found = re.findall(r"^```([^\n]*)\n(.*?)^```$", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
-    return [Block(page, i, _word(head, 0), text, _word(head, 1)) for i, (head, text) in enumerate(found)]
+    text, found, end, section = page.read_text(encoding="utf-8"), [], 0, 0
+    for fence in re.finditer(r"^```([^\n]*)\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
+        section += len(re.findall(r"^#", text[end : fence.start()], re.MULTILINE))
+        found.append(Block(page, len(found), _word(fence[1], 0), fence[2], _word(fence[1], 1), section))
+        end = fence.end()
+    return found
 
 
 def _word(head: str, number: int) -> str:

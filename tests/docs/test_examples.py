@@ -15,7 +15,7 @@ from toolchain.tools import require
 
 NOT_RUN = {
     ("README.md", "make demo"): "sets up .venv anew from the network; .ci/run runs it",
-    ("docs/evidence.md", "mahovik evidence"): "minutes to hours; a short one: tests/report/evidence",
+    ("docs/evidence.md", "mahovik evidence"): "minutes to hours; a short one: tests/report/test_evidence.py",
     ("docs/proofs.md", "sh bench8_eva.sh"): "hours of Frama-C; `make proofs-quick` in .ci/run",
 }
 """Blocks that no test runs, by page and how they begin; and why."""
@@ -29,6 +29,7 @@ SLOW = {
     "docs/diagnosis.md",
     "docs/flight-recorder.md",
     "docs/following.md",
+    "docs/fmi.md",
     "docs/howto/added-mass.md",
     "docs/howto/field-log.md",
     "docs/howto/own-stand.md",
