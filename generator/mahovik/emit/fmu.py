@@ -130,6 +130,7 @@ class _Printer:
             readers=list(self._readers()),
             laws=groups["LAWS"].count > 0,
             suspects=self._suspects(),
+            mounted=any(f.shape for f in self._layout.parameters.fields if f.name != "added_mass"),
             suspended=self._layout.suspended,
             members=[(f.name, self._count(f)) for f in self._layout.state.fields],
             attitude=3,
@@ -221,30 +222,34 @@ class _Printer:
 
     def _suspects(self) -> list[str]:
         """Statements that try the parameters of one body after the other."""
-        lines = []
         named = {
             "instrument": [p.name for p in self._stand.instruments],
             "flywheel": [s.name for s in self._stand.flywheels],
             "point": [p.name for p in self._stand.points],
         }
-        places = []
+        OK, RANGE = self._names.constant("OK"), self._names.constant("RANGE")
+        lines = []
         for f in self._layout.parameters.fields:
             if f.name == "added_mass":
-                continue
-            places += [(n, f"{f.name}[{k}]") for k, n in enumerate(named[f.name])] if f.shape else [(f.name, f.name)]
-        default = self._names.function("default_parameters")
-        for name, place in places:
-            lines.append(f"one = {default};")
-            lines.append(f"one.{place} = given->{place};")
-            lines.append(f'if (unfit(&one)) {{ found = "{name}"; }}')
-        if self._layout.added_mass:
-            lines.append(f"one = {default};")
-            lines.append("memcpy(one.added_mass, given->added_mass, sizeof one.added_mass);")
-            lines.append("if (unfit(&one)) {")
-            lines.append('    found = "added_mass";')
-            lines.append('    expected = "elements: expected a symmetric, positive semidefinite matrix";')
-            lines.append("}")
+                lines += self._tried("memcpy(one.added_mass, given->added_mass, sizeof one.added_mass);")
+                lines += [f"if (status != {OK}) {{", "    (void)snprintf(model->message, sizeof model->message,"]
+                lines += ['                   "added_mass: expected a symmetric, positive semidefinite matrix");']
+                lines += ["    return 0;", "}"]
+            for k, name in enumerate(named.get(f.name, [f.name] if f.name == "carrier" else [])):
+                place = f"{f.name}[{k}]" if f.shape else f.name
+                body = f"given->{place}.body" if f.shape else f"given->{place}"
+                lines += self._tried(f"one.{place} = given->{place};")
+                if f.shape:
+                    axes = f"given->{place}.axis, given->{place}.zero"
+                    lines += [f"if (status == {RANGE}) {{", f'    return no_axes(model, "{name}", {axes});', "}"]
+                if f.name != "point":
+                    found = f"{body}.mass, {body}.inertia"
+                    lines += [f"if (status != {OK}) {{", f'    return no_body(model, "{name}", {found});', "}"]
         return lines
+
+    def _tried(self, change: str) -> list[str]:
+        """Statements: the stand file's parameters but for one change, and what prepare says to them."""
+        return [f"one = {self._names.function('default_parameters')};", change, "status = tried(&one);"]
 
     # -- calls ---------------------------------------------------------------------------------------------------------
 

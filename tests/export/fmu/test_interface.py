@@ -141,5 +141,23 @@ def tuned(version: str) -> None:
     assert carrier[3:] == pytest.approx(expected, rel=1e-9, abs=1e-12)
 
 
-def test_tuned_parameters_are_those_of_another_stand() -> None:
-    tuned("2.0")
+@SLOW
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_tuned_parameters_are_those_of_another_stand(version: str) -> None:
+    tuned(version)
+
+
+def test_a_parameter_tuned_is_one_that_was_set_before() -> None:
+    heavier = {"carrier.mass": 1.1 * fmus.stand("driven").carrier.mass, "w1.position[2]": 0.3, "stream[1]": 0.4}
+    found = []
+    for late in (False, True, None):
+        with fmus.instance("driven", "2.0", "cs", "torque") as one:
+            if late is False:
+                one.put(heavier)
+            begun(one)
+            if late:
+                one.put(heavier)
+            one.step(0.0, 0.02)
+            found.append(one.get(*SEEN))
+    assert found[1] == found[0]
+    assert found[2] != pytest.approx(found[0], rel=1e-3)

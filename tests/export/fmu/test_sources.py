@@ -69,7 +69,8 @@ def test_headers_are_those_of_the_standard(version: str) -> None:
 def test_sources_alone_are_enough(version: str, kind: Kind, tmp_path: Path) -> None:
     """fmpy builds the binary from description and sources, and it moves as ours does."""
     unpacked("driven", version, kind, "torque", tmp_path)
-    build_platform_binary(tmp_path)
+    (tmp_path / "build").mkdir()
+    build_platform_binary(tmp_path, tmp_path / "build")
     seen = ["carrier.position[3]", "w1.phi", "energy"]
     given = {"stop_time": 0.02, "output_interval": 0.01, "output": seen, "start_values": {"w1.phi_dot": 30.0}}
     theirs = fmpy.simulate_fmu(str(tmp_path), **given)
