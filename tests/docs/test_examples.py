@@ -52,6 +52,7 @@ SLOW = {
 
 TOOLS = {
     "gcc ": [("gcc", "gcc")],
+    "cmake ": [("cmake", "cmake")],
     "make ": [("make", "make")],
     "target m7": [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("qemu-system-arm", "qemu-system-arm")],
     "--targets": [("qemu-system-arm", "qemu-system-arm"), ("qemu-system-riscv64", "qemu-system-misc")],
