@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import re
 
-from mahovik.nearest import nearest
 from mahovik.stand.units import show
-
-__all__ = ["CPP_KEYWORDS", "C_HEADERS", "C_KEYWORDS", "name_problem", "nearest", "stand_name_problem"]
 
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
