@@ -7,7 +7,7 @@ from typing import Literal
 
 import click
 
-from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.arguments import given, load_stand, stand_argument
 from mahovik.cli.progress import progress
 
 
@@ -54,6 +54,8 @@ def fmu(
 
     stand = load_stand(stand_file)
     path = Path(output if output is not None else f"{stand.name}.fmu")
+    if kind == "me" and given("dt"):
+        raise UsageError("--dt: model exchange has no step inside, the tool integrates; leave it out, or --kind cs")
     if path.suffix != ".fmu":
         raise UsageError(f"-o {path}: expected a file whose name ends in .fmu")
     state = load(Path(start), stand) if start is not None else None

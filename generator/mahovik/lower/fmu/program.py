@@ -41,6 +41,10 @@ def _square(q: Place) -> Expr:
     return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]
 
 
+_SQUARED = 1e100
+"""Components up to here have squares, and so a length that a message can give."""
+
+
 def _unit_attitude(lib: Library) -> Function:
     """Brings a quaternion that is nearly of unit length to unit length."""
     attitude = Argument("attitude", Kind.REAL, (4,), "inout", purpose="quaternion, w first")
@@ -50,7 +54,7 @@ def _unit_attitude(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     body.set(length.place, real(0))
-    lib.check(body, "within", q, 4, real(2))
+    lib.check(body, "within", q, 4, real(_SQUARED))
     square = body.let("square", _square(q))
     body.set(length.place, call(lib["sqrt"], square))
     lib.guard(body, Not(both(square > real(0.5), square < real(2))), "RANGE")
