@@ -82,6 +82,14 @@ CALLS = {
     '"phidot": no such name, did you mean "phi_dot"?': lambda m: m.state()["phidot"],
     'phi: no "w0" on axis 0, did you mean "w1"?': lambda m: m.state()["phi", "w0"],
     "phi: expected shape (8,), found (3,)": lambda m: setattr(m.state(), "phi", [1, 2, 3]),
+    'phidot: states have no such array, did you mean "phi_dot"?': lambda m: setattr(m.state(), "phidot", 1.0),
+    "inverse: BAD_ARGUMENT: limit w2 is -1 rad/s2, expected above 0": lambda m: m.inverse(
+        m.state(), 0.0, limit={"w2": -1.0}
+    ),
+    "inverse: BAD_ARGUMENT: weight w1 is 0, expected at least 1e-06": lambda m: m.inverse(
+        m.state(), 0.0, weight={"w1": 0}
+    ),
+    "inverse: BAD_ARGUMENT: near is 2, expected 0 to 1": lambda m: m.inverse(m.state(), 0.0, near=2),
     'status: no "SINGULAR", did you mean "NEAR_SINGULAR"?': lambda m: m.forward(m.state()).has_status("SINGULAR"),
     "points: the stand has no instruments or points": lambda m: m.points(m.state()),
     "limit: expected shape (8,), the same for all states": lambda m: m.inverse(m.state(), 0.0, limit=np.ones((2, 8))),

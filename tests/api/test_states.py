@@ -61,6 +61,7 @@ def test_no_states_at_all():
     result = m.forward(m.states(0), np.zeros((0, 8)))
     assert result.V_dot.shape == (0, 6) and result.status.shape == (0,)
     assert m.matrices(m.states(0)).I.shape == (0, 6, 8)
+    assert m.mounts(m.states(0)).mount_wrench.shape == (0, 8, 6)
 
 
 @pytest.mark.slow

@@ -68,7 +68,7 @@ class Caller:
         for a, memory in outputs:
             found |= _named(a, memory)
         if function == "mounts":
-            found = {"mount_wrench": found["loads"].reshape(n, -1, 6)}
+            found = {"mount_wrench": found["loads"].reshape(n, len(self._stand.flywheels), 6)}
         if function == "matrices" and not self._stand.flywheels:
             found |= {"I": np.zeros((n, 6, 0), self._real), "J": np.zeros((n, 6, 0), self._real)}
         return found, status

@@ -28,7 +28,8 @@ def packed(parts: Mapping[str, tuple[Array, int]], n: int | None, real: np.dtype
     memory = np.empty((sum(count for _, count in parts.values()), size), dtype=real)
     row = 0
     for part, count in parts.values():
-        memory[row : row + count] = part.T if part.ndim == 2 else part[:, np.newaxis] if part.ndim else part
+        with np.errstate(over="ignore"):  # beyond float is infinite, which the C refuses by name
+            memory[row : row + count] = part.T if part.ndim == 2 else part[:, np.newaxis] if part.ndim else part
         row += count
     return memory
 

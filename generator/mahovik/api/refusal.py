@@ -12,8 +12,9 @@ from mahovik.api.fields import Array, field
 from mahovik.api.results import words
 from mahovik.errors import RefusedError
 from mahovik.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
+from mahovik.lower.thresholds import thresholds
 from mahovik.program.arrays import Passed
-from mahovik.program.types import DOUBLE, FLOAT
+from mahovik.program.types import DOUBLE, FLOAT, Precision
 from mahovik.stand.model import WRENCH_LETTERS, Stand
 from mahovik.verify.program_backend import MEANING
 
@@ -54,6 +55,8 @@ def _blamed(
     for argument, memory in inputs.values():
         if argument.name == "dt" and not 0.0 < memory[0] <= _bounds(memory)["MAX_STEP"].value:
             yield f"dt is {memory[0]:.9g} s, expected above 0 and at most {_bounds(memory)['MAX_STEP'].value:g}"
+        if argument.name == "options":
+            yield from _option(argument, memory, stand)
         if argument.order != "components":
             continue
         row = 0
@@ -64,6 +67,21 @@ def _blamed(
             column = memory[row : row + member.size, index]
             row += member.size
             yield from _wrong(member.name, column, labels, member.unit)
+
+
+def _option(argument: Passed, memory: Array, stand: Stand) -> Iterator[str]:
+    """Options of `inverse` that are outside their ranges."""
+    least = thresholds(_precision(memory["weight"])).weight
+    for member in argument.members:
+        values = memory[member.name].reshape(-1).tolist()
+        for i, x in enumerate(values):
+            what = f"{member.name} {stand.flywheels[i].name}" if member.shape else member.name
+            if member.name == "weight" and not x >= least:
+                yield f"{what} is {x:.9g}, expected at least {least:g}"
+            elif member.name == "limit" and not x > 0:
+                yield f"{what} is {x:.9g} {member.unit}, expected above 0"
+            elif member.name in ("near", "damping") and not 0 <= x <= 1:
+                yield f"{what} is {x:.9g}, expected 0 to 1"
 
 
 def _wrong(name: str, column: NDArray[Any], labels: Sequence[str], unit: str) -> Iterator[str]:
@@ -82,4 +100,8 @@ def _wrong(name: str, column: NDArray[Any], labels: Sequence[str], unit: str) ->
 
 
 def _bounds(a: Array) -> dict[str, Limit]:
-    return limits(FLOAT if a.dtype == np.float32 else DOUBLE)
+    return limits(_precision(a))
+
+
+def _precision(a: Array) -> Precision:
+    return FLOAT if a.dtype == np.float32 else DOUBLE

@@ -11,8 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from mahovik.api import inputs
 from mahovik.api.fields import Field, Named
 from mahovik.errors import InputError
+from mahovik.nearest import meant
 
 Real = NDArray[Any]
+_WRITTEN = ("position", "attitude", "V", "phi", "phi_dot")
 
 
 class States(Named):
@@ -84,6 +86,11 @@ class States(Named):
     @phi_dot.setter
     def phi_dot(self, value: ArrayLike) -> None:
         self["phi_dot"] = value
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_") and name not in _WRITTEN:
+            raise InputError(f"{name}: states have no such array{meant(name, _WRITTEN)}")
+        super().__setattr__(name, value)
 
     def __setitem__(self, key: str | tuple[Any, ...], value: ArrayLike) -> None:
         """Writes an array, or the part of it that labels name: `x["phi_dot", "w1"] = 100.0`."""
