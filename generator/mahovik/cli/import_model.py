@@ -146,7 +146,7 @@ def _compared(
 ) -> str:
     """How well the stand agrees with the original file in the program of its format. Raises CheckError."""
     from mahovik.errors import CheckError
-    from mahovik.foreign.agreement import agreement, disagreement
+    from mahovik.foreign.agreement import LIMIT, agreement, disagreement
 
     try:
         theirs = original(found, model)
@@ -160,6 +160,10 @@ def _compared(
         raise CheckError(
             f"{path.name}: the stand differs from the original in {theirs.name}, {wrong}: nothing was written"
         )
-    worst = max(errors, key=lambda name: errors[name], default="")
-    most = f", largest relative difference {errors[worst]:.1g} ({worst})" if worst else ""
-    return f"agrees with the original in {theirs.name} at 20 random states{most}"
+    apart = max(errors, key=lambda name: errors[name], default="")
+    loose = errors[apart] > LIMIT if apart else False  # an acceleration: the equations have passed
+    decide = {name: error for name, error in errors.items() if error <= LIMIT}
+    worst = max(decide, key=lambda name: decide[name], default="")
+    most = f", largest relative difference {decide[worst]:.1g} ({worst})" if worst else ""
+    but = f"; but {apart} by {errors[apart]:.1g}: the mass matrix is so uneven that rounding decides" if loose else ""
+    return f"agrees with the original in {theirs.name} at 20 random states{most}{but}"
