@@ -62,10 +62,10 @@ CALLS = {
     "tau: no array of numbers: setting an array element with a sequence": lambda m: m.coupled(
         m.state(), [[1.0], [2.0, 3.0]]
     ),
-    "tau: no flywheel 'W1', did you mean 'w1'?": lambda m: m.coupled(m.state(), {"W1": 1.0}),
-    "locked: no flywheel 'w9', did you mean 'w1'?": lambda m: m.coupled(m.state(), locked=["w9"]),
-    "wrench: no body 'carier', did you mean 'carrier'?": lambda m: m.forward(m.state(), wrench={"carier": [0] * 6}),
-    "wrench: the C takes none on 'carrier': set `wrench_input = true` in the stand file": lambda m: m.forward(
+    'tau: no flywheel "W1", did you mean "w1"?': lambda m: m.coupled(m.state(), {"W1": 1.0}),
+    'locked: no flywheel "w9", did you mean "w1"?': lambda m: m.coupled(m.state(), locked=["w9"]),
+    'wrench: no body "carier", did you mean "carrier"?': lambda m: m.forward(m.state(), wrench={"carier": [0] * 6}),
+    'wrench: the C takes none on "carrier": set `wrench_input = true` in the stand file': lambda m: m.forward(
         m.state(), wrench={"carrier": [0] * 6}
     ),
     "different numbers of states: x 3, phi_ddot 4": lambda m: m.forward(m.states(3), np.zeros((4, 8))),
@@ -79,10 +79,10 @@ CALLS = {
     "dt: expected one number for all states, found shape (2,)": lambda m: m.step(m.state(), [1e-3, 1e-3]),
     "step: BAD_ARGUMENT: dt is -1 s, expected above 0 and at most 10": lambda m: m.step(m.state(), -1.0),
     'on_error: expected "raise" or "nan", found \'ignore\'': lambda m: m.forward(m.state(), on_error="ignore"),
-    "'phidot': no such name, did you mean 'phi_dot'?": lambda m: m.state()["phidot"],
-    "phi: no 'w0' on axis 0, did you mean 'w1'?": lambda m: m.state()["phi", "w0"],
+    '"phidot": no such name, did you mean "phi_dot"?': lambda m: m.state()["phidot"],
+    'phi: no "w0" on axis 0, did you mean "w1"?': lambda m: m.state()["phi", "w0"],
     "phi: expected shape (8,), found (3,)": lambda m: setattr(m.state(), "phi", [1, 2, 3]),
-    "status: no 'SINGULAR', did you mean 'NEAR_SINGULAR'?": lambda m: m.forward(m.state()).has_status("SINGULAR"),
+    'status: no "SINGULAR", did you mean "NEAR_SINGULAR"?': lambda m: m.forward(m.state()).has_status("SINGULAR"),
     "points: the stand has no instruments or points": lambda m: m.points(m.state()),
     "limit: expected shape (8,), the same for all states": lambda m: m.inverse(m.state(), 0.0, limit=np.ones((2, 8))),
     "build: expected a Stand, found str: mahovik.load(path) reads one": lambda _: mahovik.build("bench8.toml"),

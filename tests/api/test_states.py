@@ -69,7 +69,7 @@ def test_a_rigid_body_has_no_flywheels():
     x = m.states(2, V=[1, 2, 3, 4, 5, 6])
     assert x.phi.shape == (2, 0) and x.array.shape == (2, 13)
     assert m.forward(x).V_dot.shape == (2, 6) and m.matrices(x).I.shape == (2, 6, 0)
-    with pytest.raises(mahovik.InputError, match="phi_ddot: no flywheel 'w1': there is none"):
+    with pytest.raises(mahovik.InputError, match='phi_ddot: no flywheel "w1": there is none'):
         m.forward(x, {"w1": 1.0})
 
 

@@ -13,6 +13,7 @@ from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.program.arrays import Member
 from mahovik.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
+from mahovik.stand.units import show
 
 Array = NDArray[Any]
 Labels = tuple[str, ...]
@@ -108,7 +109,7 @@ class Named:
     def _place(self, key: str | tuple[Any, ...]) -> tuple[str, tuple[Any, ...]]:
         name, *parts = key if isinstance(key, tuple) else (key,)
         if name not in self._fields:
-            raise InputError(f"{name!r}: no such name{meant(str(name), self._fields)}")
+            raise InputError(f"{show(name)}: no such name{meant(str(name), self._fields)}")
         f = self._fields[name]
         if len(parts) > len(f.shape):
             raise InputError(f"{name}: {len(parts)} labels, but it has {len(f.shape)} axes besides that of the batch")
@@ -127,7 +128,7 @@ def _index(f: Field, axis: int, part: Any) -> Any:
     if not labels:
         raise InputError(f"{f.name}: axis {axis} has no labels, give a number")
     if part not in labels:
-        raise InputError(f"{f.name}: no {part!r} on axis {axis}{meant(part, labels)}")
+        raise InputError(f"{f.name}: no {show(part)} on axis {axis}{meant(part, labels)}")
     return labels.index(part)
 
 

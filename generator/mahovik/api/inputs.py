@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mahovik.errors import InputError
 from mahovik.nearest import meant
+from mahovik.stand.units import show
 
 Array = NDArray[Any]
 Given = ArrayLike | Mapping[str, ArrayLike]
@@ -61,7 +62,7 @@ def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str)
     for name, value in given.items():
         if name not in names:
             hint = meant(str(name), names)
-            raise InputError(f"{what}: no {noun} {name!r}{hint}")
+            raise InputError(f"{what}: no {noun} {show(name)}{hint}")
         found[list(names).index(name)] = value
     return found
 
@@ -98,7 +99,7 @@ def flags(given: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.
         unknown = [str(each) for each in given if each not in names]
         if unknown:
             hint = meant(unknown[0], names)
-            raise InputError(f"locked: no flywheel {unknown[0]!r}{hint}")
+            raise InputError(f"locked: no flywheel {show(unknown[0])}{hint}")
         return np.array([name in given for name in names], dtype=np.int32)
     found = np.asarray(given)
     if found.shape != (len(names),) or found.dtype.kind not in "biu":

@@ -13,6 +13,7 @@ from mahovik.api.fields import Array
 from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.stand.model import WRENCH_LETTERS
+from mahovik.stand.units import show
 from mahovik.verify.states import ROUNDING, UNIT_LENGTH
 
 
@@ -62,9 +63,9 @@ def wrenches(given: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known
     parts: dict[str, Array] = {}
     for body, value in (given or {}).items():
         if body not in known:
-            raise InputError(f"wrench: no body {body!r}{meant(str(body), known)}")
+            raise InputError(f"wrench: no body {show(body)}{meant(str(body), known)}")
         if body not in bodies:
-            raise InputError(f"wrench: the C takes none on {body!r}: set `wrench_input = true` in the stand file")
+            raise InputError(f"wrench: the C takes none on {show(body)}: set `wrench_input = true` in the stand file")
         parts[body] = inputs.read(value, f"wrench of {body}", 6, WRENCH_LETTERS, "component")
     n = inputs.batch_size(parts)
     found = np.zeros((6 * len(bodies),) if n is None else (n, 6 * len(bodies)))

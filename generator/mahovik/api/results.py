@@ -12,6 +12,7 @@ from mahovik.api.fields import Array, Field, Named
 from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.program.function import STATUS_VALUES
+from mahovik.stand.units import show
 
 Real = NDArray[Any]
 
@@ -37,7 +38,7 @@ class Result(Named):
     def has_status(self, name: str) -> NDArray[np.bool_]:
         """Is the status so named set, for each state?"""
         if name not in STATUS_VALUES:
-            raise InputError(f"status: no {name!r}{meant(str(name), STATUS_VALUES)}")
+            raise InputError(f"status: no {show(name)}{meant(str(name), STATUS_VALUES)}")
         value = STATUS_VALUES[name]
         status = np.asarray(self.status)
         return np.asarray((status > 0) & (status & value != 0) if value > 0 else status == value)

@@ -8,6 +8,7 @@ from typing import Literal
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.progress import progress
 
 
 @click.command()
@@ -57,7 +58,8 @@ def fmu(
         raise UsageError(f"-o {path}: expected a file whose name ends in .fmu")
     state = load(Path(start), stand) if start is not None else None
     probe(path)
-    made = export_fmu(stand, version, kind, inputs, dt, state, binary)
+    with progress(f"FMU of {stand.name}"):
+        made = export_fmu(stand, version, kind, inputs, dt, state, binary)
     write(path, made.content)
     click.echo(click.format_filename(path))
     for line in made.lines:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.cli.group import Commands
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 if TYPE_CHECKING:
@@ -129,7 +130,8 @@ def _write(
         instruments=instruments,
     )
     text = stand_file(found, path.name, f"mahovik import {click.get_current_context().info_name}")
-    said = _compared(found, model, original, path)
+    with progress(f"comparing with {path.name}"):
+        said = _compared(found, model, original, path)
     write(target, text)
     stand = found.stand
     made = [(len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"), (len(stand.points), "point")]

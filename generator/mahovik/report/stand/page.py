@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 
@@ -41,9 +42,12 @@ class Page:
     failures: tuple[str, ...]
 
 
-def page(material: Material) -> Page:
-    """The report of a stand. The same material gives the same bytes."""
-    found = _sections(material)
+def page(material: Material, progress: Callable[[float, float], None] | None = None) -> Page:
+    """The report of a stand. The same material gives the same bytes.
+
+    `progress`: told how many sections are done, of how many.
+    """
+    found = _sections(material, progress)
     failures = tuple(line for each in found for line in each.failures)
     names = identities(material.stand)
     html = template("report.html.j2").render(
@@ -60,14 +64,17 @@ def page(material: Material) -> Page:
     return Page(html, failures)
 
 
-def _sections(material: Material) -> list[Section]:
+def _sections(material: Material, progress: Callable[[float, float], None] | None) -> list[Section]:
     """Those that have something to show, in their order."""
     make = {name: import_module(f"mahovik.report.stand.{name}").section for name in ORDER}
     generated(material.stand)
     with side_by_side() as pool:
         beside = {name: pool.submit(make[name], material) for name in BESIDE if name in make}
-        made = {name: make[name](material) for name in ORDER if name not in beside}
-        made |= {name: task.result() for name, task in beside.items()}
+        made = {}
+        for name in sorted(ORDER, key=lambda name: name in beside):  # those beside last
+            made[name] = beside[name].result() if name in beside else make[name](material)
+            if progress is not None:
+                progress(len(made), len(ORDER))
     return [each for name in ORDER if (each := made[name]) is not None]
 
 

@@ -9,8 +9,8 @@ from mahovik.stand.state import State
 from mahovik.stand.summary import summarize
 
 WORDS = (
-    "a state chosen so that no term vanishes: the carrier moves and is turned, phases 0.7 rad apart, every flywheel at "
-    "its motor's no-load speed, else at 3000 rpm"
+    "a chosen state: the carrier moves and is turned; phases are 0.7 rad apart, every flywheel keeps its motor's "
+    "no-load speed, else 3000 rpm"
 )
 
 _APART = 0.7
