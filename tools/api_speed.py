@@ -6,13 +6,13 @@ python tools/api_speed.py [--print]
 from __future__ import annotations
 
 import argparse
-import platform
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
 from marked import put
+from processor import processor
 
 import mahovik
 from mahovik.api.compiled import compiled
@@ -91,15 +91,6 @@ def main() -> None:
         print("\n".join(lines))
     else:
         put(PAGE, BEGIN, END, lines)
-
-
-def processor() -> str:
-    """The processor by the name that Linux has for it."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return platform.machine()
-    return next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), platform.machine())
 
 
 if __name__ == "__main__":

@@ -18,7 +18,6 @@ import tempfile
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 
 from mahovik.formula.cache import VARIABLE
@@ -60,11 +59,9 @@ STARTS = (
     (("check", "STAND.toml"), SOON),
     (("rest", "STAND.toml"), SOON),
     (("eval", "STAND.toml", "--backend", "numpy"), SOON),
+    (("report", "STAND.toml", "--run", "run.csv", "-o", "report.html"), REPORT),
 )
-"""Commands that need no formulas, and the limit of each."""
-
-REPORTS = ((("report", "STAND.toml", "--run", "run.csv", "-o", "report.html"), REPORT),)
-"""The same of the page of a stand, where this version has it."""
+"""Commands that need no formulas, the page of a stand, and the limit of each."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +159,7 @@ class Measurement:
         (self._folder / "STAND.toml").write_text(path("bench8").read_text(encoding="utf-8"), encoding="utf-8")
         run(self._command("simulate", "STAND.toml", "--until", "10", "-o", "run.csv"), self._env, self._folder)
         rows = []
-        for arguments, most in (*STARTS, *(REPORTS if find_spec("mahovik.cli.report") else ())):
+        for arguments, most in STARTS:
             found, middle = median(self._command(*arguments), self._env, 2 * self._repeat, self._folder)
             rows.append([f"`mahovik {' '.join(arguments)}`", *found.cells, f"{middle:.2f}", f"{most:g}"])
             print(*rows[-1], sep="   ", flush=True)

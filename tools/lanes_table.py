@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import platform
 import subprocess
 import tempfile
 import time
@@ -18,6 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from processor import processor
 
 from mahovik.emit.generate import LANES, Generated, generate_all
 from mahovik.stand.model import Stand
@@ -139,7 +139,7 @@ def main() -> None:
     counts = [int(word) for word in given.flywheels.split(",")]
     head = ["N, lanes", *(f"`{f}` instructions, AVX2" for f in FUNCTIONS)]
     head += [f"`{f}` ns, {name}" for f in FUNCTIONS for name, _ in BUILDS]
-    text = f"{version('gcc')}, {_processor()}; load when begun {os.getloadavg()[0]:.0f}.\n\n"
+    text = f"{version('gcc')}, {processor()}; load when begun {os.getloadavg()[0]:.0f}.\n\n"
     text += table(head, [row for n in counts for row in measured(n)])
     for n in counts:
         text += f"\n{described(n)}" if n >= MANY else ""
@@ -149,15 +149,6 @@ def main() -> None:
     page = PAGE.read_text(encoding="utf-8")
     before, rest = page.split(BEGIN)
     PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}", encoding="utf-8")
-
-
-def _processor() -> str:
-    """The processor by the name that Linux has for it."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return platform.machine()
-    return next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), platform.machine())
 
 
 if __name__ == "__main__":

@@ -88,6 +88,10 @@ class ToolchainError(MahovikError):
     """A compiler or emulator is missing, or refused what it was given."""
 
 
+class NoCompilerError(ToolchainError):
+    """No C compiler is named, and none of the usual ones is there."""
+
+
 class CheckError(MahovikError):
     """What was asked to be checked is not so."""
 

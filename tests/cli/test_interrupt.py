@@ -25,13 +25,14 @@ ENDS = 20.0
 """s in which a command must end; it takes a fraction of one, and this machine may be busy."""
 
 COMPILER = """#!/bin/sh
+case "$*" in *-dM*) exit 0 ;; esac
 echo $$ > "{folder}/parent"
 sleep 300 &
 echo $! > "{folder}/child"
 trap 'rm -f "{folder}/parent"; exit 1' TERM
 wait
 """
-"""A compiler that never ends, with a part of its own, as gcc has cc1."""
+"""A compiler that says what it is and then never ends, with a part of its own, as gcc has cc1."""
 
 
 SLOW_MOVES = f"""
@@ -102,12 +103,32 @@ def gone(pid: int) -> bool:
         return True
 
 
-def test_while_it_compiles(tmp_path: Path) -> None:
+BUILD = """
+import sys, mahovik
+try:
+    mahovik.build(mahovik.example("demo3"))
+except KeyboardInterrupt:
+    print("error: interrupted; no file is half written", file=sys.stderr)
+    sys.exit(130)
+"""
+"""The Python interface, in place of the command line."""
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (("simulate", DEMO3, "--until", "1", "-o", "run.csv"), RUN),
+        (("report", DEMO3, "-o", "r.html"), RUN),
+        ((), BUILD),
+    ],
+    ids=["simulate", "report", "build"],
+)
+def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path) -> None:
     """No part of the compiler goes on, and it was told in time to take its files away."""
     compiler = tmp_path / "compiler"
     compiler.write_text(COMPILER.format(folder=tmp_path))
     compiler.chmod(0o755)
-    started = Started(("simulate", DEMO3, "--until", "1", "-o", "run.csv"), tmp_path, {"CC": str(compiler)})
+    started = Started(arguments, tmp_path, {"CC": str(compiler), "MAHOVIK_CACHE": str(tmp_path / "cache")}, code)
     child = tmp_path / "child"
     started.until(lambda: child.exists() and child.read_text().strip() != "")
     pids = [int((tmp_path / name).read_text()) for name in ("parent", "child")]

@@ -110,6 +110,13 @@ def test_commands_stand_in_blocks_that_are_run(page: Path) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
+def test_what_is_shown_says_something(page: Path) -> None:
+    """Elisions alone would fit any output."""
+    for step in steps(page):
+        assert step.shown is None or step.shown.replace("...", "").strip(), step.block.name
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
 def test_commands_in_sentences_exist(page: Path) -> None:
     """`mahovik command --option`: there is such a command, and it has that option."""
     for text in re.findall(r"`mahovik ([a-z][^`]*)`", prose(page)):

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from mahovik.errors import ForeignError
-from mahovik.foreign.agreement import PinocchioOriginal, agreement
+from mahovik.foreign.agreement import PinocchioOriginal, agreement, disagreement
 from mahovik.foreign.merge import Imported, stand_of
+from mahovik.foreign.model import Array
 from mahovik.foreign.urdf import read_urdf
 from mahovik.foreign.write import stand_file
 from mahovik.stand import loads
 from mahovik.stand.model import MountingAxes
+from mahovik.stand.state import State
 
 SAT = Path(__file__).parent / "models" / "sat.urdf"
 TOLERANCE = 1e-12
@@ -59,6 +62,21 @@ def test_wrong_numbers_would_be_seen(tmp_path: Path) -> None:
     path.write_text(SAT.read_text().replace('xyz="0.001 -0.002 0.0015"', 'xyz="0.001 -0.002 0.0016"'))
     errors = agreement(imported(SAT), PinocchioOriginal(path, imported(SAT), False))
     assert errors["I"] > 1e-6
+
+
+def test_a_number_that_is_none_is_no_agreement() -> None:
+    """A NaN at one of the states, the others alike."""
+
+    class Broken(PinocchioOriginal):
+        states = 0
+
+        def evaluate(self, C: Array, state: State) -> Mapping[str, Array]:
+            self.states += 1
+            found = dict(super().evaluate(C, state))
+            return found | {"tau": found["tau"] * np.nan} if self.states == 2 else found
+
+    errors = agreement(imported(), Broken(SAT, imported(), False), 4)
+    assert disagreement(errors) == "tau by nan"
 
 
 def test_what_becomes_of_it() -> None:

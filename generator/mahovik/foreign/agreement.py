@@ -53,7 +53,10 @@ def disagreement(errors: Mapping[str, float]) -> str:
 
 
 def agreement(found: Imported, original: Original, count: int = 20, seed: int = 1) -> dict[str, float]:
-    """Largest difference of each quantity at random states, relative to the largest component of the original's."""
+    """Largest difference of each quantity at random states, relative to the largest component of the original's.
+
+    NaN where a component is NaN at one of them.
+    """
     rng = np.random.default_rng(seed)
     worst: dict[str, float] = {}
     for _ in range(count):
@@ -67,7 +70,7 @@ def agreement(found: Imported, original: Original, count: int = 20, seed: int = 
             if value.size:
                 scale = float(np.abs(value).max())
                 error = float(np.abs(ours[name] - value).max()) / (scale or 1.0)
-                worst[name] = max(worst.get(name, 0.0), error)
+                worst[name] = float(np.maximum(worst.get(name, 0.0), error))  # NaN stays: it is no agreement
     return worst
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 
 from mahovik.errors import ToolchainError
 from mahovik.toolchain.compiler import BITS, WARNINGS, run_compiler
+from mahovik.toolchain.process import side_by_side
 
 SINGLE = (*BITS, "-O2")
 """For one state."""
@@ -58,7 +58,7 @@ def build(files: Mapping[str, str], name: str, folder: Path, compiler: Sequence[
         )
         return target
 
-    with ThreadPoolExecutor() as pool:  # each waits for a process
+    with side_by_side() as pool:
         objects = list(pool.map(compiled, (f"{name}_batch", name, f"{name}_arrays")))
     library = folder / f"{name}.so"
     try:

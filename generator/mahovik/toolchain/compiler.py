@@ -8,7 +8,7 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from mahovik.errors import ToolchainError
+from mahovik.errors import NoCompilerError, ToolchainError
 from mahovik.toolchain.process import run
 
 WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
@@ -24,7 +24,10 @@ CANDIDATES = ("cc", "gcc", "clang")
 
 
 def find_compiler(named: str | None = None) -> list[str]:
-    """The compiler's command: as named, else the environment's CC, else cc, gcc or clang. Raises ToolchainError."""
+    """The compiler's command: as named, else the environment's CC, else cc, gcc or clang. Raises ToolchainError.
+
+    Where nothing is named and none is there, that is a NoCompilerError.
+    """
     chosen = (os.environ.get("CC", "") if named is None else named).strip()
     where, remedy = ("CC=", "unset CC or name") if named is None else ("compiler ", "leave it out or name")
     if chosen or named is not None:
@@ -38,7 +41,7 @@ def find_compiler(named: str | None = None) -> list[str]:
     for candidate in CANDIDATES:
         if shutil.which(candidate) is not None:
             return [candidate]
-    raise ToolchainError("no C compiler found (cc, gcc, clang): install one, on Debian with `apt-get install gcc`")
+    raise NoCompilerError("no C compiler found (cc, gcc, clang): install one, on Debian with `apt-get install gcc`")
 
 
 def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = ()) -> str:

@@ -20,8 +20,17 @@ from mahovik.errors import ToolchainError
 PATIENCE = 5.0
 """s in which a program that was told to end must do so."""
 
-_running: set[subprocess.Popen[bytes]] = set()
-_stopping = threading.Event()
+Stops = tuple[threading.Event, ...]
+"""Of the pools that a thread belongs to, the outermost first: one that is set says that nothing is begun any more."""
+
+_running: dict[subprocess.Popen[bytes], Stops] = {}
+_of_thread = threading.local()
+
+
+def _stops() -> Stops:
+    """Those of the running thread."""
+    found: Stops = getattr(_of_thread, "stops", ())
+    return found
 
 
 def run(
@@ -31,7 +40,8 @@ def run(
 
     OSError, where it cannot be started, subprocess.TimeoutExpired and KeyboardInterrupt go on: it has ended then.
     """
-    if _stopping.is_set():
+    stops = _stops()
+    if any(stop.is_set() for stop in stops):
         raise ToolchainError(f"{command[0]}: not started, interrupted")
     with subprocess.Popen(
         command,
@@ -41,14 +51,16 @@ def run(
         stderr=subprocess.PIPE,
         start_new_session=True,
     ) as process:
-        _running.add(process)
+        _running[process] = stops
         try:
+            if any(stop.is_set() for stop in stops):  # while it was started
+                raise ToolchainError(f"{command[0]}: interrupted")
             output, complaint = process.communicate(timeout=timeout)
         except BaseException:
             _end(process)
             raise
         finally:
-            _running.discard(process)
+            del _running[process]
     said = (text.decode("utf-8", "replace") for text in (output, complaint))
     return subprocess.CompletedProcess(command, process.returncode, *said)
 
@@ -57,20 +69,25 @@ def run(
 def side_by_side() -> Iterator[ThreadPoolExecutor]:
     """Threads for tasks that run programs, one a processor.
 
-    Where the body ends in an exception, Ctrl-C too, what waits is not begun, and programs that run are ended.
+    Where the body ends in an exception, Ctrl-C too, what waits is not begun, and programs that its threads run, or
+    those of a pool that one of them has opened, are ended; programs of others go on.
     """
-    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+    stop = threading.Event()
+    stops = (*_stops(), stop)
+
+    def begin() -> None:
+        _of_thread.stops = stops
+
+    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1, initializer=begin) as pool:
         try:
             yield pool
         except BaseException:
-            _stopping.set()
+            stop.set()
             pool.shutdown(wait=False, cancel_futures=True)
-            for process in tuple(_running):
-                _tell(process, signal.SIGTERM)
-            pool.shutdown()
+            for process, of in tuple(_running.items()):
+                if stop in of:
+                    _tell(process, signal.SIGTERM)
             raise
-        finally:
-            _stopping.clear()
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from mahovik.emit.fmu import compiled_sources, fmu_sources
 from mahovik.emit.fmu_description import fmu_build, fmu_description
 from mahovik.emit.generate import Generated, generate_all
-from mahovik.errors import ToolchainError, UsageError
+from mahovik.errors import NoCompilerError, UsageError
 from mahovik.export.fmu.archive import archive
 from mahovik.export.fmu.start import start_of
 from mahovik.lower.fmu.variables import Inputs, Kind, form
@@ -62,9 +62,7 @@ def export_fmu(
         try:
             files[place] = build_module(sources.files, sources.compiled)
             lines.append(f"binary: {place}")
-        except ToolchainError as error:
-            if "no C compiler found" not in str(error):
-                raise
+        except NoCompilerError as error:
             lines.append(f"no binary, sources alone: {error}")
     else:
         lines.append("no binary, sources alone")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import import_module
 
@@ -14,6 +13,7 @@ from mahovik.report.stand.generated import generated
 from mahovik.report.stand.material import Material
 from mahovik.report.stand.section import Section
 from mahovik.stand.identity import identities
+from mahovik.toolchain.process import side_by_side
 
 ORDER = (
     "bodies",
@@ -68,7 +68,7 @@ def _sections(material: Material, progress: Callable[[float, float], None] | Non
     """Those that have something to show, in their order."""
     make = {name: import_module(f"mahovik.report.stand.{name}").section for name in ORDER}
     generated(material.stand)
-    with ThreadPoolExecutor(max_workers=2) as pool:
+    with side_by_side() as pool:
         beside = {name: pool.submit(make[name], material) for name in BESIDE if name in make}
         made = {}
         for name in sorted(ORDER, key=lambda name: name in beside):  # those beside last

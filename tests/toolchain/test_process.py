@@ -1,0 +1,74 @@
+"""Pools of programs: one that is left by an exception ends its own and those of pools inside, and no others."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from concurrent.futures import Future
+from subprocess import CompletedProcess
+
+import pytest
+
+from mahovik.errors import ToolchainError
+from mahovik.toolchain import process
+
+PATIENT = (sys.executable, "-c", "import time; time.sleep(60)")
+BRIEF = (sys.executable, "-c", "import time; time.sleep(1); print('done')")
+
+
+def until_running(count: int) -> None:
+    end = time.monotonic() + 30.0
+    while len(process._running) < count:
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def inside() -> CompletedProcess[str]:
+    """A pool of its own in a thread of a pool."""
+    with process.side_by_side() as pool:
+        return pool.submit(process.run, PATIENT).result()
+
+
+def test_programs_of_pools_inside_are_ended() -> None:
+    begin = time.monotonic()
+    found: list[Future[CompletedProcess[str]]] = []
+    with pytest.raises(KeyboardInterrupt), process.side_by_side() as pool:
+        found.append(pool.submit(inside))
+        until_running(1)
+        raise KeyboardInterrupt
+    assert time.monotonic() - begin < 30.0
+    assert found[0].result().returncode != 0
+    assert process._running == {}
+
+
+def test_nothing_is_begun_any_more() -> None:
+    """By the threads of a pool that stops, also after a pool inside has ended; by others it is."""
+    after: list[str] = []
+    running = threading.Event()
+
+    def both() -> None:
+        inside()
+        running.wait(30.0)
+        try:
+            process.run(BRIEF)
+        except ToolchainError as error:
+            after.append(str(error))
+
+    with pytest.raises(KeyboardInterrupt), process.side_by_side() as pool:
+        pool.submit(both)
+        until_running(1)
+        running.set()
+        raise KeyboardInterrupt
+    assert [words.rpartition(": ")[2] for words in after] == ["not started, interrupted"]
+    assert process.run(BRIEF).stdout == "done\n"
+
+
+def test_programs_of_others_go_on() -> None:
+    """A pool that fails leaves alone what the pool around it runs beside."""
+    with process.side_by_side() as pool:
+        beside = pool.submit(process.run, BRIEF)
+        until_running(1)
+        with pytest.raises(ToolchainError, match="wrong"), process.side_by_side():
+            raise ToolchainError("wrong")
+        assert beside.result().stdout == "done\n"
