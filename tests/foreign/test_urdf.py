@@ -168,6 +168,10 @@ REFUSED = {
         'link "w", inertia: principal moments about the centre of mass break the triangle inequality',
     ),
     "empty wheel": (BASE + '<link name="w"/>' + TURNS, 'joint "j": link "w" turns, but has no mass and no inertia'),
+    "empty base": (
+        '<link name="base"/>' + WHEEL + TURNS,
+        'link "base": has no mass and no inertia, nor has what is fixed on it',
+    ),
     "nested": (
         BASE + WHEEL + LINK.format("x", 1) + TURNS + joint("continuous", "", "k", "w", "x"),
         'joint "k": turns on link "w", which turns itself: a flywheel is on the carrier',
@@ -204,7 +208,7 @@ REFUSED = {
         '<xacro:macro xmlns:xacro="http://www.ros.org/wiki/xacro" name="m"/>' + BASE,
         "has xacro macros: run `xacro FILE > model.urdf` first",
     ),
-    "nothing has mass": ('<link name="base"/>', "total mass is zero"),
+    "nothing has mass": ('<link name="base"/>', "has no mass and no inertia, nor has what is fixed on it"),
 }  # fmt: skip
 
 

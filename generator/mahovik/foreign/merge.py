@@ -117,6 +117,9 @@ class _Merger:
         base = self._base(chosen, on_carrier)
         if self._model.free is False:
             self._fixed_on_the_world(chosen, on_carrier)
+        massless = on_carrier.merged()
+        if not massless.mass and not massless.inertia.any():
+            self._problems.add(self._called(first.name), "has no mass and no inertia, nor has what is fixed on it")
         turning = [link for link in self._model.links if link.spin is not None]
         turning.sort(key=lambda link: cast(Spin, link.spin).number)
         for link in turning:
