@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from mahovik.errors import StandError
-from mahovik.nearest import meant, nearest
+from mahovik.nearest import guess, meant, nearest
 from mahovik.stand import build, physical
 from mahovik.stand.content import content
 from mahovik.stand.model import Flywheel, Instrument, Leg, Point, Stand
@@ -47,7 +47,8 @@ def load(path: str | Path) -> Stand:
     try:
         found = content(path)
     except FileNotFoundError:
-        raise StandError([f"{path}: no such file"]) from None
+        beside = sorted(str(each) for each in path.parent.glob("*.toml"))
+        raise StandError([f"{path}: no such file{guess(str(path), beside)}"]) from None
     except IsADirectoryError:
         raise StandError([f"{path}: is a directory, expected a stand file (TOML)"]) from None
     except OSError as error:

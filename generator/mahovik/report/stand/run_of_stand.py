@@ -67,8 +67,9 @@ def _refuse_missing(stand: Stand, run: Run, where: str) -> None:
         if name not in run.columns:
             raise UsageError(f'{where}: no run of `mahovik simulate`: expected a column "{name}"')
     for name, column in run.columns.items():
-        if not np.isfinite(column).all():
-            raise UsageError(f'{where}: column "{name}": not every number is finite')
+        if (bad := np.flatnonzero(~np.isfinite(column))).size:
+            words = f'column "{name}", row {bad[0] + 1} of {len(column)}: {column[bad[0]]} is not finite'
+            raise UsageError(f"{where}: {words}{f', nor are {bad.size - 1} after it' if bad.size > 1 else ''}")
 
 
 def _disagreement(stand: Stand, run: Run) -> str | None:
