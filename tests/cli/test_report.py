@@ -219,6 +219,20 @@ def test_a_run_with_numbers_that_are_none_is_refused() -> None:
 
 
 @pytest.mark.parametrize(
+    ("cells", "said"),
+    [
+        ({0: "0.001"}, 'column "t [s]", row 3 of 21: 0.001 after 0.001; expected times that increase'),
+        ({4: "0.0"}, "columns qw, qx, qy, qz, row 3 of 21: of length 0; expected a unit quaternion"),
+    ],
+)
+def test_a_run_out_of_order_or_without_attitude_is_refused(cells: dict[int, str], said: str) -> None:
+    lines = Path(simulated("a.csv")).read_text(encoding="utf-8").splitlines()
+    row = [cells.get(i, cell) for i, cell in enumerate(lines[3].split(","))]
+    Path("a.csv").write_text("\n".join([*lines[:3], ",".join(row), *lines[4:]]) + "\n", encoding="utf-8")
+    assert refused("report", DEMO3, "--run", "a.csv", "-o", "r.html") == f"error: --run a.csv: {said}\n"
+
+
+@pytest.mark.parametrize(
     ("options", "said"),
     [
         (("-o", "r.pdf"), "-o r.pdf: expected a name that ends in .html"),
