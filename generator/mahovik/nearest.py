@@ -16,14 +16,14 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return max(known, key=lambda candidate: _likeness(name, candidate))
 
 
-def guess(name: object, known: Iterable[str]) -> str:
-    """`, did you mean "mass"?`; empty where nothing is alike."""
+def alike(name: object, known: Iterable[str]) -> str | None:
+    """The known name that may be meant; None where nothing is alike."""
     names = list(known)
     if isinstance(name, str) and name and names:
         best = nearest(name, names)
         if _likeness(name, best) >= ALIKE:
-            return f', did you mean "{best}"?'
-    return ""
+            return best
+    return None
 
 
 def meant(name: object, known: Iterable[str], none: str = "there is none") -> str:
@@ -34,8 +34,8 @@ def meant(name: object, known: Iterable[str], none: str = "there is none") -> st
     names = list(known)
     if not names:
         return f": {none}"
-    if found := guess(name, names):
-        return found
+    if (best := alike(name, names)) is not None:
+        return f', did you mean "{best}"?'
     return f", expected one of {', '.join(names[:LISTED])}{', ...' if len(names) > LISTED else ''}"
 
 

@@ -15,6 +15,7 @@ import pytest
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik import __version__
 from mahovik.report.stand import page, verification
+from mahovik.report.stand.gather import gather
 from mahovik.stand import identities, load
 from mahovik.stands import path
 from mahovik.verify import harness
@@ -318,3 +319,10 @@ def test_parquet_carries_the_identity_of_its_stand() -> None:
     assert identity(Path("a.csv")) is None
     same = zip(columns(Path("a.csv")).values(), columns(Path("a.parquet")).values(), strict=True)
     assert all(np.array_equal(one, other) for one, other in same)
+
+
+def test_sections_that_are_made_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    only(monkeypatch, "bodies", "drawing", "reach")
+    heard: list[int] = []
+    page.page(gather(load(DEMO3), DEMO3), heard.append)
+    assert heard == [1, 2, 3]

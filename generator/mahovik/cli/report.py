@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from mahovik.cli.arguments import load_stand, stand_argument
+from mahovik.cli.progress import progress
 from mahovik.errors import UsageError
 
 
@@ -37,7 +38,7 @@ def report(
     if not output.endswith(".html"):
         raise UsageError(f"-o {output}: expected a name that ends in .html")
     from mahovik.report.stand.gather import gather
-    from mahovik.report.stand.page import page
+    from mahovik.report.stand.page import ORDER, page
     from mahovik.verify.files import probe, write
 
     probe(Path(output))
@@ -50,7 +51,8 @@ def report(
         cost_folder=cost_folder,
         targets=targets,
     )
-    found = page(material)
+    with progress("sections of the report", len(ORDER)) as stage:
+        found = page(material, stage.at)
     write(Path(output), found.html)
     click.echo(click.format_filename(output))
     if found.failures:

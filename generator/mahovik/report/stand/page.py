@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import import_module
@@ -41,9 +42,9 @@ class Page:
     failures: tuple[str, ...]
 
 
-def page(material: Material) -> Page:
-    """The report of a stand. The same material gives the same bytes."""
-    found = _sections(material)
+def page(material: Material, made: Callable[[int], None] = lambda count: None) -> Page:
+    """The report of a stand. The same material gives the same bytes. `made` hears how many sections of `ORDER` are."""
+    found = _sections(material, made)
     failures = tuple(line for each in found for line in each.failures)
     names = identities(material.stand)
     html = template("report.html.j2").render(
@@ -60,13 +61,21 @@ def page(material: Material) -> Page:
     return Page(html, failures)
 
 
-def _sections(material: Material) -> list[Section]:
+def _sections(material: Material, tell: Callable[[int], None]) -> list[Section]:
     """Those that have something to show, in their order."""
+    done: list[str] = []
+
+    def section(name: str) -> Section | None:
+        found: Section | None = make[name](material)
+        done.append(name)
+        tell(len(done))
+        return found
+
     make = {name: import_module(f"mahovik.report.stand.{name}").section for name in ORDER}
     generated(material.stand)
     with ThreadPoolExecutor(max_workers=2) as pool:
-        beside = {name: pool.submit(make[name], material) for name in BESIDE if name in make}
-        made = {name: make[name](material) for name in ORDER if name not in beside}
+        beside = {name: pool.submit(section, name) for name in BESIDE if name in make}
+        made = {name: section(name) for name in ORDER if name not in beside}
         made |= {name: task.result() for name, task in beside.items()}
     return [each for name in ORDER if (each := made[name]) is not None]
 
