@@ -16,6 +16,16 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return max(known, key=lambda candidate: _likeness(name, candidate))
 
 
+def alike(name: object, known: Iterable[str]) -> str | None:
+    """The known name that may be meant; None where nothing is alike."""
+    names = list(known)
+    if isinstance(name, str) and name and names:
+        best = nearest(name, names)
+        if _likeness(name, best) >= ALIKE:
+            return best
+    return None
+
+
 def meant(name: object, known: Iterable[str], none: str = "there is none") -> str:
     """How a message about an unknown name ends.
 
@@ -24,10 +34,8 @@ def meant(name: object, known: Iterable[str], none: str = "there is none") -> st
     names = list(known)
     if not names:
         return f": {none}"
-    if isinstance(name, str) and name:
-        best = nearest(name, names)
-        if _likeness(name, best) >= ALIKE:
-            return f', did you mean "{best}"?'
+    if (best := alike(name, names)) is not None:
+        return f', did you mean "{best}"?'
     return f", expected one of {', '.join(names[:LISTED])}{', ...' if len(names) > LISTED else ''}"
 
 

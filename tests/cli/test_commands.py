@@ -77,6 +77,7 @@ def test_a_misspelt_option() -> None:
     ("given", "words"),
     [
         (("--nothing",), "--nothing"),
+        (("--versoin",), "No such option '--versoin', did you mean '--version'?; see main --help"),
         (("modes",), "Missing argument 'STAND.toml'; see main modes --help"),
         (("modes", DEMO3, "--flywheels", "maybe"), "'maybe' is not one of 'locked', 'free'; see main modes --help"),
         (("export", "servo", DEMO3), "Missing option '--programme'; see main export servo --help"),

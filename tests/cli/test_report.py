@@ -15,6 +15,7 @@ import pytest
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik import __version__
 from mahovik.report.stand import page, verification
+from mahovik.report.stand.gather import gather
 from mahovik.stand import identities, load
 from mahovik.stands import path
 from mahovik.verify import harness
@@ -214,7 +215,22 @@ def test_a_run_with_numbers_that_are_none_is_refused() -> None:
     cells = lines[3].split(",")
     cells[15] = "nan"
     Path("a.csv").write_text("\n".join([*lines[:3], ",".join(cells), *lines[4:]]) + "\n", encoding="utf-8")
-    assert "not every number is finite" in refused("report", DEMO3, "--run", "a.csv", "-o", "r.html")
+    said = refused("report", DEMO3, "--run", "a.csv", "-o", "r.html")
+    assert said == 'error: --run a.csv: column "v_dot_y [m/s2]", row 3 of 21: nan is not finite\n'
+
+
+@pytest.mark.parametrize(
+    ("cells", "said"),
+    [
+        ({0: "0.001"}, 'column "t [s]", row 3 of 21: 0.001 after 0.001; expected times that increase'),
+        ({4: "0.0"}, "columns qw, qx, qy, qz, row 3 of 21: of length 0; expected a unit quaternion"),
+    ],
+)
+def test_a_run_out_of_order_or_without_attitude_is_refused(cells: dict[int, str], said: str) -> None:
+    lines = Path(simulated("a.csv")).read_text(encoding="utf-8").splitlines()
+    row = [cells.get(i, cell) for i, cell in enumerate(lines[3].split(","))]
+    Path("a.csv").write_text("\n".join([*lines[:3], ",".join(row), *lines[4:]]) + "\n", encoding="utf-8")
+    assert refused("report", DEMO3, "--run", "a.csv", "-o", "r.html") == f"error: --run a.csv: {said}\n"
 
 
 @pytest.mark.parametrize(
@@ -303,3 +319,10 @@ def test_parquet_carries_the_identity_of_its_stand() -> None:
     assert identity(Path("a.csv")) is None
     same = zip(columns(Path("a.csv")).values(), columns(Path("a.parquet")).values(), strict=True)
     assert all(np.array_equal(one, other) for one, other in same)
+
+
+def test_sections_that_are_made_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    only(monkeypatch, "bodies", "drawing", "reach")
+    heard: list[int] = []
+    page.page(gather(load(DEMO3), DEMO3), heard.append)
+    assert heard == [1, 2, 3]

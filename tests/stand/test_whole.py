@@ -49,6 +49,7 @@ def test_files_that_cannot_be_read_are_one_line(tmp_path: Path) -> None:
     broken.write_text("schema = = 1\n")
     expected = {
         missing: f"{missing}: no such file",
+        tmp_path / "bn.toml": f'{tmp_path / "bn.toml"}: no such file, did you mean "{binary}"?',
         folder: f"{folder}: is a directory, expected a stand file (TOML)",
         binary: "b.toml: not UTF-8, byte 0xff in line 2",
         broken: "t.toml: not TOML: Invalid value (at line 1, column 10)",

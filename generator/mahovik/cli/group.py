@@ -40,7 +40,7 @@ def _usage_in_a_line() -> Iterator[None]:
     except click.exceptions.NoArgsIsHelpError:
         raise
     except click.UsageError as error:
-        what = " ".join(error.format_message().split()).rstrip(".")
+        what = " ".join(error.format_message().split()).rstrip(".").replace(". Did you mean", ", did you mean")
         see = "" if error.ctx is None else f"; see {error.ctx.command_path} --help"
         click.echo(f"error: {what}{see}", err=True)
         raise SystemExit(error.exit_code) from None

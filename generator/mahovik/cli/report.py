@@ -51,7 +51,7 @@ def report(
         cost_folder=cost_folder,
         targets=targets,
     )
-    with progress(f"report of {material.stand.name}", len(ORDER), "sections") as stage:
+    with progress("sections of the report", len(ORDER)) as stage:
         found = page(material, stage.at)
     write(Path(output), found.html)
     click.echo(click.format_filename(output))

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from mahovik.errors import StandError
-from mahovik.nearest import meant, nearest
+from mahovik.nearest import alike, meant, nearest
 from mahovik.stand import build, physical
 from mahovik.stand.content import content
 from mahovik.stand.model import Flywheel, Instrument, Leg, Point, Stand
@@ -47,7 +47,9 @@ def load(path: str | Path) -> Stand:
     try:
         found = content(path)
     except FileNotFoundError:
-        raise StandError([f"{path}: no such file"]) from None
+        best = alike(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
+        hint = "" if best is None else f', did you mean "{path.with_name(f"{best}.toml")}"?'
+        raise StandError([f"{path}: no such file{hint}"]) from None
     except IsADirectoryError:
         raise StandError([f"{path}: is a directory, expected a stand file (TOML)"]) from None
     except OSError as error:

@@ -97,6 +97,20 @@ def test_large_motion_is_not_magnified():
     assert magnifications(0.0, 0.0, 0.4) == ([1.0], 0)
 
 
+def test_rounding_is_not_magnified_to_a_motion():
+    """Nor hidden: the words say that the carrier stands still."""
+    stand = load(path("demo3"))
+    columns = {name: np.zeros(6) for name in (f"{a} [m]" for a in "xyz")}
+    columns |= {"t [s]": np.arange(6.0), "qw": np.ones(6)} | {f"q{a}": np.zeros(6) for a in "xyz"}
+    columns |= {f"phi {s.name} [rad]": np.arange(6.0) for s in stand.flywheels}
+    for moved, still in ((1e-16, True), (1e-7, False)):
+        columns["z [m]"] = moved * np.arange(6.0)
+        run = Run("made.csv", tuple(s.name for s in stand.flywheels), columns)
+        html = section(replace(gather(stand, "demo3.toml"), run=run)).html
+        assert ("Shown: the run made.csv; its carrier stands still." in html) is still
+        assert ('id="magnify"' in html) is not still
+
+
 def test_rows_that_are_no_numbers_are_left_out():
     """And an attitude that leaps from q to -q does not turn."""
     stand = load(path("demo3"))

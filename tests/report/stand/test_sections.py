@@ -14,13 +14,14 @@ from mahovik.report.stand import bodies, matrices
 from mahovik.report.stand.markup import figure, figures, table
 from mahovik.report.stand.material import Material
 from mahovik.report.stand.matrix import SHADES, Side, matrix, shade
-from mahovik.report.stand.state import WORDS, chosen_state
+from mahovik.report.stand.state import WORDS, chosen_state, state_shown
 from mahovik.stand import load
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.stand.summary import summarize
 from mahovik.stands import names, path
 from report.stand.reports import read, words
+from report.stand.runs import run_through
 
 
 def material(stand: Stand, state: State | None = None) -> Material:
@@ -190,3 +191,17 @@ def test_a_quaternion_gives_the_same_angles() -> None:
     q = Rotation.from_euler("YZX", state.angles).as_quat(scalar_first=True)
     turned = replace(state, angles=None, quaternion=tuple(q.tolist()))
     assert matrices.with_angles(stand, turned).angles == pytest.approx(state.angles)
+
+
+def test_the_state_of_a_run_at_rest_is_not_shown() -> None:
+    """Rounding would stand there as if it were structure; a row that moves is shown as it is."""
+    stand = load(path("bench8"))
+    moving = replace(chosen_state(stand), angles=None, quaternion=(1.0, 0.0, 0.0, 0.0))
+    rest = replace(moving, V=(1e-17,) * 6, phi_dot=(0.0,) * len(stand.flywheels))
+    at_rest, said = state_shown(stand, run_through(stand, [moving, rest]))
+    assert at_rest == chosen_state(stand)
+    assert said == f"the last row of the run, t = 0.01 s, is at rest; shown instead: {WORDS}"
+    for last in (moving, replace(moving, V=(0.0,) * 6), replace(rest, V=(1e-6, 0.0, 0.0, 0.0, 0.0, 0.0))):
+        shown, said = state_shown(stand, run_through(stand, [rest, last]))
+        assert (shown.V, shown.phi_dot) == (last.V, last.phi_dot)
+        assert said == "the last row of the run, t = 0.01 s"

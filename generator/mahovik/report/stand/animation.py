@@ -29,6 +29,9 @@ LONGEST = 120.0
 SHOWN, TURNED = 0.08, 0.25
 """Share of the stand's size, and rad, to which small motion is magnified as the animation begins."""
 
+STILL = 1e-9
+"""Share of the stand's size, and rad: what stays within it may be rounding, and is not magnified."""
+
 
 def section(material: Material) -> Section | None:
     """The section: always there."""
@@ -36,7 +39,8 @@ def section(material: Material) -> Section | None:
     motion, left_out = thinned(motion_of(material), BYTES // (4 * (7 + len(shape.flywheels))))
     position, quaternion = reference(motion)
     rows, moved, turned = relative(motion, position, quaternion)
-    steps, begin = magnifications(moved, turned, shape.size) if motion.moves else ([1.0], 0)
+    still = motion.moves and max(moved / shape.size, turned) < STILL
+    steps, begin = magnifications(moved, turned, shape.size) if motion.moves and not still else ([1.0], 0)
     speeds, slow = _speeds(motion)
     data = {
         "scene": scene(shape),
@@ -48,7 +52,7 @@ def section(material: Material) -> Section | None:
     }
     html = template("report_animation.html.j2").render(
         name=material.stand.name,
-        words=motion.words,
+        words=f"{motion.words}; its carrier stands still" if still else motion.words,
         left_out=left_out,
         data=json.dumps(data, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
         count=len(motion.t),

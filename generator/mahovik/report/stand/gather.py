@@ -14,7 +14,7 @@ from mahovik.report.plot.run import SUFFIXES, identity, read
 from mahovik.report.stand.material import Material
 from mahovik.report.stand.run import Run
 from mahovik.report.stand.run_of_stand import refuse_foreign_run
-from mahovik.report.stand.state import WORDS, chosen_state
+from mahovik.report.stand.state import state_shown
 from mahovik.stand.identity import identities
 from mahovik.stand.model import Stand
 from mahovik.study.cost.page import accepted
@@ -49,10 +49,11 @@ def gather(
     if programme is not None and programme_file is not None:
         _refuse_foreign_programme(programme_file, stand, programme, motion)
     costs = () if cost_folder is None else _costs(Path(cost_folder), stand)
+    state, words = state_shown(stand, run)
     return Material(
         stand=stand,
-        state=chosen_state(stand) if run is None else run.state(-1),
-        state_words=WORDS if run is None else f"the last row of the run, t = {run.t[-1]:.6g} s",
+        state=state,
+        state_words=words,
         stand_file=Path(stand_file).name,
         run=run,
         programme=programme,

@@ -42,12 +42,9 @@ class Page:
     failures: tuple[str, ...]
 
 
-def page(material: Material, progress: Callable[[float, float], None] | None = None) -> Page:
-    """The report of a stand. The same material gives the same bytes.
-
-    `progress`: told how many sections are done, of how many.
-    """
-    found = _sections(material, progress)
+def page(material: Material, made: Callable[[int], None] = lambda count: None) -> Page:
+    """The report of a stand. The same material gives the same bytes. `made` hears how many sections of `ORDER` are."""
+    found = _sections(material, made)
     failures = tuple(line for each in found for line in each.failures)
     names = identities(material.stand)
     html = template("report.html.j2").render(
@@ -64,17 +61,22 @@ def page(material: Material, progress: Callable[[float, float], None] | None = N
     return Page(html, failures)
 
 
-def _sections(material: Material, progress: Callable[[float, float], None] | None) -> list[Section]:
+def _sections(material: Material, tell: Callable[[int], None]) -> list[Section]:
     """Those that have something to show, in their order."""
+    done: list[str] = []
+
+    def section(name: str) -> Section | None:
+        found: Section | None = make[name](material)
+        done.append(name)
+        tell(len(done))
+        return found
+
     make = {name: import_module(f"mahovik.report.stand.{name}").section for name in ORDER}
     generated(material.stand)
     with side_by_side() as pool:
-        beside = {name: pool.submit(make[name], material) for name in BESIDE if name in make}
-        made = {}
-        for name in sorted(ORDER, key=lambda name: name in beside):  # those beside last
-            made[name] = beside[name].result() if name in beside else make[name](material)
-            if progress is not None:
-                progress(len(made), len(ORDER))
+        beside = {name: pool.submit(section, name) for name in BESIDE if name in make}
+        made = {name: section(name) for name in ORDER if name not in beside}
+        made |= {name: task.result() for name, task in beside.items()}
     return [each for name in ORDER if (each := made[name]) is not None]
 
 

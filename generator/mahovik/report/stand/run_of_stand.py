@@ -20,6 +20,9 @@ from mahovik.verify.scales import scales
 AGREES = 1e-6
 """Of the natural scale; numbers of a run are good to more digits, those of another stand are not as near."""
 
+UNIT = 1e-6
+"""How far from 1 the length of a quaternion may be."""
+
 _FLYWHEEL, _POINT = re.compile(r"phi_dot (\w+) \[rad/s\]"), re.compile(r"force_x (\w+) \[m/s2\]")
 _POSE_AND_TWIST = 14
 """Columns of time, place, attitude and twist: the first ones of any run."""
@@ -67,8 +70,21 @@ def _refuse_missing(stand: Stand, run: Run, where: str) -> None:
         if name not in run.columns:
             raise UsageError(f'{where}: no run of `mahovik simulate`: expected a column "{name}"')
     for name, column in run.columns.items():
-        if not np.isfinite(column).all():
-            raise UsageError(f'{where}: column "{name}": not every number is finite')
+        if (bad := np.flatnonzero(~np.isfinite(column))).size:
+            words = f'column "{name}", row {bad[0] + 1} of {len(column)}: {column[bad[0]]} is not finite'
+            raise UsageError(f"{where}: {words}{f', nor are {bad.size - 1} after it' if bad.size > 1 else ''}")
+    if (back := np.flatnonzero(np.diff(run.t) <= 0.0)).size:
+        row = int(back[0]) + 1
+        raise UsageError(
+            f'{where}: column "t [s]", row {row + 1} of {len(run.t)}: {run.t[row]:.9g} after {run.t[row - 1]:.9g}; '
+            "expected times that increase"
+        )
+    length = np.sqrt(sum(run.columns[name] ** 2 for name in ("qw", "qx", "qy", "qz")))
+    if (off := np.flatnonzero(np.abs(length - 1.0) > UNIT)).size:
+        raise UsageError(
+            f"{where}: columns qw, qx, qy, qz, row {off[0] + 1} of {len(length)}: of length {length[off[0]]:.6g}; "
+            "expected a unit quaternion"
+        )
 
 
 def _disagreement(stand: Stand, run: Run) -> str | None:

@@ -1,9 +1,10 @@
-"""The state at which a report shows the matrices where no run gives one."""
+"""The state at which a report shows the matrices."""
 
 from __future__ import annotations
 
 import math
 
+from mahovik.report.stand.run import Run
 from mahovik.stand.model import Stand
 from mahovik.stand.state import State
 from mahovik.stand.summary import summarize
@@ -14,6 +15,22 @@ WORDS = (
 )
 
 _APART = 0.7
+
+STILL = 1e-9
+"""m/s and rad/s: a carrier slower than this, with flywheels at rest, moves by rounding alone."""
+
+
+def state_shown(stand: Stand, run: Run | None) -> tuple[State, str]:
+    """The last row of the run, and words that say so; the chosen state without a run, or where all is at rest there.
+
+    At rest `M`, `K*`, `J` and `D` are zero but for rounding, which would be shown as if it were their structure.
+    """
+    if run is None:
+        return chosen_state(stand), WORDS
+    last, row = run.state(-1), f"the last row of the run, t = {run.t[-1]:.6g} s"
+    if not any(last.phi_dot) and max(map(abs, last.V)) < STILL:
+        return chosen_state(stand), f"{row}, is at rest; shown instead: {WORDS}"
+    return last, row
 
 
 def chosen_state(stand: Stand) -> State:
