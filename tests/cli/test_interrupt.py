@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -21,8 +21,23 @@ from mahovik.stands import path
 
 SAT4 = str(path("sat4"))
 MOTION = str(path("bench8").with_name("bench8.motion.json"))
-ENDS = 20.0
+ENDS = 60.0
 """s in which a command must end; it takes a fraction of one, and this machine may be busy."""
+
+STARTED: list[subprocess.Popen[str]] = []
+"""Of the test that runs."""
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_left() -> Iterator[None]:
+    """Ends what a failed test has started."""
+    yield
+    for process in STARTED:
+        if process.poll() is None:
+            process.kill()
+            process.communicate()
+    STARTED.clear()
+
 
 COMPILER = """#!/bin/sh
 case "$*" in *-dM*) exit 0 ;; esac
@@ -70,6 +85,7 @@ class Started:
             cwd=self.work,
             env={**os.environ, "TMPDIR": str(self.scratch), **self.env},
         )
+        STARTED.append(self.process)
 
     def until(self, condition: Callable[[], bool]) -> Started:
         """Waits for it."""
@@ -144,7 +160,9 @@ def test_a_simulation_keeps_what_is_computed(suffix: str, tmp_path: Path) -> Non
     for seconds in (0.5, 3.0, 12.0):  # on a busy machine there is no row yet
         place = tmp_path / f"after{seconds:g}"
         place.mkdir()
-        started = Started(("simulate", DEMO3, "--until", "9000", "-o", f"run{suffix}"), place).compiled()
+        started = Started(
+            ("simulate", DEMO3, "--until", "9000", "--every", "0.01", "-o", f"run{suffix}"), place
+        ).compiled()
         time.sleep(seconds)
         said, complaint = started.interrupt()
         assert started.process.returncode == 130
