@@ -1,9 +1,11 @@
 """Hypothesis draws the same examples in every run of CI; elsewhere new ones, so that daily work searches on.
 
 Commands keep their formulas here, not in the folder of the user. Linear algebra has one thread, as in the command.
+Ctrl-C acts on commands that tests start, also where a shell runs the tests beside itself and has it ignored.
 """
 
 import os
+import signal
 from pathlib import Path
 
 from hypothesis import settings
@@ -13,6 +15,9 @@ from mahovik.__main__ import ONE_THREAD
 for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(Path(__file__).resolve().parents[1] / ".pytest_cache" / "formulas")
+
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 settings.register_profile("daily", deadline=None)
 settings.register_profile("ci", derandomize=True, deadline=None)
