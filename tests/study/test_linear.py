@@ -95,7 +95,7 @@ def test_points_are_those_named_in_that_order():
     assert linear_model(stand, rest_state(stand)).points == ("acc1",)
     assert linear_model(stand, rest_state(stand), ["carrier", "acc1"]).points == ("carrier", "acc1")
     assert linear_model(stand, rest_state(stand), []).C.shape == (0, 20)
-    with pytest.raises(UsageError, match='unknown point "acc2", expected one of acc1, carrier'):
+    with pytest.raises(UsageError, match='unknown point "acc2", did you mean "acc1"'):
         linear_model(stand, rest_state(stand), ["acc2"])
     with pytest.raises(UsageError, match="given twice"):
         linear_model(stand, rest_state(stand), ["acc1", "acc1"])
