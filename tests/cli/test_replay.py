@@ -81,6 +81,7 @@ def test_one_step_in_full(flown: Path) -> None:
     assert all("0x" in number for number in after)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [3, 50, 700])
 def test_a_step_becomes_a_unit_test(flown: Path, step: int) -> None:
     """A step with an encoder, one of step_driven, one that was refused. The test passes, and fails for other C."""

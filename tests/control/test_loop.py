@@ -21,6 +21,7 @@ from verify.programme.programmes import shaker
 Z = 2
 
 
+@pytest.mark.slow
 def test_without_mismatch_only_sampling_is_left() -> None:
     record = run(0.0, trim=False)
     found = following(record, 10)

@@ -51,6 +51,7 @@ def literal() -> flywheel.Literal:
     return flywheel.Literal(*(trigonometric(x, W.phi) for x in (found.K, found.K_dot, found.I, found.J)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("added_mass", [False, True])
 def test_total_momentum_form_is_8(added_mass: bool) -> None:
     """F - Phi Z - K* V - (a_rel, g_rel) = F - M V - J phi' - I phi'' with M = Phi K + K*: a carrier and a flywheel."""

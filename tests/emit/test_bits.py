@@ -57,6 +57,7 @@ def test_compilers_agree(compiler, optimisation):
     assert bits(reference.table()) == bits(other.table())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("compiler", "optimisation"), [("gcc", "-O0"), ("gcc", "-O1"), ("gcc", "-O3"), ("clang", "-O0"), ("clang", "-O3")]
 )

@@ -51,6 +51,7 @@ def passes(files: dict[str, str], name: str, folder: Path, compiler: str, *flags
     assert printed.endswith("failures 0\n")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("build", [BUILDS[3], BUILDS[5]], ids=" ".join)
 def test_bits_with_vectors(build: tuple[str, ...], tmp_path: Path) -> None:
     passes(made("everything6", "double", 4)[1], "everything6", tmp_path, *build)
@@ -72,6 +73,7 @@ def test_bits_of_phases_given_by_sines(lanes: int, build: tuple[str, ...], tmp_p
     passes({**generated.files, **selftest_files(given, generated)}, given.name, tmp_path, *build)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("march", "packed"), [("x86-64-v3", r"v(?:mul|add|sub)pd .*%ymm"), ("x86-64", r"(?:mul|add|sub)pd .*%xmm")]
 )

@@ -250,6 +250,7 @@ def test_no_cache_neither_reads_nor_writes(tmp_path: Path) -> None:
     assert list(folder.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_generate_warns_in_one_line(tmp_path: Path) -> None:
     env = {cache.VARIABLE: str(tmp_path / "cache")}
     stand = str(stands.path("sat4"))

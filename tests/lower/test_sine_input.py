@@ -57,6 +57,7 @@ def run(c: CBackend, function: str, inputs: dict[str, Any]) -> tuple[int, dict[s
     return c.library.run(c.program.function(function), {n: v for n, v in inputs.items() if n in wanted}, FILL)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "precision_name"), [*((name, "double") for name in STANDS), ("turned3", "float")], ids=str
 )
@@ -80,6 +81,7 @@ def test_compiled_and_interpreted_agree(function: str) -> None:
     assert bits(c.interpreter._run(f"{function}_at", given)[1]) == bits(run(c, f"{function}_at", inputs)[1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["turned1", "turned3"])
 def test_the_key_changes_no_bit_of_the_other_functions(name: str) -> None:
     c = backend(name)

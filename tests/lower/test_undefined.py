@@ -76,6 +76,7 @@ assert c.c("prepare", default)[0] == 0
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ("everything6", "hung5", "bare0"))
 def test_undefined_behaviour_sanitizer(name):
     """Every overflow of an int, shift, index or cast would end the process."""

@@ -87,6 +87,7 @@ def test_an_error_of_a_piece_is_its_failure(tmp_path: Path, error: CheckError) -
     assert (tmp_path / "out" / "raw" / "refusing" / "error.txt").read_text() == "it differs\nby 1\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stop", [KeyboardInterrupt(), RuntimeError("a bug")])
 def test_an_interrupted_run_leaves_nothing(tmp_path: Path, stop: BaseException) -> None:
     """Not even beside the place; what was there stays as it was."""

@@ -48,6 +48,7 @@ def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
         assert np.abs(found["tau left [N m]"][1:]).max() < 0.031
 
 
+@pytest.mark.slow
 def test_a_steep_run_up_beside_a_speed_that_varies() -> None:
     text = '[flywheel.left]\nrun_up = { torque = 5, to = "300 rpm" }\n'
     text += "[flywheel.right]\nharmonic = { mean = 20, amplitude = 10, frequency = 12 }"
@@ -59,6 +60,7 @@ def test_a_steep_run_up_beside_a_speed_that_varies() -> None:
         np.testing.assert_array_equal(found[name], judge[name])
 
 
+@pytest.mark.slow
 def test_dry_friction_that_sets_in_steeply() -> None:
     """0.05 N m within 1e-3 rad/s: brings a flywheel to a stop, and holds it there."""
     motor = Motor(1.0, 100.0, None, None, None, 0.0, 0.05, 1e-3)

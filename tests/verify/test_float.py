@@ -53,6 +53,7 @@ def test_any_stand_gives_the_bits_of_the_interpreter(stand: Stand) -> None:
     assert found.passed
 
 
+@pytest.mark.slow
 def test_an_error_in_the_fourth_digit_of_one_term_is_caught(tmp_path: Path) -> None:
     stand = load(path("bench8"))
     files = generate(stand, "float")
