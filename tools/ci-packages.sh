@@ -6,7 +6,7 @@ missing=()
 command -v gcc >/dev/null || missing+=(gcc)
 command -v g++ >/dev/null || missing+=(g++)
 command -v clang >/dev/null || missing+=(clang)
-command -v chromium >/dev/null || missing+=(chromium)
+command -v chromium >/dev/null || missing+=(chromium fonts-liberation fonts-dejavu-core)
 command -v pdflatex >/dev/null || missing+=(texlive-latex-base lmodern)
 printf '#include <sys/types.h>\nint x;\n' | gcc -m32 -fsyntax-only -x c - 2>/dev/null || missing+=(gcc-multilib)
 if [ ${#missing[@]} -eq 0 ]; then
