@@ -37,6 +37,15 @@ def test_an_mjcf_too() -> None:
     assert run("check", "new/other.toml").output.startswith("other ")
 
 
+def test_what_alone_was_compared_is_told() -> None:
+    """Of a base that is fixed on the world, torques."""
+    wheel = '<joint name="j" axis="0 0 1"/><inertial pos="1e-3 0 0" mass="1" diaginertia=".01 .01 .015"/>'
+    hub = f'<body name="b"><inertial pos="0 0 0" mass="3" diaginertia=".1 .1 .1"/><body name="w">{wheel}</body></body>'
+    Path("held.xml").write_text(f'<mujoco model="held"><worldbody>{hub}</worldbody></mujoco>', encoding="utf-8")
+    said = run("import", "mjcf", "held.xml", "--carrier", "b").output
+    assert "at 20 random states in tau alone, since it is fixed on the world there" in said
+
+
 def test_into_a_folder() -> None:
     for folder in (".", "new/"):
         run("import", "urdf", URDF, "-o", folder)
