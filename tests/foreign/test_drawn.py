@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from mahovik.foreign.write import stand_file
 SEEDS = [*range(4), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(4, 60))]
 
 
-def options(rng: np.random.Generator, fixed: int) -> dict[str, object]:
+def options(rng: np.random.Generator, fixed: int) -> dict[str, Any]:
     """Any fixed body as the carrier, instruments or not."""
     return {"carrier": f"b{rng.integers(fixed + 1)}", "instruments": bool(rng.integers(2))}
 
@@ -28,7 +29,7 @@ def test_urdf(seed: int, tmp_path: Path) -> None:
     fixed, turning = int(rng.integers(5)), int(rng.integers(1, 6))
     path = tmp_path / "drawn.urdf"
     path.write_text(urdf(drawn(rng, fixed, turning)))
-    found = stand_of(read_urdf(path), "drawn", path.name, gravity=rng.normal(size=3) * 9, **options(rng, fixed))  # type: ignore[arg-type]
+    found = stand_of(read_urdf(path), "drawn", path.name, gravity=rng.normal(size=3) * 9, **options(rng, fixed))
     stand_file(found, path.name, "")
     errors = agreement(found, PinocchioOriginal(path, found, False), 5, seed)
     assert len(found.stand.flywheels) == turning
@@ -42,7 +43,7 @@ def test_mjcf(seed: int, tmp_path: Path) -> None:
     fixed, turning = int(rng.integers(5)), int(rng.integers(1, 6))
     path = tmp_path / "drawn.xml"
     path.write_text(mjcf(drawn(rng, fixed, turning), rng))
-    found = stand_of(read_mjcf(path), "drawn", path.name, **options(rng, fixed))  # type: ignore[arg-type]
+    found = stand_of(read_mjcf(path), "drawn", path.name, **options(rng, fixed))
     stand_file(found, path.name, "")
     errors = agreement(found, MujocoOriginal(compiled(path), found, True), 5, seed)
     assert len(found.stand.flywheels) == turning

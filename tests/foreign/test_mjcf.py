@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,9 +21,9 @@ TOLERANCE = 1e-12
 """MuJoCo's full inertias go by principal axes that are good to about this."""
 
 
-def imported(path: Path = SAT, **options: object) -> Imported:
+def imported(path: Path = SAT, **options: Any) -> Imported:
     """The stand of a file."""
-    return stand_of(read_mjcf(path), "sat", path.name, **options)  # type: ignore[arg-type]
+    return stand_of(read_mjcf(path), "sat", path.name, **options)
 
 
 def errors_of(path: Path, found: Imported) -> dict[str, float]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,9 +24,9 @@ TOLERANCE = 1e-12
 """Of K, I, bias, tau, phi_ddot. V_dot is a small difference of large torques of the wheels: 1e-11."""
 
 
-def imported(path: Path = SAT, **options: object) -> Imported:
+def imported(path: Path = SAT, **options: Any) -> Imported:
     """The stand of a file."""
-    return stand_of(read_urdf(path), "sat", path.name, **options)  # type: ignore[arg-type]
+    return stand_of(read_urdf(path), "sat", path.name, **options)
 
 
 def check(path: Path, **options: object) -> None:

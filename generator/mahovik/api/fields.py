@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -76,7 +77,7 @@ def field(member: Member, stand: Stand, sensors: Sequence[str], before: tuple[st
     return Field(member.name, shape, member.unit, member.meaning, tuple(axes))
 
 
-class Named:
+class Named(ABC):
     """Arrays by name, and their parts by label: `r["phi_ddot"]`, `r["phi_ddot", "w1"]`, `r["I", "N", "w1"]`."""
 
     def __init__(self, fields: Sequence[Field], batch: int | None) -> None:
@@ -103,8 +104,9 @@ class Named:
         found: Array = self._array(name)[index]
         return found
 
+    @abstractmethod
     def _array(self, name: str) -> Array:
-        raise NotImplementedError
+        """The array of a field."""
 
     def _place(self, key: str | tuple[Any, ...]) -> tuple[str, tuple[Any, ...]]:
         name, *parts = key if isinstance(key, tuple) else (key,)

@@ -11,23 +11,12 @@ from numpy.typing import NDArray
 from mahovik.api.fields import Array, field
 from mahovik.api.results import words
 from mahovik.errors import RefusedError
-from mahovik.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
+from mahovik.lower.limits import BOUND_OF, UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.lower.thresholds import thresholds
 from mahovik.program.arrays import Passed
 from mahovik.program.types import DOUBLE, FLOAT, Precision
 from mahovik.stand.model import WRENCH_LETTERS, Stand
 from mahovik.verify.program_backend import MEANING
-
-_LIMIT = {
-    "position": "MAX_POSITION",
-    "phi": "MAX_PHASE",
-    "angles": "MAX_PHASE",
-    "phi_dot": "MAX_SPEED",
-    "phi_ddot": "MAX_ACCELERATION",
-    "V_dot": "MAX_ACCELERATION",
-    "tau": "MAX_WRENCH",
-    "wrench": "MAX_WRENCH",
-}
 
 
 def refused(
@@ -91,7 +80,7 @@ def _wrong(name: str, column: NDArray[Any], labels: Sequence[str], unit: str) ->
         if not np.isfinite(x):
             yield f"{what} is {x}"
             continue
-        limit = ("MAX_VELOCITY" if i < 3 else "MAX_SPEED") if name == "V" else _LIMIT.get(name)
+        limit = ("MAX_VELOCITY" if i < 3 else "MAX_SPEED") if name == "V" else BOUND_OF.get(name)
         if limit is not None and abs(x) > bounds[limit].value:
             yield f"{what} is {x:.9g}, at most {bounds[limit].value:g} {bounds[limit].unit}".rstrip()
     if name == "attitude" and not UNIT_SQUARE_MIN <= float(np.sum(column.astype(np.float64) ** 2)) <= UNIT_SQUARE_MAX:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -124,7 +124,7 @@ class States(Named):
         if self._batch is None:
             raise InputError("take: a single state, expected a batch")
         try:
-            part = self._memory[:, which]  # type: ignore[index]
+            part = self._memory[:, cast(Any, which)]  # NumPy itself says what is no index
         except (IndexError, ValueError, TypeError) as error:
             raise InputError(f"take: {error}") from None
         if part.ndim > 2:

@@ -18,7 +18,7 @@ from mahovik.emit.statement import dimensions
 from mahovik.emit.templates import template
 from mahovik.lower import drawn
 from mahovik.lower.drawn import Input, Rule
-from mahovik.lower.limits import limits
+from mahovik.lower.limits import BOUND_OF, limits
 from mahovik.program.function import STATUS_VALUES, Argument, Function, Program
 from mahovik.program.types import Kind, NamedCount, Struct
 from mahovik.stand.identity import Identities
@@ -31,25 +31,6 @@ UNREAD = {
     "inverse_fast_at": "near and limits",
 }
 """Functions that may succeed though a real among their arguments is NaN or infinite, and what it is: see the header."""
-
-_LARGEST = {
-    "position": "MAX_POSITION",
-    "V": "MAX_VELOCITY",
-    "phi": "MAX_PHASE",
-    "angles": "MAX_PHASE",
-    "phi_dot": "MAX_SPEED",
-    "phi_ddot": "MAX_ACCELERATION",
-    "V_dot": "MAX_ACCELERATION",
-    "tau": "MAX_WRENCH",
-    "wrench": "MAX_WRENCH",
-    "q_dot": "MAX_VELOCITY",
-    "q_ddot": "MAX_ACCELERATION",
-    "dt": "MAX_STEP",
-    "stream": "MAX_VELOCITY",
-    "weight": "MAX_WEIGHT",
-    "limit": "MAX_ACCELERATION",
-}
-"""Inputs by name, and the bound of each in the header; others: 1."""
 
 _CONSTANTS = {"table": "table", "mount_table": "mounting", "parameters": "parameters", "inverse_options": "options"}
 """Where the harness keeps structs that are not drawn member by member."""
@@ -119,7 +100,7 @@ class _Harness:
 
     def _largest(self, name: str) -> str:
         """The bound of an input as C has it."""
-        bound = _LARGEST.get(name)
+        bound = BOUND_OF.get(name)
         return self._names.constant(bound) if bound else self._real(1.0)
 
     # ---- drawing inputs ----

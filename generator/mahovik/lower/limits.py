@@ -39,6 +39,25 @@ def limits(precision: Precision) -> dict[str, Limit]:
     return {limit.name: limit for limit in table}
 
 
+BOUND_OF = {
+    "position": "MAX_POSITION",
+    "V": "MAX_VELOCITY",
+    "phi": "MAX_PHASE",
+    "angles": "MAX_PHASE",
+    "phi_dot": "MAX_SPEED",
+    "phi_ddot": "MAX_ACCELERATION",
+    "V_dot": "MAX_ACCELERATION",
+    "tau": "MAX_WRENCH",
+    "wrench": "MAX_WRENCH",
+    "q_dot": "MAX_VELOCITY",
+    "q_ddot": "MAX_ACCELERATION",
+    "dt": "MAX_STEP",
+    "stream": "MAX_VELOCITY",
+    "weight": "MAX_WEIGHT",
+    "limit": "MAX_ACCELERATION",
+}
+"""Inputs by name, and the bound of each component in `limits`; the angular half of V has MAX_SPEED."""
+
 UNIT_SQUARE_MIN = 0.998001
 UNIT_SQUARE_MAX = 1.002001
 """Square of a length within 1e-3 of 1: of a quaternion, or of (sine, cosine)."""

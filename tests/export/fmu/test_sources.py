@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 import zipfile
 from pathlib import Path
@@ -19,6 +18,7 @@ from mahovik.lower.fmu.variables import Inputs, Kind
 from mahovik.stand.state import rest_state
 from mahovik.toolchain.compiler import WARNINGS
 from mahovik.toolchain.module import STRICT
+from toolchain.tools import require
 
 
 def unpacked(name: str, version: str, kind: Kind, inputs: Inputs, folder: Path) -> list[Path]:
@@ -30,8 +30,7 @@ def unpacked(name: str, version: str, kind: Kind, inputs: Inputs, folder: Path) 
 
 def compile_strictly(command: list[str], sources: list[Path]) -> None:
     """No warning, of any."""
-    if shutil.which(command[0]) is None:
-        pytest.skip(f"no {command[0]} here; CI has it")
+    require(command[0], command[0])
     flags = [*WARNINGS, *STRICT, "-fsyntax-only"]
     done = subprocess.run([*command, *flags, *map(str, sources)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[:2000]
