@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 from mahovik.errors import ForeignError
-from mahovik.stand.content import content
+from mahovik.stand.content import readable
 from mahovik.stand.physical import LARGEST
 from mahovik.stand.problems import Problems
 from mahovik.stand.units import show
@@ -23,15 +23,9 @@ ROOTS = {
 def parsed(path: Path, root: str) -> ET.Element:
     """The root element of a file. Raises ForeignError: no file, no XML, another format."""
     try:
-        found = content(path)
-    except FileNotFoundError:
-        raise ForeignError([f"{path}: no such file"]) from None
-    except IsADirectoryError:
-        raise ForeignError([f"{path}: is a directory, expected an XML file"]) from None
-    except OSError as error:
-        raise ForeignError([f"{path}: cannot be read: {error.strerror or error}"]) from None
-    except ValueError as error:  # a NUL in the name
-        raise ForeignError([f"{show(str(path))}: {error}"]) from None
+        found = readable(path, "an XML file")
+    except ValueError as error:
+        raise ForeignError([str(error)]) from None
     try:
         element = ET.fromstring(found)
     except (ET.ParseError, ValueError, LookupError) as error:  # an encoding that is not known is a LookupError

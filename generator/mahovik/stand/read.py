@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from mahovik.errors import StandError
 from mahovik.nearest import alike, meant, nearest
 from mahovik.stand import build, physical
-from mahovik.stand.content import content
+from mahovik.stand.content import readable
 from mahovik.stand.model import Flywheel, Instrument, Leg, Point, Stand
 from mahovik.stand.problems import Problems
 from mahovik.stand.schema import (
@@ -44,18 +44,15 @@ _ARRAYS: dict[str, type[Table]] = {
 def load(path: str | Path) -> Stand:
     """Read and check the stand file at `path`. Raises StandError with every problem found."""
     path = Path(path)
-    try:
-        found = content(path)
-    except FileNotFoundError:
+
+    def neighbour() -> str:
         best = alike(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
-        hint = "" if best is None else f', did you mean "{path.with_name(f"{best}.toml")}"?'
-        raise StandError([f"{path}: no such file{hint}"]) from None
-    except IsADirectoryError:
-        raise StandError([f"{path}: is a directory, expected a stand file (TOML)"]) from None
-    except OSError as error:
-        raise StandError([f"{path}: cannot be read: {error.strerror or error}"]) from None
-    except ValueError as error:  # a NUL in the name
-        raise StandError([f"{show(str(path))}: {error}"]) from None
+        return "" if best is None else f', did you mean "{path.with_name(f"{best}.toml")}"?'
+
+    try:
+        found = readable(path, "a stand file (TOML)", neighbour)
+    except ValueError as error:
+        raise StandError([str(error)]) from None
     try:
         text = found.decode("utf-8-sig")  # Windows editors write a byte order mark
     except UnicodeDecodeError as error:
