@@ -2,25 +2,11 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from types import ModuleType
-
-from docs.pages import ROOT, cells
-
-
-def tool() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("verify_campaign", ROOT / "tools" / "verify_campaign.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    sys.modules["verify_campaign"] = found  # where a dataclass looks for its module
-    spec.loader.exec_module(found)
-    return found
+from docs.pages import ROOT, cells, tool
 
 
 def test_the_campaign_on_the_page() -> None:
-    written, page = tool(), (ROOT / "docs" / "verification.md").read_text(encoding="utf-8")
+    written, page = tool("verify_campaign"), (ROOT / "docs" / "verification.md").read_text(encoding="utf-8")
     text = page.partition(written.BEGIN)[2].partition(written.END)[0].strip()
     assert text.startswith("50 of 50 stands passed, 60 states each; accepted is 1e-12. ")
     head, _, *rows = [cells(line) for line in text.splitlines() if line.startswith("|")]
@@ -32,7 +18,7 @@ def test_the_campaign_on_the_page() -> None:
 
 
 def test_the_summary() -> None:
-    written = tool()
+    written = tool("verify_campaign")
     good = written.Verdict(5, "", True, (1e-15, 2e-15, 3e-15), "")
     bad = written.Verdict(5, "", False, (1e-11, 2e-16, 1e-11), "{}")
     other = written.Verdict(64, "", True, (1e-16, 2e-16, 3e-16), "")

@@ -2,27 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from types import ModuleType
-
-from docs.pages import ROOT, rows
+from docs.pages import ROOT, rows, tool
 
 PAGE = ROOT / "docs" / "control-loop.md"
 
 
-def tool() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("control_loop", ROOT / "tools" / "control_loop.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = found  # dataclasses look their module up
-    spec.loader.exec_module(found)
-    return found
-
-
 def test_estimates_follow_from_counts() -> None:
-    written = tool()
+    written = tool("control_loop")
     boards = {f"{b.name} at {b.mhz} MHz": b for b in written.BOARDS}
     lines = rows(PAGE, "tick")
     assert len(lines) == 5 * len(boards)

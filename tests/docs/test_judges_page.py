@@ -2,22 +2,11 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
-from types import ModuleType
 
-from docs.pages import ROOT, cells
+from docs.pages import ROOT, cells, tool
 from mahovik.stands import names
 from mahovik.verify.judges.compare import ALL, JUDGES, MOTION
-
-
-def tool() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("judges_table", ROOT / "tools" / "judges_table.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(found)
-    return found
 
 
 def lines_of(text: str) -> list[list[str]]:
@@ -33,7 +22,7 @@ def check_numbers(rows: list[list[str]]) -> None:
 
 
 def test_the_table_of_the_readme() -> None:
-    written, readme = tool(), (ROOT / "README.md").read_text(encoding="utf-8")
+    written, readme = tool("judges_table"), (ROOT / "README.md").read_text(encoding="utf-8")
     text = readme.partition(written.BEGIN)[2].partition(written.END)[0]
     head, _, *rows = lines_of(text)
     assert head[0] == "generated C against"
@@ -45,7 +34,7 @@ def test_the_table_of_the_readme() -> None:
 
 
 def test_the_page() -> None:
-    written, page = tool(), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
+    written, page = tool("judges_table"), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
     for judge, part in zip(JUDGES, page.split("\n## ")[1:-1], strict=True):
         assert part.startswith(judge)
         head, _, *rows = lines_of(part)
@@ -55,7 +44,7 @@ def test_the_page() -> None:
 
 
 def test_basilisk_where_it_is_exact_and_where_not() -> None:
-    written, page = tool(), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
+    written, page = tool("judges_table"), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
     part = page.split("\n## ")[-1]
     assert part.startswith("basilisk")
     exact, _, off = part.partition("### Where its model is not exact")

@@ -2,30 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from types import ModuleType
-
 import pytest
 
-from docs.pages import ROOT, cells
+from docs.pages import ROOT, cells, tool
 from mahovik.study.response.periodic import KINKED_TAIL, TAIL, UNSTABLE
 from mahovik.study.response.speeds import EXACT, MOST_TURNS
 
 
-def tool() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("linear_campaign", ROOT / "tools" / "linear_campaign.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    sys.modules["linear_campaign"] = found  # where a dataclass looks for its module
-    spec.loader.exec_module(found)
-    return found
-
-
 def rows(name: str) -> tuple[str, list[list[str]]]:
     """What the tool wrote on a page, and the rows of its table."""
-    written, page = tool(), (ROOT / "docs" / name).read_text(encoding="utf-8")
+    written, page = tool("linear_campaign"), (ROOT / "docs" / name).read_text(encoding="utf-8")
     text = page.partition(written.BEGIN)[2].partition(written.END)[0].strip()
     assert written.with_text(page, text) == page
     return text, [cells(line) for line in text.splitlines() if line.startswith("|")][2:]
@@ -34,7 +20,7 @@ def rows(name: str) -> tuple[str, list[list[str]]]:
 def test_linear_models_agree() -> None:
     text, found = rows("linear.md")
     assert "accepted is 1e-10" in text
-    assert [row[0] for row in found] == [str(N) for N in tool().FLYWHEELS]
+    assert [row[0] for row in found] == [str(N) for N in tool("linear_campaign").FLYWHEELS]
     assert sum(int(row[1]) for row in found) == 200
     assert all(float(number) <= 1e-10 for row in found for number in row[2:])
 
@@ -42,7 +28,7 @@ def test_linear_models_agree() -> None:
 def test_steady_states_are_those_of_simulation() -> None:
     text, found = rows("response.md")
     assert "accepted is 1e-06" in text
-    assert [row[0] for row in found] == [course.stand for course in tool().COURSES]
+    assert [row[0] for row in found] == [course.stand for course in tool("linear_campaign").COURSES]
     assert all(float(row[4]) <= 1e-6 for row in found)
 
 
