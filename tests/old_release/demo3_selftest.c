@@ -1,0 +1,1330 @@
+/* demo3_selftest.c: does demo3.c give the right bits on this machine?
+ * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead.
+ *
+ * Compile it with demo3.c as firmware is compiled (-std=c99 -ffp-contract=off; -fno-tree-vectorize as well by gcc
+ * for x86-64 with FMA and for a Cortex-M55, or bits differ) and run it; on a board, define
+ * DEMO3_SELFTEST_NO_MAIN and call demo3_selftest with what prints a text, such as to a serial port.
+ * Golden vectors: inputs and answers of the generator's interpreter as hexadecimal constants; each bit must agree.
+ * Sweep: states that an integer generator makes here; a hash of all answers a function is printed, to be
+ * compared between machines. The log of a board is judged by `mahovik judge-log LOG STAND.toml`. It reads:
+ *
+ *     mahovik selftest demo3 structure 055bf547 physics fdeb29e7 real double
+ *     generator mahovik 0.1.0
+ *     forward PASS cases 4 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *                                        (a distance above 1000000 ulp: worst more than 1000000 ulp)
+ *     sweep 100                          states
+ *     forward 0123abcd                   a line a function: FNV-1a of its statuses and outputs
+ *     failures 0                         functions that failed; the last line
+ *
+ * No allocation. It keeps inputs and results in static memory: one caller at a time. */
+#include "demo3.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#ifndef DEMO3_SELFTEST_NO_MAIN
+#include <stdio.h>
+#endif
+
+#if DEMO3_STRUCTURE != 0x055bf547u || DEMO3_PHYSICS != 0xfdeb29e7u
+#error "demo3.h and demo3_selftest.c are of different stands"
+#endif
+#if DEMO3_LANES != 1
+#error "demo3.h and demo3_selftest.c were generated for different numbers of lanes"
+#endif
+
+#ifndef DEMO3_SELFTEST_SWEEP
+#define DEMO3_SELFTEST_SWEEP 100ul  /* states of the sweep that main runs */
+#endif
+
+int demo3_selftest(void (*print)(const char *text), unsigned long sweep);
+
+typedef uint64_t real_bits;
+
+enum { CASES = 3, FUNCTIONS = 21, SWEPT = 1 };
+
+#define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
+
+/* ---- inputs and results ---- */
+
+/* What the functions take beside the stand's own constants. */
+typedef struct inputs {
+    demo3_state x;
+    demo3_real phi_ddot[DEMO3_N];
+    demo3_real V_dot[6];
+    demo3_real tau[DEMO3_N];
+    int locked[DEMO3_N];
+    demo3_real dt;
+    int order;
+    demo3_real phi;
+    int count;
+    int per_turn;
+    demo3_real zero;
+    int moved;
+    demo3_encoder encoder;
+    int counter;
+    int bits;
+    demo3_real angles[3];
+    demo3_real position[3];
+    demo3_real q_dot[6];
+    demo3_real q_ddot[6];
+    demo3_real mass_factor;  /* of all masses and inertias of the parameters */
+} inputs;
+
+static inputs in;
+static demo3_parameters parameters;
+static demo3_mount_table mounting;
+
+static union {
+    struct { demo3_real V_dot[6]; } forward;
+    struct { demo3_equations out; } matrices;
+    struct { demo3_momenta out; } momentum;
+    struct { demo3_real tau[DEMO3_N]; } torque;
+    struct { demo3_real V_dot[6]; demo3_real phi_ddot[DEMO3_N]; } coupled;
+    struct { demo3_state next; } step;
+    struct { demo3_state next; } step_driven;
+    struct { demo3_real wrapped; } wrap;
+    struct { demo3_real phi; } phase_of_counts;
+    struct { demo3_real phi_dot; } speed_of_counts;
+    struct { demo3_encoder encoder; } accumulate;
+    struct { demo3_forward_slopes out; } forward_jacobian;
+    struct { demo3_coupled_slopes out; } coupled_jacobian;
+    struct { demo3_inverse_result out; } inverse;
+    struct { demo3_real phi_ddot[DEMO3_N]; } inverse_fast;
+    struct { demo3_real attitude[4]; } quaternion;
+    struct { demo3_state x; demo3_real V_dot[6]; } target;
+    struct { demo3_generalized out; } attitude;
+    struct { demo3_table stand; } prepare;
+    struct { demo3_real loads[18]; } mounts;
+    struct { demo3_mount_table mounting; } prepare_mounts;
+    unsigned char bytes[1];
+} results;
+
+enum { UNTOUCHED = 0x5a };  /* what every byte of the results holds before a call */
+
+/* ---- taking results: their hash, and how far they are from what is expected ---- */
+
+typedef struct tally {
+    uint32_t hash;                /* FNV-1a of all bits taken so far, the lowest byte of a number first */
+    const demo3_real *expected;  /* next numbers that are expected, `left` of them */
+    int left;
+    int touched;                  /* results that were written in spite of a refusal */
+    real_bits worst;              /* ulp */
+} tally;
+
+static void begin(tally *sum)
+{
+    sum->hash = 2166136261u;
+    sum->expected = NULL;
+    sum->left = 0;
+    sum->touched = 0;
+    sum->worst = 0u;
+}
+
+static void take_word(tally *sum, real_bits word, int bytes)
+{
+    for (int i = 0; i < bytes; ++i) {
+        sum->hash = (sum->hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+        word = word >> 8;
+    }
+}
+
+static real_bits bits_of(demo3_real value)
+{
+    union { demo3_real real; real_bits word; } both;
+    both.real = value;
+    return both.word;
+}
+
+/* Numbers between two reals, by their bits: signed magnitudes laid on one line. */
+static real_bits ulp_between(real_bits a, real_bits b)
+{
+    const real_bits sign = (real_bits)1u << 63;
+    const real_bits x = (a & sign) != 0u ? sign - (a & ~sign) : sign + a;
+    const real_bits y = (b & sign) != 0u ? sign - (b & ~sign) : sign + b;
+    return x > y ? x - y : y - x;
+}
+
+static void take_reals(tally *sum, const demo3_real *values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        const real_bits word = bits_of(values[i]);
+        take_word(sum, word, 8);
+        if (sum->left > 0) {
+            const real_bits off = ulp_between(word, bits_of(*sum->expected));
+            sum->worst = off > sum->worst ? off : sum->worst;
+            sum->expected++;
+            sum->left--;
+        }
+    }
+}
+
+static void take_ints(tally *sum, const int *values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        take_word(sum, (real_bits)(uint32_t)values[i], 4);
+    }
+}
+
+static void untouched(tally *sum, const void *place, size_t size)
+{
+    const unsigned char *bytes = place;
+    for (size_t i = 0; i < size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
+}
+
+static void take_equations(tally *sum, const demo3_equations *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->K[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->K_dot[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->M[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->I[i], DEMO3_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->J[i], DEMO3_N);
+    }
+    take_reals(sum, value->F, 6);
+}
+
+static void take_momenta(tally *sum, const demo3_momenta *value)
+{
+    take_reals(sum, value->Z, 6);
+    take_reals(sum, value->Z0, 6);
+    take_reals(sum, &value->energy, 1);
+    take_reals(sum, value->center_of_mass, 3);
+}
+
+static void take_state(tally *sum, const demo3_state *value)
+{
+    take_reals(sum, value->position, 3);
+    take_reals(sum, value->attitude, 4);
+    take_reals(sum, value->V, 6);
+    take_reals(sum, value->phi, DEMO3_N);
+    take_reals(sum, value->phi_dot, DEMO3_N);
+}
+
+static void take_encoder(tally *sum, const demo3_encoder *value)
+{
+    take_ints(sum, &value->counter, 1);
+    take_ints(sum, &value->place, 1);
+    take_ints(sum, &value->moved, 1);
+}
+
+static void take_forward_slopes(tally *sum, const demo3_forward_slopes *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_V[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi[i], DEMO3_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi_dot[i], DEMO3_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi_ddot[i], DEMO3_N);
+    }
+}
+
+static void take_coupled_slopes(tally *sum, const demo3_coupled_slopes *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_V[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi[i], DEMO3_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi_dot[i], DEMO3_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_tau[i], DEMO3_N);
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        take_reals(sum, value->phi_ddot_V[i], 6);
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        take_reals(sum, value->phi_ddot_phi[i], DEMO3_N);
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        take_reals(sum, value->phi_ddot_phi_dot[i], DEMO3_N);
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        take_reals(sum, value->phi_ddot_tau[i], DEMO3_N);
+    }
+}
+
+static void take_inverse_result(tally *sum, const demo3_inverse_result *value)
+{
+    take_reals(sum, value->phi_ddot, DEMO3_N);
+    take_reals(sum, value->residual, 6);
+    take_reals(sum, value->sigma, 3);
+    take_ints(sum, &value->rank, 1);
+    take_reals(sum, &value->damped_by, 1);
+    take_ints(sum, value->limited, DEMO3_N);
+    take_reals(sum, value->hardest, 6);
+}
+
+static void take_generalized(tally *sum, const demo3_generalized *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->A[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->D[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->I0[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->J0[i], 6);
+    }
+    take_reals(sum, value->q_dot, 6);
+    take_reals(sum, value->q_ddot, 6);
+}
+
+static void take_row(tally *sum, const demo3_row *value)
+{
+    take_reals(sum, value->mu_c, 3);
+    take_reals(sum, value->mu_s, 3);
+    take_reals(sum, value->J_c, 6);
+    take_reals(sum, value->J_s, 6);
+    take_reals(sum, value->J_2c, 6);
+    take_reals(sum, value->J_2s, 6);
+    take_reals(sum, value->t_0, 3);
+    take_reals(sum, value->t_c, 3);
+    take_reals(sum, value->t_s, 3);
+    take_reals(sum, &value->spin, 1);
+    take_reals(sum, &value->spin_inv, 1);
+}
+
+static void take_table(tally *sum, const demo3_table *value)
+{
+    take_reals(sum, &value->mass, 1);
+    take_reals(sum, &value->mass_inverse, 1);
+    take_reals(sum, value->first_moment, 3);
+    take_reals(sum, value->inertia, 6);
+    for (int i = 0; i < DEMO3_N; ++i) {
+        take_row(sum, &value->flywheel[i]);
+    }
+}
+
+static void take_mount(tally *sum, const demo3_mount *value)
+{
+    take_reals(sum, &value->mass, 1);
+    take_reals(sum, value->first_moment, 3);
+    take_reals(sum, value->inertia, 6);
+    take_reals(sum, value->origin, 3);
+    take_reals(sum, value->axes, 9);
+}
+
+static void take_mount_table(tally *sum, const demo3_mount_table *value)
+{
+    for (int i = 0; i < DEMO3_N; ++i) {
+        take_mount(sum, &value->flywheel[i]);
+    }
+}
+
+/* ---- every function: called with the inputs; its results taken ---- */
+
+static demo3_status call_forward(void)
+{
+    return demo3_forward(&demo3_default, &in.x, in.phi_ddot, results.forward.V_dot);
+}
+
+static void take_forward_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
+        return;
+    }
+    take_reals(sum, results.forward.V_dot, 6);
+}
+
+static demo3_status call_matrices(void)
+{
+    return demo3_matrices(&demo3_default, &in.x, &results.matrices.out);
+}
+
+static void take_matrices_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
+        return;
+    }
+    take_equations(sum, &results.matrices.out);
+}
+
+static demo3_status call_momentum(void)
+{
+    return demo3_momentum(&demo3_default, &in.x, &results.momentum.out);
+}
+
+static void take_momentum_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
+        return;
+    }
+    take_momenta(sum, &results.momentum.out);
+}
+
+static demo3_status call_torque(void)
+{
+    return demo3_torque(&demo3_default, &in.x, in.V_dot, in.phi_ddot, results.torque.tau);
+}
+
+static void take_torque_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
+        return;
+    }
+    take_reals(sum, results.torque.tau, DEMO3_N);
+}
+
+static demo3_status call_coupled(void)
+{
+    return demo3_coupled(&demo3_default, &in.x, in.tau, in.locked, results.coupled.V_dot,
+        results.coupled.phi_ddot);
+}
+
+static void take_coupled_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
+        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
+        return;
+    }
+    take_reals(sum, results.coupled.V_dot, 6);
+    take_reals(sum, results.coupled.phi_ddot, DEMO3_N);
+}
+
+static demo3_status call_step(void)
+{
+    return demo3_step(&demo3_default, &in.x, in.tau, in.locked, in.dt, in.order, &results.step.next);
+}
+
+static void take_step_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.step.next, sizeof results.step.next);
+        return;
+    }
+    take_state(sum, &results.step.next);
+}
+
+static demo3_status call_step_driven(void)
+{
+    return demo3_step_driven(&demo3_default, &in.x, in.phi_ddot, in.dt, in.order, &results.step_driven.next);
+}
+
+static void take_step_driven_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
+        return;
+    }
+    take_state(sum, &results.step_driven.next);
+}
+
+static demo3_status call_wrap(void)
+{
+    return demo3_wrap(in.phi, &results.wrap.wrapped);
+}
+
+static void take_wrap_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
+        return;
+    }
+    take_reals(sum, &results.wrap.wrapped, 1);
+}
+
+static demo3_status call_phase_of_counts(void)
+{
+    return demo3_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
+}
+
+static void take_phase_of_counts_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
+        return;
+    }
+    take_reals(sum, &results.phase_of_counts.phi, 1);
+}
+
+static demo3_status call_speed_of_counts(void)
+{
+    return demo3_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
+}
+
+static void take_speed_of_counts_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
+        return;
+    }
+    take_reals(sum, &results.speed_of_counts.phi_dot, 1);
+}
+
+static demo3_status call_accumulate(void)
+{
+    results.accumulate.encoder = in.encoder;
+    return demo3_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
+}
+
+static void take_accumulate_results(tally *sum, demo3_status status)
+{
+    (void)status;
+    take_encoder(sum, &results.accumulate.encoder);
+}
+
+static demo3_status call_forward_jacobian(void)
+{
+    return demo3_forward_jacobian(&demo3_default, &in.x, in.phi_ddot, &results.forward_jacobian.out);
+}
+
+static void take_forward_jacobian_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
+        return;
+    }
+    take_forward_slopes(sum, &results.forward_jacobian.out);
+}
+
+static demo3_status call_coupled_jacobian(void)
+{
+    return demo3_coupled_jacobian(&demo3_default, &in.x, in.tau, in.locked, &results.coupled_jacobian.out);
+}
+
+static void take_coupled_jacobian_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
+        return;
+    }
+    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+}
+
+static demo3_status call_inverse(void)
+{
+    return demo3_inverse(&demo3_default, &in.x, in.V_dot, &demo3_default_options, &results.inverse.out);
+}
+
+static void take_inverse_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
+        return;
+    }
+    take_inverse_result(sum, &results.inverse.out);
+}
+
+static demo3_status call_inverse_fast(void)
+{
+    return demo3_inverse_fast(&demo3_default, &in.x, in.V_dot, &demo3_default_options,
+        results.inverse_fast.phi_ddot);
+}
+
+static void take_inverse_fast_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
+        return;
+    }
+    take_reals(sum, results.inverse_fast.phi_ddot, DEMO3_N);
+}
+
+static demo3_status call_quaternion(void)
+{
+    return demo3_quaternion(in.angles, results.quaternion.attitude);
+}
+
+static void take_quaternion_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
+        return;
+    }
+    take_reals(sum, results.quaternion.attitude, 4);
+}
+
+static demo3_status call_target(void)
+{
+    results.target.x = in.x;
+    return demo3_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x, results.target.V_dot);
+}
+
+static void take_target_results(tally *sum, demo3_status status)
+{
+    take_state(sum, &results.target.x);
+    if (status < 0) {
+        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        return;
+    }
+    take_reals(sum, results.target.V_dot, 6);
+}
+
+static demo3_status call_attitude(void)
+{
+    return demo3_attitude(&demo3_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+}
+
+static void take_attitude_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        return;
+    }
+    take_generalized(sum, &results.attitude.out);
+}
+
+static demo3_status call_prepare(void)
+{
+    results.prepare.stand = demo3_default;
+    return demo3_prepare(&parameters, &results.prepare.stand);
+}
+
+static void take_prepare_results(tally *sum, demo3_status status)
+{
+    (void)status;
+    take_table(sum, &results.prepare.stand);
+}
+
+static demo3_status call_mounts(void)
+{
+    return demo3_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+}
+
+static void take_mounts_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        return;
+    }
+    take_reals(sum, results.mounts.loads, 18);
+}
+
+static demo3_status call_prepare_mounts(void)
+{
+    return demo3_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
+}
+
+static void take_prepare_mounts_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
+        return;
+    }
+    take_mount_table(sum, &results.prepare_mounts.mounting);
+}
+
+/* ---- golden vectors ---- */
+
+static const inputs golden[CASES] =
+{
+    {   /* ordinary */
+        .x = {
+            .position = { -0x1.779ddp-1, 0x1.80b954p+0, -0x1.119c4p-4 },
+            .attitude = { 0x1.23d2001fe5499p-1, -0x1.2fce5cc580fd9p-5, -0x1.fa57eff3d6fbfp-2,
+                -0x1.4f73dbc4be6d5p-1 },
+            .V = { 0x1.98cdb4p+0, 0x1.e62748p+0, 0x1.d12948p-1, 0x1.f3efb4p+0, 0x1.462f7p-1, 0x1.aad298p-1 },
+            .phi = { -0x1.95dd5cp+3, 0x1.e462ap+3, -0x1.23a78p+1 },
+            .phi_dot = { -0x1.c68578p+6, -0x1.cf9e4p+7, -0x1.e0f5dp+6 },
+        },
+        .phi_ddot = { -0x1.c61c58p+8, -0x1.3c48p+5, -0x1.c4d59p+8 },
+        .V_dot = { 0x1.d79d24p+3, 0x1.3513p-1, 0x1.29b748p+2, -0x1.94148p-1, -0x1.f4583p+3, 0x1.9e47c8p+2 },
+        .tau = { -0x1.39c4f8p+0, 0x1.44d50cp+0, -0x1.7d815p-1 },
+        .locked = { 0, 0, 0 },
+        .dt = 0x1p-14,
+        .order = 4,
+        .phi = 0x1.eac5dp+2,
+        .count = -761023,
+        .per_turn = 4027,
+        .zero = -0x1.bac6b8p-2,
+        .moved = -386,
+        .encoder = {
+            .counter = -21122,
+            .place = 142,
+            .moved = -289,
+        },
+        .counter = 29341,
+        .bits = 16,
+        .angles = { -0x1.8683b4p-1, -0x1.23054p-5, 0x1.1aa1f8p-1 },
+        .position = { 0x1.96f608p+0, 0x1.af406cp+0, 0x1.f9388cp+0 },
+        .q_dot = { -0x1.4d6b8p-5, 0x1.4e6a6cp+0, 0x1.e7f3ap-2, -0x1.100f98p-1, -0x1.ae09ap+0,
+            -0x1.b60768p-1 },
+        .q_ddot = { 0x1.06bc6cp+3, -0x1.3b164p-1, 0x1.c0aac8p+3, -0x1.51bd7p+1, -0x1.ace304p+3,
+            0x1.76eb1p+1 },
+        .mass_factor = 0x1.f535d98p-1,
+    },
+    {   /* fast flywheels, large phases */
+        .x = {
+            .position = { 0x1.f3e8ep-2, 0x1.35894p-2, 0x1.d3fc6p-1 },
+            .attitude = { -0x1.d568c281e7e1bp-2, 0x1.a1d7a590192f6p-1, -0x1.c7d3fa6ea71c6p-4,
+                0x1.55defbd2fd555p-2 },
+            .V = { 0x1.cf1ac8p+1, 0x1.30188p-1, 0x1.942a08p+1, -0x1.92f53p+1, 0x1.c0d28p+1, 0x1.9f33ep+1 },
+            .phi = { 0x1.c06e04p+22, 0x1.6815p+18, -0x1.7e8e7p+20 },
+            .phi_dot = { 0x1.bc58ep+13, -0x1.58a2bp+13, 0x1.554cc8p+12 },
+        },
+        .phi_ddot = { 0x1.55fcep+7, -0x1.9f3ap+2, 0x1.9b4488p+7 },
+        .V_dot = { 0x1.0a9aap+2, -0x1.9c2068p+4, -0x1.9ed4ep+2, -0x1.085ab8p+4, 0x1.968a6p+4, 0x1.cdc694p+5 },
+        .tau = { -0x1.0249c8p+0, -0x1.371e7p-1, -0x1.214c38p+0 },
+        .locked = { 0, 0, 0 },
+        .dt = 0x1p-14,
+        .order = 2,
+        .phi = -0x1.8f2aap+20,
+        .count = -127729,
+        .per_turn = 4021,
+        .zero = -0x1.f8caa4p-1,
+        .moved = 268,
+        .encoder = {
+            .counter = -24851,
+            .place = 3837,
+            .moved = 202,
+        },
+        .counter = 18593,
+        .bits = 16,
+        .angles = { 0x1.d5b01p-2, -0x1.6b39ap-1, 0x1.499108p-1 },
+        .position = { -0x1.859fdp+0, 0x1.fdeeap+0, 0x1.1fb6fp+0 },
+        .q_dot = { -0x1.2794p-7, 0x1.33ded8p+0, -0x1.4256p-7, -0x1.923cb8p+0, -0x1.67826p+0, 0x1.512658p-1 },
+        .q_ddot = { -0x1.3b3c18p+2, 0x1.8eec5p+2, -0x1.bb3d38p+3, 0x1.a3f8a8p+3, 0x1.882d1p+1, 0x1.4d94ap+1 },
+        .mass_factor = 0x1.c770a78p-1,
+    },
+    {   /* out of range */
+        .x = {
+            .position = { 0x1.1746e8p+40, 0x1.037d6p+39, 0x1.a1c0ecp+40 },
+            .attitude = { -0x1.3a21017dc786cp-2, 0x1.5ac632e6d8184p+0, 0x1.69d9f2550e031p-3,
+                -0x1.6d9ee2309b7dcp+0 },
+            .V = { 0x1.56ea88p+0, 0x1.f688fp-1, -0x1.0f622p+0, 0x1.a26cfp-1, 0x1.df44a8p+0, 0x1.670cp-5 },
+            .phi = { -0x1.23708p+39, 0x1.598328p+42, -0x1.466428p+42 },
+            .phi_dot = { -0x1.3db6a8p+7, -0x1.3d4554p+7, -0x1.07562p+6 },
+        },
+        .phi_ddot = { 0x1.a063e4p+8, -0x1.bdbb3p+8, 0x1.d98bf4p+8 },
+        .V_dot = { 0x1.3c586p+1, -0x1.ed3ccp+2, 0x1.297088p+2, 0x1.c53fp-1, -0x1.d0ae24p+3, -0x1.70a96cp+3 },
+        .tau = { -0x1.49e8p-4, 0x1.70ed48p-1, -0x1.52138p-5 },
+        .locked = { 0, 1, 0 },
+        .dt = 0x0p+0,
+        .order = 2,
+        .phi = 0x1.b0decp+39,
+        .count = 538374,
+        .per_turn = 0,
+        .zero = -0x1.16ceep+36,
+        .moved = 133,
+        .encoder = {
+            .counter = 22946,
+            .place = 2009,
+            .moved = -220,
+        },
+        .counter = -27949,
+        .bits = 16,
+        .angles = { -0x1.bdd86p+39, 0x1.f8f3ep+37, -0x1.ca174p+36 },
+        .position = { 0x1.bc5528p+39, 0x1.67f6p+36, 0x1.7f7ed8p+39 },
+        .q_dot = { 0x1.1db6ap+0, -0x1.046708p+0, 0x1.7c0718p+0, -0x1.8e30bp+0, 0x1.c57048p-1,
+            -0x1.b7cac8p-1 },
+        .q_ddot = { -0x1.74596p+3, 0x1.a5f084p+3, 0x1.107154p+3, 0x1.9703bp+1, -0x1.0a47f8p+2,
+            -0x1.3b6cap+1 },
+        .mass_factor = -0x1.ccd1d5p-1,
+    },
+};
+
+typedef struct answer {
+    int status;
+    uint32_t hash;  /* of the status and all outputs */
+    int listed;     /* outputs whose numbers are given, at most 32 */
+} answer;
+
+static const demo3_real numbers_forward[] =
+{
+    0x1.011a74669f8p+0, 0x1.c5a0d5e6e78p-2, -0x1.587a75f668ap+1, 0x1.2694024eab1eep+3, 0x1.18a31934877f2p+1,
+        0x1.a088c80af7eacp+3,
+    -0x1.24a44678ecp+3, -0x1.5ad1d695b42p+4, 0x1.d1cb0bf19dp+3, -0x1.22d971ede921bp+10,
+        -0x1.4b12a92b5c5a3p+10, 0x1.476f5cc15b16fp+8,
+};
+
+static const demo3_real numbers_matrices[] =
+{
+    0x1p+4, 0x0p+0, 0x0p+0, 0x0p+0, 0x1p-57, -0x0p+0, 0x0p+0, 0x1p+4, 0x0p+0, -0x1p-57, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1p+4, 0x0p+0, -0x0p+0, 0x0p+0, 0x0p+0, -0x1p-57, 0x0p+0, 0x1.69ebe5a048b99p-3,
+        0x1.4e0f42a4383p-14, 0x1.f1f525bcd1602p-8, 0x1p-57, 0x0p+0, -0x0p+0, 0x1.4e0f42a4383p-14,
+        0x1.994c94a8d02dap-3, -0x1.01cb54fba1d4dp-6, -0x0p+0, 0x0p+0,
+    0x1p+4, 0x0p+0, 0x0p+0, 0x0p+0, 0x1p-57, -0x0p+0, 0x0p+0, 0x1p+4, 0x0p+0, -0x1p-57, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1p+4, 0x0p+0, -0x0p+0, 0x0p+0, 0x0p+0, -0x1p-57, 0x0p+0, 0x1.69ebe5a048b99p-3,
+        0x1.4e0f42a4383p-14, 0x1.f1f525bcd1602p-8, 0x1p-57, 0x0p+0, -0x0p+0, 0x1.4e0f42a4383p-14,
+        0x1.994c94a8d02dap-3, -0x1.01cb54fba1d4dp-6, -0x0p+0, 0x0p+0,
+};
+
+static const demo3_real numbers_momentum[] =
+{
+    0x1.98cdb4p+4, 0x1.e62748p+4, 0x1.d12948p+3, -0x1.e8fafcd55b1f6p-3, -0x1.ce85db3271571p-1,
+        -0x1.e678f83193db7p-3, 0x1.dc305e13cf2f7p+2, -0x1.f2ceacd330cp+1, 0x1.4b7947089d36p+5,
+        0x1.ec0ba9972123ep+5, 0x1.dc7ce19007856p+4, -0x1.246147489b09ap+3, 0x1.b0b5ecd22d624p+7, 0x0p+0,
+        0x0p+0, 0x1p-61,
+    0x1.cf1ac8p+5, 0x1.30188p+3, 0x1.942a08p+5, 0x1.f41387f9a9ee6p+5, -0x1.3ad563ac203abp+5,
+        0x1.5496a365f9a9p+4, 0x1.35aa958cbe0d1p+6, 0x1.13c65ae430c4p-1, -0x1.a1b38c37fef8p-3,
+        0x1.bac5a4237916ep+5, 0x1.323be8309d68fp+6, 0x1.d522297786531p+4, 0x1.594cb275ddb3dp+19, 0x0p+0,
+        0x0p+0, 0x1p-61,
+};
+
+static const demo3_real numbers_torque[] =
+{
+    -0x1.d1d149fbe76c9p+0, -0x1.c3f5ced916867p-3, -0x1.ccb507de0d7eep+0,
+    0x1.3c5baf1a9fbe7p-1, 0x1.35ffdf3b6478ep-4, 0x1.0a4b04df6a57ap+0,
+};
+
+static const demo3_real numbers_coupled[] =
+{
+    0x1.011a74669f8p+0, 0x1.c5a0d5e6e78p-2, -0x1.587a75f668ap+1, 0x1.2016be806f54ep+2, -0x1.985c28da0cd5p+2,
+        0x1.18913aa874026p+3, -0x1.36eab52a01bd5p+8, 0x1.43997e5b6833dp+8, -0x1.8533084b44c34p+7,
+    -0x1.24a44678ecp+3, -0x1.5ad1d695b42p+4, 0x1.d1cb0bf19dp+3, -0x1.26cf5d25d9494p+10,
+        -0x1.50d7b4c7606e9p+10, 0x1.49a2e05efdbdfp+8, 0x1.cf80b3a3b2928p+9, 0x1.2add3d9b604d1p+10,
+        -0x1.93fe2a2b5d74p+2,
+};
+
+static const demo3_real numbers_step[] =
+{
+    -0x1.779a179f43d86p-1, 0x1.80b85a98a9966p+0, -0x1.10f6835c7bb16p-4, 0x1.23d5bc33dc8b9p-1,
+        -0x1.2f86ce3cc05bfp-5, -0x1.fa5f05b05ddfcp-2, -0x1.4f6e304eb8d92p-1, 0x1.98d1b92e11017p+0,
+        0x1.e6290d20c4a7fp+0, 0x1.d113bf2949261p-1, 0x1.f401b37449712p+0, 0x1.45fc661bed65cp-1,
+        0x1.ab18bdf5354ffp-1, -0x1.fb3c50d3c7dafp-4, 0x1.473c11bd5a286p+1, -0x1.2497fdf266508p+1,
+        -0x1.c698e6a37425cp+6, -0x1.cf942335ae2d6p+7, -0x1.e101f999c1c01p+6,
+    0x1.f4364aa576f5ep-2, 0x1.3589c9e32d5fdp-2, 0x1.d3fc45e4c7871p-1, -0x1.d559933c41b36p-2,
+        0x1.a1d7684db3b2ap-1, -0x1.c87dccf8a1ebap-4, 0x1.55e6d6d3d29c3p-2, 0x1.cf08c1604e0f1p+1,
+        0x1.2f69e2c969df7p-1, 0x1.9446e1e45088ap+1, -0x1.9c25445cfd0f4p+1, 0x1.b63ac8822b88bp+1,
+        0x1.a1a562d418e0ep+1, 0x1.8cc254ecfd22bp-1, 0x1.c2b93c8eaafb6p-1, 0x1.671aa6801dafap-2,
+        0x1.bc595379c425dp+13, -0x1.58a21981c3b8cp+13, 0x1.554cca90bb6aep+12,
+};
+
+static const demo3_real numbers_step_driven[] =
+{
+    -0x1.779a179f43d86p-1, 0x1.80b85a98a9966p+0, -0x1.10f6835c7bb16p-4, 0x1.23d5bc6d70b94p-1,
+        -0x1.2f86cb238f19ep-5, -0x1.fa5f0590f88e4p-2, -0x1.4f6e302b478p-1, 0x1.98d1b930514a4p+0,
+        0x1.e6290d0cab8cp+0, 0x1.d113bf7568417p-1, 0x1.f414843ed0d1dp+0, 0x1.4640fbcc82ffap-1,
+        0x1.ab3abc65947ebp-1, -0x1.fb3c986cc33ddp-4, 0x1.473c0c10d0b9fp+1, -0x1.249801fb564p+1,
+        -0x1.c6a1d9c58p+6, -0x1.cf9f7c48p+7, -0x1.e1121d59p+6,
+    0x1.f4364aa576f5ep-2, 0x1.3589c9e32d5fdp-2, 0x1.d3fc45e4c7871p-1, -0x1.d55993d63c613p-2,
+        0x1.a1d767d7ec3a8p-1, -0x1.c87dcdd82f4d9p-4, 0x1.55e6d82d8c1c7p-2, 0x1.cf08c0378d2e5p+1,
+        0x1.2f69e6694fc49p-1, 0x1.9446e30cb0b92p+1, -0x1.9c05b339be19cp+1, 0x1.b669a1f24d565p+1,
+        0x1.a1a2068e4397dp+1, 0x1.8cc225accdae4p-1, 0x1.c2b8f16f8d148p-1, 0x1.671ac0fe6544bp-2,
+        0x1.bc58f55fcep+13, -0x1.58a2b0cf9dp+13, 0x1.554cfb6891p+12,
+};
+
+static const demo3_real numbers_wrap[] =
+{
+    0x1.62986aeef4b9fp+0,
+    -0x1.4de0f6894238ap-1,
+};
+
+static const demo3_real numbers_phase_of_counts[] =
+{
+    0x1.0103f3c83bb09p-3,
+    0x1.799de4e602ac7p+0,
+};
+
+static const demo3_real numbers_speed_of_counts[] =
+{
+    -0x1.345bb31ce2f2bp+13,
+    0x1.acd3504bd97edp+12,
+};
+
+static const demo3_real numbers_accumulate[] =
+{
+    0.0
+};
+
+static const demo3_real numbers_forward_jacobian[] =
+{
+    0x0p+0, 0x1.aad298p-1, -0x1.462f7p-1, 0x1.6a3fc82f4b376p-62, -0x1.d12948p-1, 0x1.e62748p+0,
+        -0x1.aad298p-1, 0x0p+0, 0x1.f3efb4p+0, 0x1.d12948p-1, 0x1.9f2190d1e6d8cp-61, -0x1.98cdb4p+0,
+        0x1.462f7p-1, -0x1.f3efb4p+0, 0x0p+0, -0x1.e62748p+0, 0x1.98cdb4p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.61c35cdc39fbfp-54, -0x1.90dca2c9ad6dp-3, 0x1.3a456e68f36c6p+1, -0x1.87b0c6ada399bp+2, 0x0p+0,
+        0x0p+0, 0x1.961ad12b2837fp-56, -0x1.8a893017a59bbp+0, -0x1.6fc3f1fc32392p-2, 0x1.d5fdd6a9b548p+1,
+        0x0p+0, 0x0p+0,
+    0x0p+0, 0x1.9f33ep+1, -0x1.c0d28p+1, -0x1.df65389368d2bp-55, -0x1.942a08p+1, 0x1.3018800000001p-1,
+        -0x1.9f33ep+1, 0x0p+0, -0x1.92f53p+1, 0x1.942a08p+1, -0x1.057036fc71808p-54, -0x1.cf1ac8p+1,
+        0x1.c0d28p+1, 0x1.92f53p+1, 0x0p+0, -0x1.30188p-1, 0x1.cf1ac8p+1, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.1e48d13bc847fp-53, -0x1.d603bb0921b8p+2, -0x1.fde6cef8e301p+6, -0x1.c68dc3167e8e3p+7, 0x0p+0,
+        0x0p+0, 0x1.1ae77ea5135cap-53, 0x1.d26b999368d2bp+6, 0x1.46c982eae025ap+4, -0x1.3dcf58ae88543p+8,
+        0x0p+0, 0x0p+0,
+};
+
+static const demo3_real numbers_coupled_jacobian[] =
+{
+    0x0p+0, 0x1.aad298p-1, -0x1.462f7p-1, 0x1.719f3f0f3118cp-62, -0x1.d12948p-1, 0x1.e62748p+0,
+        -0x1.aad298p-1, 0x0p+0, 0x1.f3efb4p+0, 0x1.d12948p-1, 0x1.aaf5f4c9b9896p-61, -0x1.98cdb4p+0,
+        0x1.462f7p-1, -0x1.f3efb4p+0, 0x0p+0, -0x1.e62748p+0, 0x1.98cdb4p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.6aa957f1f3e9fp-54, -0x1.70f47ad445d29p-3, 0x1.402fa064dcc4bp+1, -0x1.90fe148fb62a6p+2, 0x0p+0,
+        0x0p+0, 0x1.a0c2cd32ccacfp-56, -0x1.8e38eb87988c6p+0, -0x1.80f3a60a503cap-2, 0x1.df5743b0aeacfp+1,
+        0x0p+0, 0x0p+0,
+    0x0p+0, 0x1.9f33ep+1, -0x1.c0d28p+1, -0x1.ec9a0874d70fcp-55, -0x1.942a08p+1, 0x1.3018800000001p-1,
+        -0x1.9f33ep+1, 0x0p+0, -0x1.92f53p+1, 0x1.942a08p+1, -0x1.08df78068e1dfp-54, -0x1.cf1ac8p+1,
+        0x1.c0d28p+1, 0x1.92f53p+1, 0x0p+0, -0x1.30188p-1, 0x1.cf1ac8p+1, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.24f5de2ccdc61p-53, -0x1.9de483423e299p+2, -0x1.0262a8868e1dfp+7, -0x1.d2b7065a7ba35p+7, 0x0p+0,
+        0x0p+0, 0x1.20b6e110e6b8ap-53, 0x1.dfa06974d70fcp+6, 0x1.5eb39622882fbp+4, -0x1.450892a269e21p+8,
+        0x0p+0, 0x0p+0,
+};
+
+static const demo3_real numbers_inverse[] =
+{
+    -0x1.b06798bab9a23p+6, 0x1.78b9e088c477ep+9, -0x1.13b9a1adc0cap+6, -0x1.b779d5732c1p+7,
+        -0x1.490a543231p+1, -0x1.d5f482fb345p+6, 0x1.9p-52, -0x1.28p-51, -0x1p-52, 0x1.5207a43ec7adcp-3,
+        0x1.29cbbcfb6ef98p-3, 0x1.afd8938ef6d5ap-4, 0x0p+0, -0x1.c37d12b96db75p+1, -0x1.5208cb2fe97d7p-5,
+        -0x1.e2cd079cb1972p+0, 0x1.5208cb2fe97d7p-66, -0x1.c37d12b96db75p-60, 0x0p+0,
+    -0x1.b5e35c3bcb8p+15, -0x1.1b669c75efcacp+16, 0x1.5178cf0befb43p+14, -0x1.a9f19678ecp+7,
+        0x1.053a45a92f8p+6, 0x1.509abdf8ce8p+8, -0x1.3p-44, -0x1.cp-46, 0x1p-46, 0x1.5207a43ec7adcp-3,
+        0x1.29cbbcfb6ef98p-3, 0x1.afd8938ef6d5ap-4, 0x0p+0, -0x1.0e256e24826e1p+1, 0x1.4b5b51d1f327dp-1,
+        0x1.aaf81d3f54b1ep+1, -0x1.4b5b51d1f327dp-62, -0x1.0e256e24826e1p-60, 0x0p+0,
+};
+
+static const demo3_real numbers_inverse_fast[] =
+{
+    -0x1.b06798bab9a1ep+6, 0x1.78b9e088c477ap+9, -0x1.13b9a1adc0c9ap+6,
+    -0x1.b5e35c3bcb7fep+15, -0x1.1b669c75efcabp+16, 0x1.5178cf0befb42p+14,
+};
+
+static const demo3_real numbers_quaternion[] =
+{
+    0x1.ca14b66e1cc41p-1, 0x1.f8e97e60df587p-3, -0x1.e05904351ce6dp-4, -0x1.6a08b2b4d6bbp-2,
+    0x1.aec2b153e65e3p-1, 0x1.747d963150efdp-2, -0x1.038268d5ace41p-2, 0x1.3ca4c01481218p-2,
+};
+
+static const demo3_real numbers_target[] =
+{
+    0x1.96f608p+0, 0x1.af406cp+0, 0x1.f9388cp+0, 0x1.ca14b66e1cc41p-1, 0x1.f8e97e60df587p-3,
+        -0x1.e05904351ce6dp-4, -0x1.6a08b2b4d6bbp-2, -0x1.d430a495ec6b3p-1, 0x1.0c1a5eb25570cp+0,
+        -0x1.7fb78e5ac975p-5, -0x1.bfb11d3892236p-1, -0x1.b574209a4574cp+0, 0x1.b70bdd18d09f6p-2,
+        -0x1.95dd5cp+3, 0x1.e462ap+3, -0x1.23a78p+1, -0x1.c68578p+6, -0x1.cf9e4p+7, -0x1.e0f5dp+6,
+        0x1.ce559a892235ap+2, 0x1.83a38ed8ee318p+3, 0x1.6f35c6140d266p+3, 0x1.f17b0957b1598p+0,
+        -0x1.a4a3cb39e095fp+3, 0x1.ac93fe424a1a8p+1,
+    -0x1.859fdp+0, 0x1.fdeeap+0, 0x1.1fb6fp+0, 0x1.aec2b153e65e3p-1, 0x1.747d963150efdp-2,
+        -0x1.038268d5ace41p-2, 0x1.3ca4c01481218p-2, 0x1.90dc619103661p-2, 0x1.4fff88b6999f6p-1,
+        -0x1.db845fc42015ep-1, -0x1.75c3bc4720cc4p-2, -0x1.d6ba5f9d8ededp+0, -0x1.c5ca541922d38p-4,
+        0x1.c06e04p+22, 0x1.6815p+18, -0x1.7e8e7p+20, 0x1.bc58ep+13, -0x1.58a2bp+13, 0x1.554cc8p+12,
+        -0x1.81ebc53fd2912p+3, 0x1.e01e23c81b0cdp-1, -0x1.95f7e0f0c45bp+3, 0x1.2f63a12e66824p+3,
+        0x1.26edd09821934p+3, 0x1.0f94646887a08p+3,
+    0x1.1746e8p+40, 0x1.037d6p+39, 0x1.a1c0ecp+40, -0x1.3a21017dc786cp-2, 0x1.5ac632e6d8184p+0,
+        0x1.69d9f2550e031p-3, -0x1.6d9ee2309b7dcp+0, 0x1.56ea88p+0, 0x1.f688fp-1, -0x1.0f622p+0, 0x1.a26cfp-1,
+        0x1.df44a8p+0, 0x1.670cp-5, -0x1.23708p+39, 0x1.598328p+42, -0x1.466428p+42, -0x1.3db6a8p+7,
+        -0x1.3d4554p+7, -0x1.07562p+6,
+};
+
+static const demo3_real numbers_attitude[] =
+{
+    0x1.71eba1d84dc4fp-1, -0x1.618398252aaf8p-1, 0x1.22f594a295503p-5, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.264d423e3b134p-1, 0x1.41c35629ee882p-1, 0x1.0c5388aa5e33p-1, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.89645cd04cdfp-2, -0x1.6ed384d19fa8fp-2, 0x1.b3ad44dbc7f82p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1.22f594a295502p-5, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.0c5388aa5e33p-1,
+        0x1.b3f3af4e2618ep-1, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.5c51ee4dedc28p-1, 0x1.5801232fa4191p-2, 0x1.4d83e3ab90455p-1, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.68ccf939dd8c8p-1, 0x1.1696e86ad7d46p-1, 0x1.d2483da2cf121p-2, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.9c9a140405642p-3, -0x1.89a21ca6288aap-1, 0x1.36bc68d56a2e4p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1.4d83e3ab90456p-1, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.d2483da2cf12p-2,
+        0x1.998b2a7755dbep-1, 0x0p+0, 0x0p+0, 0x0p+0,
+};
+
+static const demo3_real numbers_prepare[] =
+{
+    0x1.f535d98p+3, 0x1.0582ce4cfb4aep-4, 0x0p+0, 0x0p+0, 0x1p-57, 0x1.624b64db920dp-3, 0x1.90ac7bc3db54ep-3,
+        0x1.f946688e8ce23p-3, 0x1.470511331288p-14, 0x1.e776c0d68eb44p-8, -0x1.f8b9276f4c81dp-7, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.c770a78p+3, 0x1.1fcabfdb5fecep-4, 0x0p+0, 0x0p+0, 0x1p-57, 0x1.41f0c491181p-3, 0x1.6c159cc357905p-3,
+        0x1.cb223094ba9p-3, 0x1.2928105901ep-14, 0x1.baf2eb9180774p-8, -0x1.caa1d5acf4d2ap-7, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1p+4, 0x1p-4, 0x0p+0, 0x0p+0, 0x1p-57, 0x1.69ebe5a048b99p-3, 0x1.994c94a8d02dap-3, 0x1.02137ac48385ep-2,
+        0x1.4e0f42a4383p-14, 0x1.f1f525bcd1602p-8, -0x1.01cb54fba1d4dp-6, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+};
+
+static const demo3_real numbers_mounts[] =
+{
+    0x1.bc36b69bfb631p+4, 0x1.0f71d16589eccp+1, 0x1.2ff88eecc09f8p+4, -0x1.d1d149fbe76c8p+0,
+        -0x1.a986e797a584fp-2, 0x1.372d353ae157ap-2, -0x1.5fdbd8979c7f5p+0, -0x1.9271bcb37c3dcp+4,
+        0x1.8481f159f3408p+3, -0x1.c3f5ced916868p-3, -0x1.8a58ed2d5d0a6p-1, -0x1.caf046f7c39acp+0,
+        0x1.48404af36a72ep+4, -0x1.02caa5ffd7ff9p+4, -0x1.2cf93ca1b41a2p+4, -0x1.ccb507de0d7eep+0,
+        0x1.72cab22236cc6p-1, -0x1.e63b7bc176e88p-3,
+    0x1.48999fec8457p+4, 0x1.ecbf7405ec088p+0, -0x1.8de3dbe2cdbc6p+5, 0x1.3c5baf1a9fbe6p-1,
+        0x1.7115aafb347dcp+7, -0x1.8e8b48ce8f895p+7, -0x1.e1fe267dad34p+3, -0x1.1208af4a8b21dp+4,
+        -0x1.486903c1f75bfp+5, 0x1.35ffdf3b647a1p-4, -0x1.1e1205e004a4dp+7, 0x1.1600a9f204a5bp+7,
+        -0x1.79095ff44f023p+4, -0x1.06d5624e8961cp+5, -0x1.39049bab8e94p+5, 0x1.0a4b04df6a57ap+0,
+        0x1.2fc8435595a0dp+5, -0x1.975fa663f300dp+6,
+};
+
+static const demo3_real numbers_prepare_mounts[] =
+{
+    0x1.f535d98p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.009ea49ba5e35p-8, 0x1.40c64dc28f5c3p-9, 0x1.40c64dc28f5c3p-9,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x1.eb851eb851eb8p-4, 0x0p+0, -0x1.47ae147ae147bp-6, 0x1p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.f535d98p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.009ea49ba5e35p-8, 0x1.40c64dc28f5c3p-9, 0x1.40c64dc28f5c3p-9, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.c770a78p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.d25ee0c49ba5ep-9, 0x1.237b4c7ae147bp-9, 0x1.237b4c7ae147bp-9,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x1.eb851eb851eb8p-4, 0x0p+0, -0x1.47ae147ae147bp-6, 0x1p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.c770a78p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.d25ee0c49ba5ep-9, 0x1.237b4c7ae147bp-9, 0x1.237b4c7ae147bp-9, 0x0p+0, 0x0p+0, 0x0p+0,
+};
+
+typedef struct function {
+    const char *name;
+    size_t size;  /* of its results, bytes */
+    demo3_status (*call)(void);
+    void (*take)(tally *sum, demo3_status status);
+    const demo3_real *numbers;
+    answer answers[CASES];
+    uint32_t swept;  /* hash of the first SWEPT states of a sweep */
+} function;
+
+static const function functions[FUNCTIONS] =
+{
+    { "forward", sizeof results.forward,
+      call_forward, take_forward_results, numbers_forward,
+      { { 0, 0x52a83f12u, 6 }, { 0, 0xf0c77811u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x596ff1ccu },
+    { "matrices", sizeof results.matrices,
+      call_matrices, take_matrices_results, numbers_matrices,
+      { { 0, 0xd70ab7e9u, 32 }, { 0, 0xcf81c77eu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x58b73d03u },
+    { "momentum", sizeof results.momentum,
+      call_momentum, take_momentum_results, numbers_momentum,
+      { { 0, 0x62decc32u, 16 }, { 0, 0x3f11b6c9u, 16 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x3fb41e5fu },
+    { "torque", sizeof results.torque,
+      call_torque, take_torque_results, numbers_torque,
+      { { 0, 0x9d74225bu, 3 }, { 0, 0x625b5e5du, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x8b0d8c9du },
+    { "coupled", sizeof results.coupled,
+      call_coupled, take_coupled_results, numbers_coupled,
+      { { 0, 0xb0192a6cu, 9 }, { 0, 0xc318e0bfu, 9 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x9ad467a7u },
+    { "step", sizeof results.step,
+      call_step, take_step_results, numbers_step,
+      { { 0, 0xfcf1dfd7u, 19 }, { 0, 0x699a6e4eu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x94a3d479u },
+    { "step_driven", sizeof results.step_driven,
+      call_step_driven, take_step_driven_results, numbers_step_driven,
+      { { 0, 0xe55a5e71u, 19 }, { 0, 0x2ecc82dfu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x10cdff3fu },
+    { "wrap", sizeof results.wrap,
+      call_wrap, take_wrap_results, numbers_wrap,
+      { { 0, 0x321dae64u, 1 }, { 0, 0x49562ddau, 1 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xb99abfd3u },
+    { "phase_of_counts", sizeof results.phase_of_counts,
+      call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
+      { { 0, 0x9e9ca820u, 1 }, { 0, 0xc3c17189u, 1 }, { -5, 0x2107376du, 0 } },
+      0x188e8fa1u },
+    { "speed_of_counts", sizeof results.speed_of_counts,
+      call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
+      { { 0, 0x34e0a70du, 1 }, { 0, 0x44e8e008u, 1 }, { -5, 0x2107376du, 0 } },
+      0xf4e551fau },
+    { "accumulate", sizeof results.accumulate,
+      call_accumulate, take_accumulate_results, numbers_accumulate,
+      { { 0, 0xee840239u, 0 }, { 0, 0xe1f85216u, 0 }, { -5, 0x4cb95f2fu, 0 } },
+      0x28fc45a8u },
+    { "forward_jacobian", sizeof results.forward_jacobian,
+      call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
+      { { 0, 0xc9caa4d3u, 32 }, { 0, 0xd2718a7bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xe7d4ac8du },
+    { "coupled_jacobian", sizeof results.coupled_jacobian,
+      call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
+      { { 0, 0x079f0038u, 32 }, { 0, 0x1685d6d9u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x41905008u },
+    { "inverse", sizeof results.inverse,
+      call_inverse, take_inverse_results, numbers_inverse,
+      { { 8, 0xfaa99a2eu, 19 }, { 8, 0xed5abceeu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xed92914bu },
+    { "inverse_fast", sizeof results.inverse_fast,
+      call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
+      { { 0, 0x1edb9aeau, 3 }, { 0, 0x85c3f0f0u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xd3f03cb6u },
+    { "quaternion", sizeof results.quaternion,
+      call_quaternion, take_quaternion_results, numbers_quaternion,
+      { { 0, 0x256d3568u, 4 }, { 0, 0x1da341c1u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xaf642e2cu },
+    { "target", sizeof results.target,
+      call_target, take_target_results, numbers_target,
+      { { 0, 0x73abebd2u, 25 }, { 0, 0xdd09d40au, 25 }, { -2, 0x73bba0deu, 19 } },
+      0x269c5b94u },
+    { "attitude", sizeof results.attitude,
+      call_attitude, take_attitude_results, numbers_attitude,
+      { { 0, 0x9350c7c0u, 32 }, { 0, 0x71c559c8u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x3b4d207fu },
+    { "prepare", sizeof results.prepare,
+      call_prepare, take_prepare_results, numbers_prepare,
+      { { 0, 0x9d4b0fddu, 32 }, { 0, 0xb4957d72u, 32 }, { -2, 0x714e82a3u, 32 } },
+      0xed6118e3u },
+    { "mounts", sizeof results.mounts,
+      call_mounts, take_mounts_results, numbers_mounts,
+      { { 0, 0x1933a6d7u, 18 }, { 0, 0x36eb9c2cu, 18 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xcb4d654fu },
+    { "prepare_mounts", sizeof results.prepare_mounts,
+      call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
+      { { 0, 0x63ea2726u, 32 }, { 0, 0xb3a8c920u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x89b7f94au },
+};
+
+/* ---- a sweep's inputs: an integer generator, exact scaling ---- */
+
+static uint32_t draw_word(uint32_t *seed)  /* xorshift32 */
+{
+    uint32_t x = *seed;
+    x = x ^ (x << 13);
+    x = x ^ (x >> 17);
+    x = x ^ (x << 5);
+    *seed = x;
+    return x;
+}
+
+/* 24 bits as a real in [-largest, largest). */
+static demo3_real draw_real(uint32_t *seed, demo3_real largest)
+{
+    const int32_t part = (int32_t)(draw_word(seed) >> 8) - 8388608;
+    return largest * ((demo3_real)part / 8388608.0);
+}
+
+static void draw_reals(uint32_t *seed, demo3_real *values, int count, demo3_real largest)
+{
+    for (int i = 0; i < count; ++i) {
+        values[i] = draw_real(seed, largest);
+    }
+}
+
+static void draw_flags(uint32_t *seed, int *flags, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        flags[i] = (draw_word(seed) >> 30) == 0u ? 1 : 0;
+    }
+}
+
+/* The square of a quaternion of integers, by its length: a unit quaternion, of twice the length if refused. */
+static void draw_attitude(uint32_t *seed, demo3_real attitude[4], int refused)
+{
+    const uint32_t word = draw_word(seed);
+    const int32_t a = 2 * (int32_t)(word >> 25) - 127;  /* odd: not all are 0 */
+    const int32_t b = (int32_t)((word >> 16) & 0xffu) - 128;
+    const int32_t c = (int32_t)((word >> 8) & 0xffu) - 128;
+    const int32_t d = (int32_t)(word & 0xffu) - 128;
+    const demo3_real norm = (demo3_real)(a * a + b * b + c * c + d * d);
+    const demo3_real factor = refused != 0 ? 2.0 : 1.0;
+    attitude[0] = factor * ((demo3_real)(a * a - b * b - c * c - d * d) / norm);
+    attitude[1] = factor * ((demo3_real)(2 * a * b) / norm);
+    attitude[2] = factor * ((demo3_real)(2 * a * c) / norm);
+    attitude[3] = factor * ((demo3_real)(2 * a * d) / norm);
+}
+
+static void draw_inputs(uint32_t *seed, unsigned long state)
+{
+    const demo3_real fast = state % 4ul == 3ul ? 32.0 : 1.0;
+    const int refused = state % 16ul == 15ul ? 1 : 0;
+    draw_reals(seed, in.x.position, 3, 2.0);
+    draw_attitude(seed, in.x.attitude, refused);
+    draw_reals(seed, in.x.V, 6, 2.0);
+    draw_reals(seed, in.x.phi, DEMO3_N, 16.0 * fast);
+    draw_reals(seed, in.x.phi_dot, DEMO3_N, 256.0 * fast);
+    draw_reals(seed, in.phi_ddot, DEMO3_N, 512.0);
+    draw_reals(seed, in.V_dot, 6, 16.0);
+    draw_reals(seed, in.tau, DEMO3_N, 2.0);
+    draw_flags(seed, in.locked, DEMO3_N);
+    in.dt = 0x1p-14;
+    in.order = (draw_word(seed) & 0x100u) != 0u ? 4 : 2;
+    draw_reals(seed, &in.phi, 1, 16.0 * fast);
+    in.count = -1048576 + (int)(draw_word(seed) % 2097152u);
+    in.per_turn = 4000 + (int)(draw_word(seed) % 97u);
+    draw_reals(seed, &in.zero, 1, 1.0);
+    in.moved = -512 + (int)(draw_word(seed) % 1024u);
+    in.encoder.counter = -32768 + (int)(draw_word(seed) % 65536u);
+    in.encoder.place = 0 + (int)(draw_word(seed) % 4000u);
+    in.encoder.moved = -512 + (int)(draw_word(seed) % 1024u);
+    in.counter = -32768 + (int)(draw_word(seed) % 65536u);
+    in.bits = 16 + (int)(draw_word(seed) % 1u);
+    draw_reals(seed, in.angles, 3, 1.0);
+    draw_reals(seed, in.position, 3, 2.0);
+    draw_reals(seed, in.q_dot, 6, 2.0);
+    draw_reals(seed, in.q_ddot, 6, 16.0);
+    in.mass_factor = 1.0 + draw_real(seed, 0.125);
+}
+
+/* The parameters of the stand file with all masses and inertias multiplied. */
+static void scale_parameters(void)
+{
+    parameters = demo3_default_parameters;
+    parameters.carrier.mass = parameters.carrier.mass * in.mass_factor;
+    for (int i = 0; i < 6; ++i) {
+        parameters.carrier.inertia[i] = parameters.carrier.inertia[i] * in.mass_factor;
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        parameters.flywheel[i].body.mass = parameters.flywheel[i].body.mass * in.mass_factor;
+        for (int j = 0; j < 6; ++j) {
+            parameters.flywheel[i].body.inertia[j] = parameters.flywheel[i].body.inertia[j] * in.mass_factor;
+        }
+    }
+}
+
+/* ---- the test ---- */
+
+/* Calls one function and takes its results. */
+static void call(const function *f, tally *sum, int *status)
+{
+    unsigned char *bytes = results.bytes;
+    demo3_status found;
+    for (size_t i = 0; i < f->size; ++i) {
+        bytes[i] = (unsigned char)UNTOUCHED;
+    }
+    found = f->call();
+    *status = (int)found;
+    take_word(sum, (real_bits)(uint32_t)*status, 4);
+    f->take(sum, found);
+}
+
+static char line[160];
+static size_t length;
+
+static void add_text(const char *text)
+{
+    for (size_t i = 0; text[i] != '\0' && length + 1u < sizeof line; ++i) {
+        line[length] = text[i];
+        length = length + 1u;
+    }
+    line[length] = '\0';
+}
+
+static void add_decimal(uint64_t value)
+{
+    char digits[21];
+    size_t i = sizeof digits - 1u;
+    digits[i] = '\0';
+    do {
+        i = i - 1u;
+        digits[i] = (char)('0' + (int)(value % 10u));
+        value = value / 10u;
+    } while (value != 0u);
+    add_text(&digits[i]);
+}
+
+static void add_hash(uint32_t value)
+{
+    char digits[9];
+    for (int i = 7; i >= 0; --i) {
+        digits[i] = "0123456789abcdef"[value & 0xfu];
+        value = value >> 4;
+    }
+    digits[8] = '\0';
+    add_text(digits);
+}
+
+static void end_line(void (*print)(const char *text))
+{
+    add_text("\n");
+    print(line);
+    length = 0u;
+}
+
+/* The golden vectors of one function; not 0 if it failed. */
+static int judge(const function *f, uint32_t swept, void (*print)(const char *text))
+{
+    const demo3_real *numbers = f->numbers;
+    real_bits worst = 0u;
+    uint32_t wrong = 0u;
+    for (int i = 0; i < CASES; ++i) {
+        const answer *expected = &f->answers[i];
+        tally sum;
+        int status;
+        in = golden[i];
+        scale_parameters();
+        begin(&sum);
+        sum.expected = numbers;
+        sum.left = expected->listed;
+        call(f, &sum, &status);
+        numbers += expected->listed;
+        worst = sum.worst > worst ? sum.worst : worst;
+        if (status != expected->status || sum.hash != expected->hash || sum.worst != 0u || sum.touched != 0) {
+            wrong = wrong + 1u;
+        }
+    }
+    if (swept != f->swept) {
+        wrong = wrong + 1u;
+    }
+    add_text(f->name);
+    add_text(wrong == 0u ? " PASS cases " : " FAIL cases ");
+    add_decimal((uint64_t)CASES + 1u);
+    if (wrong != 0u) {
+        add_text(" wrong ");
+        add_decimal(wrong);
+    }
+    add_text(worst > FAR ? " worst more than " : " worst ");
+    add_decimal(worst > FAR ? FAR : worst);
+    add_text(" ulp");
+    end_line(print);
+    return wrong != 0u ? 1 : 0;
+}
+
+static tally sums[FUNCTIONS];
+
+/* Hashes of every function over so many states. */
+static void run_sweep(unsigned long states)
+{
+    uint32_t seed = 0x6d61686fu;
+    for (int i = 0; i < FUNCTIONS; ++i) {
+        begin(&sums[i]);
+    }
+    for (unsigned long state = 0u; state < states; ++state) {
+        draw_inputs(&seed, state);
+        scale_parameters();
+        for (int i = 0; i < FUNCTIONS; ++i) {
+            int status;
+            call(&functions[i], &sums[i], &status);
+        }
+    }
+}
+
+/* Runs everything and prints it, a line a call of `print`; returns the number of functions that failed. */
+int demo3_selftest(void (*print)(const char *text), unsigned long sweep)
+{
+    int failures = 0;
+    length = 0u;
+    (void)demo3_prepare_mounts(&demo3_default_parameters, &mounting);
+    add_text("mahovik selftest demo3 structure 055bf547 physics fdeb29e7 real double");
+    end_line(print);
+    add_text("generator mahovik 0.1.0");
+    end_line(print);
+    run_sweep((unsigned long)SWEPT);
+    for (int i = 0; i < FUNCTIONS; ++i) {
+        failures += judge(&functions[i], sums[i].hash, print);
+    }
+    run_sweep(sweep);
+    add_text("sweep ");
+    add_decimal(sweep);
+    end_line(print);
+    for (int i = 0; i < FUNCTIONS; ++i) {
+        add_text(functions[i].name);
+        add_text(" ");
+        add_hash(sums[i].hash);
+        end_line(print);
+    }
+    add_text("failures ");
+    add_decimal((uint64_t)failures);
+    end_line(print);
+    return failures;
+}
+
+#ifndef DEMO3_SELFTEST_NO_MAIN
+static void print_text(const char *text)
+{
+    (void)fputs(text, stdout);
+}
+
+int main(void)
+{
+    return demo3_selftest(print_text, DEMO3_SELFTEST_SWEEP) != 0;
+}
+#endif

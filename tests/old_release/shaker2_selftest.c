@@ -1,0 +1,1380 @@
+/* shaker2_selftest.c: does shaker2.c give the right bits on this machine?
+ * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead.
+ *
+ * Compile it with shaker2.c as firmware is compiled (-std=c99 -ffp-contract=off; -fno-tree-vectorize as well by gcc
+ * for x86-64 with FMA and for a Cortex-M55, or bits differ) and run it; on a board, define
+ * SHAKER2_SELFTEST_NO_MAIN and call shaker2_selftest with what prints a text, such as to a serial port.
+ * Golden vectors: inputs and answers of the generator's interpreter as hexadecimal constants; each bit must agree.
+ * Sweep: states that an integer generator makes here; a hash of all answers a function is printed, to be
+ * compared between machines. The log of a board is judged by `mahovik judge-log LOG STAND.toml`. It reads:
+ *
+ *     mahovik selftest shaker2 structure 94a85f4a physics 2591b2a4 real double
+ *     generator mahovik 0.1.0
+ *     forward PASS cases 4 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *                                        (a distance above 1000000 ulp: worst more than 1000000 ulp)
+ *     sweep 100                          states
+ *     forward 0123abcd                   a line a function: FNV-1a of its statuses and outputs
+ *     failures 0                         functions that failed; the last line
+ *
+ * No allocation. It keeps inputs and results in static memory: one caller at a time. */
+#include "shaker2.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#ifndef SHAKER2_SELFTEST_NO_MAIN
+#include <stdio.h>
+#endif
+
+#if SHAKER2_STRUCTURE != 0x94a85f4au || SHAKER2_PHYSICS != 0x2591b2a4u
+#error "shaker2.h and shaker2_selftest.c are of different stands"
+#endif
+#if SHAKER2_LANES != 1
+#error "shaker2.h and shaker2_selftest.c were generated for different numbers of lanes"
+#endif
+
+#ifndef SHAKER2_SELFTEST_SWEEP
+#define SHAKER2_SELFTEST_SWEEP 100ul  /* states of the sweep that main runs */
+#endif
+
+int shaker2_selftest(void (*print)(const char *text), unsigned long sweep);
+
+typedef uint64_t real_bits;
+
+enum { CASES = 3, FUNCTIONS = 22, SWEPT = 1 };
+
+#define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
+
+/* ---- inputs and results ---- */
+
+/* What the functions take beside the stand's own constants. */
+typedef struct inputs {
+    shaker2_state x;
+    shaker2_real phi_ddot[SHAKER2_N];
+    shaker2_real V_dot[6];
+    shaker2_real tau[SHAKER2_N];
+    int locked[SHAKER2_N];
+    shaker2_real dt;
+    int order;
+    shaker2_real phi;
+    int count;
+    int per_turn;
+    shaker2_real zero;
+    int moved;
+    shaker2_encoder encoder;
+    int counter;
+    int bits;
+    shaker2_real angles[3];
+    shaker2_real position[3];
+    shaker2_real q_dot[6];
+    shaker2_real q_ddot[6];
+    shaker2_real mass_factor;  /* of all masses and inertias of the parameters */
+} inputs;
+
+static inputs in;
+static shaker2_parameters parameters;
+static shaker2_mount_table mounting;
+
+static union {
+    struct { shaker2_real V_dot[6]; } forward;
+    struct { shaker2_real F[6]; } wrench;
+    struct { shaker2_equations out; } matrices;
+    struct { shaker2_momenta out; } momentum;
+    struct { shaker2_real tau[SHAKER2_N]; } torque;
+    struct { shaker2_real V_dot[6]; shaker2_real phi_ddot[SHAKER2_N]; } coupled;
+    struct { shaker2_state next; } step;
+    struct { shaker2_state next; } step_driven;
+    struct { shaker2_real wrapped; } wrap;
+    struct { shaker2_real phi; } phase_of_counts;
+    struct { shaker2_real phi_dot; } speed_of_counts;
+    struct { shaker2_encoder encoder; } accumulate;
+    struct { shaker2_forward_slopes out; } forward_jacobian;
+    struct { shaker2_coupled_slopes out; } coupled_jacobian;
+    struct { shaker2_inverse_result out; } inverse;
+    struct { shaker2_real phi_ddot[SHAKER2_N]; } inverse_fast;
+    struct { shaker2_real attitude[4]; } quaternion;
+    struct { shaker2_state x; shaker2_real V_dot[6]; } target;
+    struct { shaker2_generalized out; } attitude;
+    struct { shaker2_table stand; } prepare;
+    struct { shaker2_real loads[12]; } mounts;
+    struct { shaker2_mount_table mounting; } prepare_mounts;
+    unsigned char bytes[1];
+} results;
+
+enum { UNTOUCHED = 0x5a };  /* what every byte of the results holds before a call */
+
+/* ---- taking results: their hash, and how far they are from what is expected ---- */
+
+typedef struct tally {
+    uint32_t hash;                /* FNV-1a of all bits taken so far, the lowest byte of a number first */
+    const shaker2_real *expected;  /* next numbers that are expected, `left` of them */
+    int left;
+    int touched;                  /* results that were written in spite of a refusal */
+    real_bits worst;              /* ulp */
+} tally;
+
+static void begin(tally *sum)
+{
+    sum->hash = 2166136261u;
+    sum->expected = NULL;
+    sum->left = 0;
+    sum->touched = 0;
+    sum->worst = 0u;
+}
+
+static void take_word(tally *sum, real_bits word, int bytes)
+{
+    for (int i = 0; i < bytes; ++i) {
+        sum->hash = (sum->hash ^ (uint32_t)(word & 0xffu)) * 16777619u;
+        word = word >> 8;
+    }
+}
+
+static real_bits bits_of(shaker2_real value)
+{
+    union { shaker2_real real; real_bits word; } both;
+    both.real = value;
+    return both.word;
+}
+
+/* Numbers between two reals, by their bits: signed magnitudes laid on one line. */
+static real_bits ulp_between(real_bits a, real_bits b)
+{
+    const real_bits sign = (real_bits)1u << 63;
+    const real_bits x = (a & sign) != 0u ? sign - (a & ~sign) : sign + a;
+    const real_bits y = (b & sign) != 0u ? sign - (b & ~sign) : sign + b;
+    return x > y ? x - y : y - x;
+}
+
+static void take_reals(tally *sum, const shaker2_real *values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        const real_bits word = bits_of(values[i]);
+        take_word(sum, word, 8);
+        if (sum->left > 0) {
+            const real_bits off = ulp_between(word, bits_of(*sum->expected));
+            sum->worst = off > sum->worst ? off : sum->worst;
+            sum->expected++;
+            sum->left--;
+        }
+    }
+}
+
+static void take_ints(tally *sum, const int *values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        take_word(sum, (real_bits)(uint32_t)values[i], 4);
+    }
+}
+
+static void untouched(tally *sum, const void *place, size_t size)
+{
+    const unsigned char *bytes = place;
+    for (size_t i = 0; i < size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
+}
+
+static void take_equations(tally *sum, const shaker2_equations *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->K[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->K_dot[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->M[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->I[i], SHAKER2_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->J[i], SHAKER2_N);
+    }
+    take_reals(sum, value->F, 6);
+}
+
+static void take_momenta(tally *sum, const shaker2_momenta *value)
+{
+    take_reals(sum, value->Z, 6);
+    take_reals(sum, value->Z0, 6);
+    take_reals(sum, &value->energy, 1);
+    take_reals(sum, value->center_of_mass, 3);
+}
+
+static void take_state(tally *sum, const shaker2_state *value)
+{
+    take_reals(sum, value->position, 3);
+    take_reals(sum, value->attitude, 4);
+    take_reals(sum, value->V, 6);
+    take_reals(sum, value->phi, SHAKER2_N);
+    take_reals(sum, value->phi_dot, SHAKER2_N);
+}
+
+static void take_encoder(tally *sum, const shaker2_encoder *value)
+{
+    take_ints(sum, &value->counter, 1);
+    take_ints(sum, &value->place, 1);
+    take_ints(sum, &value->moved, 1);
+}
+
+static void take_forward_slopes(tally *sum, const shaker2_forward_slopes *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_V[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi[i], SHAKER2_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi_dot[i], SHAKER2_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi_ddot[i], SHAKER2_N);
+    }
+}
+
+static void take_coupled_slopes(tally *sum, const shaker2_coupled_slopes *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_V[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi[i], SHAKER2_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_phi_dot[i], SHAKER2_N);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->V_dot_tau[i], SHAKER2_N);
+    }
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        take_reals(sum, value->phi_ddot_V[i], 6);
+    }
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        take_reals(sum, value->phi_ddot_phi[i], SHAKER2_N);
+    }
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        take_reals(sum, value->phi_ddot_phi_dot[i], SHAKER2_N);
+    }
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        take_reals(sum, value->phi_ddot_tau[i], SHAKER2_N);
+    }
+}
+
+static void take_inverse_result(tally *sum, const shaker2_inverse_result *value)
+{
+    take_reals(sum, value->phi_ddot, SHAKER2_N);
+    take_reals(sum, value->residual, 6);
+    take_reals(sum, value->sigma, 2);
+    take_ints(sum, &value->rank, 1);
+    take_reals(sum, &value->damped_by, 1);
+    take_ints(sum, value->limited, SHAKER2_N);
+    take_reals(sum, value->hardest, 6);
+}
+
+static void take_generalized(tally *sum, const shaker2_generalized *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->A[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->D[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->I0[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->J0[i], 6);
+    }
+    take_reals(sum, value->q_dot, 6);
+    take_reals(sum, value->q_ddot, 6);
+}
+
+static void take_row(tally *sum, const shaker2_row *value)
+{
+    take_reals(sum, value->mu_c, 3);
+    take_reals(sum, value->mu_s, 3);
+    take_reals(sum, value->J_c, 6);
+    take_reals(sum, value->J_s, 6);
+    take_reals(sum, value->J_2c, 6);
+    take_reals(sum, value->J_2s, 6);
+    take_reals(sum, value->t_0, 3);
+    take_reals(sum, value->t_c, 3);
+    take_reals(sum, value->t_s, 3);
+    take_reals(sum, &value->spin, 1);
+    take_reals(sum, &value->spin_inv, 1);
+}
+
+static void take_suspension(tally *sum, const shaker2_suspension *value)
+{
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->stiffness[i], 6);
+    }
+    for (int i = 0; i < 6; ++i) {
+        take_reals(sum, value->damping[i], 6);
+    }
+    take_reals(sum, value->position, 3);
+    take_reals(sum, value->attitude, 4);
+}
+
+static void take_table(tally *sum, const shaker2_table *value)
+{
+    take_reals(sum, &value->mass, 1);
+    take_reals(sum, &value->mass_inverse, 1);
+    take_reals(sum, value->first_moment, 3);
+    take_reals(sum, value->inertia, 6);
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        take_row(sum, &value->flywheel[i]);
+    }
+    take_reals(sum, value->gravity, 3);
+    take_suspension(sum, &value->suspension);
+}
+
+static void take_mount(tally *sum, const shaker2_mount *value)
+{
+    take_reals(sum, &value->mass, 1);
+    take_reals(sum, value->first_moment, 3);
+    take_reals(sum, value->inertia, 6);
+    take_reals(sum, value->origin, 3);
+    take_reals(sum, value->axes, 9);
+}
+
+static void take_mount_table(tally *sum, const shaker2_mount_table *value)
+{
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        take_mount(sum, &value->flywheel[i]);
+    }
+}
+
+/* ---- every function: called with the inputs; its results taken ---- */
+
+static shaker2_status call_forward(void)
+{
+    return shaker2_forward(&shaker2_default, &in.x, in.phi_ddot, results.forward.V_dot);
+}
+
+static void take_forward_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
+        return;
+    }
+    take_reals(sum, results.forward.V_dot, 6);
+}
+
+static shaker2_status call_wrench(void)
+{
+    return shaker2_wrench(&shaker2_default, &in.x, results.wrench.F);
+}
+
+static void take_wrench_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.wrench.F, sizeof results.wrench.F);
+        return;
+    }
+    take_reals(sum, results.wrench.F, 6);
+}
+
+static shaker2_status call_matrices(void)
+{
+    return shaker2_matrices(&shaker2_default, &in.x, &results.matrices.out);
+}
+
+static void take_matrices_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
+        return;
+    }
+    take_equations(sum, &results.matrices.out);
+}
+
+static shaker2_status call_momentum(void)
+{
+    return shaker2_momentum(&shaker2_default, &in.x, &results.momentum.out);
+}
+
+static void take_momentum_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
+        return;
+    }
+    take_momenta(sum, &results.momentum.out);
+}
+
+static shaker2_status call_torque(void)
+{
+    return shaker2_torque(&shaker2_default, &in.x, in.V_dot, in.phi_ddot, results.torque.tau);
+}
+
+static void take_torque_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
+        return;
+    }
+    take_reals(sum, results.torque.tau, SHAKER2_N);
+}
+
+static shaker2_status call_coupled(void)
+{
+    return shaker2_coupled(&shaker2_default, &in.x, in.tau, in.locked, results.coupled.V_dot,
+        results.coupled.phi_ddot);
+}
+
+static void take_coupled_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
+        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
+        return;
+    }
+    take_reals(sum, results.coupled.V_dot, 6);
+    take_reals(sum, results.coupled.phi_ddot, SHAKER2_N);
+}
+
+static shaker2_status call_step(void)
+{
+    return shaker2_step(&shaker2_default, &in.x, in.tau, in.locked, in.dt, in.order, &results.step.next);
+}
+
+static void take_step_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.step.next, sizeof results.step.next);
+        return;
+    }
+    take_state(sum, &results.step.next);
+}
+
+static shaker2_status call_step_driven(void)
+{
+    return shaker2_step_driven(&shaker2_default, &in.x, in.phi_ddot, in.dt, in.order,
+        &results.step_driven.next);
+}
+
+static void take_step_driven_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
+        return;
+    }
+    take_state(sum, &results.step_driven.next);
+}
+
+static shaker2_status call_wrap(void)
+{
+    return shaker2_wrap(in.phi, &results.wrap.wrapped);
+}
+
+static void take_wrap_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
+        return;
+    }
+    take_reals(sum, &results.wrap.wrapped, 1);
+}
+
+static shaker2_status call_phase_of_counts(void)
+{
+    return shaker2_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
+}
+
+static void take_phase_of_counts_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
+        return;
+    }
+    take_reals(sum, &results.phase_of_counts.phi, 1);
+}
+
+static shaker2_status call_speed_of_counts(void)
+{
+    return shaker2_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
+}
+
+static void take_speed_of_counts_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
+        return;
+    }
+    take_reals(sum, &results.speed_of_counts.phi_dot, 1);
+}
+
+static shaker2_status call_accumulate(void)
+{
+    results.accumulate.encoder = in.encoder;
+    return shaker2_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
+}
+
+static void take_accumulate_results(tally *sum, shaker2_status status)
+{
+    (void)status;
+    take_encoder(sum, &results.accumulate.encoder);
+}
+
+static shaker2_status call_forward_jacobian(void)
+{
+    return shaker2_forward_jacobian(&shaker2_default, &in.x, in.phi_ddot, &results.forward_jacobian.out);
+}
+
+static void take_forward_jacobian_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
+        return;
+    }
+    take_forward_slopes(sum, &results.forward_jacobian.out);
+}
+
+static shaker2_status call_coupled_jacobian(void)
+{
+    return shaker2_coupled_jacobian(&shaker2_default, &in.x, in.tau, in.locked,
+        &results.coupled_jacobian.out);
+}
+
+static void take_coupled_jacobian_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
+        return;
+    }
+    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+}
+
+static shaker2_status call_inverse(void)
+{
+    return shaker2_inverse(&shaker2_default, &in.x, in.V_dot, &shaker2_default_options, &results.inverse.out);
+}
+
+static void take_inverse_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
+        return;
+    }
+    take_inverse_result(sum, &results.inverse.out);
+}
+
+static shaker2_status call_inverse_fast(void)
+{
+    return shaker2_inverse_fast(&shaker2_default, &in.x, in.V_dot, &shaker2_default_options,
+        results.inverse_fast.phi_ddot);
+}
+
+static void take_inverse_fast_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
+        return;
+    }
+    take_reals(sum, results.inverse_fast.phi_ddot, SHAKER2_N);
+}
+
+static shaker2_status call_quaternion(void)
+{
+    return shaker2_quaternion(in.angles, results.quaternion.attitude);
+}
+
+static void take_quaternion_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
+        return;
+    }
+    take_reals(sum, results.quaternion.attitude, 4);
+}
+
+static shaker2_status call_target(void)
+{
+    results.target.x = in.x;
+    return shaker2_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x,
+        results.target.V_dot);
+}
+
+static void take_target_results(tally *sum, shaker2_status status)
+{
+    take_state(sum, &results.target.x);
+    if (status < 0) {
+        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        return;
+    }
+    take_reals(sum, results.target.V_dot, 6);
+}
+
+static shaker2_status call_attitude(void)
+{
+    return shaker2_attitude(&shaker2_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+}
+
+static void take_attitude_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        return;
+    }
+    take_generalized(sum, &results.attitude.out);
+}
+
+static shaker2_status call_prepare(void)
+{
+    results.prepare.stand = shaker2_default;
+    return shaker2_prepare(&parameters, &results.prepare.stand);
+}
+
+static void take_prepare_results(tally *sum, shaker2_status status)
+{
+    (void)status;
+    take_table(sum, &results.prepare.stand);
+}
+
+static shaker2_status call_mounts(void)
+{
+    return shaker2_mounts(&shaker2_default, &mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+}
+
+static void take_mounts_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        return;
+    }
+    take_reals(sum, results.mounts.loads, 12);
+}
+
+static shaker2_status call_prepare_mounts(void)
+{
+    return shaker2_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
+}
+
+static void take_prepare_mounts_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
+        return;
+    }
+    take_mount_table(sum, &results.prepare_mounts.mounting);
+}
+
+/* ---- golden vectors ---- */
+
+static const inputs golden[CASES] =
+{
+    {   /* ordinary */
+        .x = {
+            .position = { -0x1.779ddp-1, 0x1.80b954p+0, -0x1.119c4p-4 },
+            .attitude = { 0x1.23d2001fe5499p-1, -0x1.2fce5cc580fd9p-5, -0x1.fa57eff3d6fbfp-2,
+                -0x1.4f73dbc4be6d5p-1 },
+            .V = { 0x1.98cdb4p+0, 0x1.e62748p+0, 0x1.d12948p-1, 0x1.f3efb4p+0, 0x1.462f7p-1, 0x1.aad298p-1 },
+            .phi = { -0x1.95dd5cp+3, 0x1.e462ap+3 },
+            .phi_dot = { -0x1.23a78p+5, -0x1.c68578p+6 },
+        },
+        .phi_ddot = { -0x1.cf9e4p+8, -0x1.e0f5dp+7 },
+        .V_dot = { -0x1.c61c58p+3, -0x1.3c48p+0, -0x1.c4d59p+3, 0x1.d79d24p+3, 0x1.3513p-1, 0x1.29b748p+2 },
+        .tau = { -0x1.94148p-4, -0x1.f4583p+0 },
+        .locked = { 0, 1 },
+        .dt = 0x1p-14,
+        .order = 4,
+        .phi = -0x1.7d815p+2,
+        .count = 408545,
+        .per_turn = 4068,
+        .zero = 0x1.656c1p-2,
+        .moved = 410,
+        .encoder = {
+            .counter = 14955,
+            .place = 3425,
+            .moved = -57,
+        },
+        .counter = -22150,
+        .bits = 16,
+        .angles = { -0x1.538698p-2, 0x1.a1b0cp-2, 0x1.35f84p-3 },
+        .position = { -0x1.92c438p+0, -0x1.944cep-2, -0x1.8683b4p+0 },
+        .q_dot = { -0x1.23054p-4, 0x1.1aa1f8p+0, 0x1.96f608p+0, 0x1.af406cp+0, 0x1.f9388cp+0, -0x1.4d6b8p-5 },
+        .q_ddot = { 0x1.4e6a6cp+3, 0x1.e7f3ap+1, -0x1.100f98p+2, -0x1.ae09ap+3, -0x1.b60768p+2,
+            0x1.06bc6cp+3 },
+        .mass_factor = 0x1.fd89d38p-1,
+    },
+    {   /* fast flywheels, large phases */
+        .x = {
+            .position = { 0x1.c0aac8p+0, -0x1.51bd7p-2, -0x1.ace304p+0 },
+            .attitude = { -0x1.ab3a4042aa069p-1, -0x1.095fe8ec87926p-3, 0x1.6934525e6331fp-2,
+                0x1.9cce14fe28391p-2 },
+            .V = { -0x1.5944dp+0, 0x1.f3e8ep+0, 0x1.35894p+0, 0x1.d3fc6p+1, -0x1.23b5c4p+2, 0x1.cf1ac8p+1 },
+            .phi = { 0x1.30188p+19, 0x1.942a08p+21 },
+            .phi_dot = { -0x1.92f53p+12, 0x1.c0d28p+12 },
+        },
+        .phi_ddot = { 0x1.9f33ep+7, 0x1.c06e04p+8 },
+        .V_dot = { 0x1.6815p+1, -0x1.7e8e7p+3, 0x1.bc58ep+5, -0x1.58a2bp+5, 0x1.554cc8p+4, 0x1.55fcep+4 },
+        .tau = { -0x1.9f3ap-6, 0x1.9b4488p-1 },
+        .locked = { 0, 0 },
+        .dt = 0x1p-14,
+        .order = 2,
+        .phi = -0x1.085ab8p+21,
+        .count = 85124,
+        .per_turn = 4069,
+        .zero = -0x1.0249c8p-1,
+        .moved = 216,
+        .encoder = {
+            .counter = 29211,
+            .place = 2316,
+            .moved = 241,
+        },
+        .counter = -27543,
+        .bits = 16,
+        .angles = { -0x1.8f2aap-3, -0x1.763e6p-4, -0x1.df9aep-1 },
+        .position = { -0x1.f8caa4p+0, 0x1.3b88ccp+0, 0x1.8fd1ep-2 },
+        .q_dot = { -0x1.0659ap-1, -0x1.b2c408p+0, -0x1.0c99cp-1, -0x1.5e586p+0, 0x1.d5b01p-1, -0x1.6b39ap+0 },
+        .q_ddot = { 0x1.499108p+3, -0x1.859fdp+3, 0x1.fdeeap+3, 0x1.1fb6fp+3, -0x1.2794p-4, 0x1.33ded8p+3 },
+        .mass_factor = 0x1.ffaf6a8p-1,
+    },
+    {   /* out of range */
+        .x = {
+            .position = { -0x1.923cb8p+40, -0x1.67826p+40, 0x1.512658p+39 },
+            .attitude = { 0x1.9b7cd0933ac01p-1, -0x1.b9b0402d4d276p+0, 0x1.b9b0402d4d276p-3,
+                0x1.2675801e336fap-1 },
+            .V = { 0x1.8eec5p-1, -0x1.bb3d38p+0, 0x1.a3f8a8p+0, 0x1.882d1p-2, 0x1.4d94ap-2, -0x1.c47ac4p+0 },
+            .phi = { 0x1.1746e8p+43, 0x1.037d6p+42 },
+            .phi_dot = { 0x1.a1c0ecp+7, -0x1.cf6e3p+7 },
+        },
+        .phi_ddot = { 0x1.56ea88p+8, 0x1.f688fp+7 },
+        .V_dot = { -0x1.0f622p+3, 0x1.a26cfp+2, 0x1.df44a8p+3, 0x1.670cp-2, -0x1.23708p-1, 0x1.598328p+2 },
+        .tau = { -0x1.466428p-1, -0x1.3db6a8p+0 },
+        .locked = { 1, 0 },
+        .dt = 0x0p+0,
+        .order = 4,
+        .phi = -0x1.bdbb3p+43,
+        .count = -852592,
+        .per_turn = 0,
+        .zero = -0x1.ed3ccp+38,
+        .moved = -140,
+        .encoder = {
+            .counter = 31860,
+            .place = 1497,
+            .moved = -62,
+        },
+        .counter = -7948,
+        .bits = 16,
+        .angles = { -0x1.52138p+34, 0x1.26f56p+39, -0x1.28b67p+39 },
+        .position = { -0x1.7a5978p+39, 0x1.8ab58p+38, 0x1.b0decp+36 },
+        .q_dot = { 0x1.7660dcp+0, 0x1.a35e68p-1, -0x1.16ceep-3, 0x1.63ddcp-3, 0x1.e05b2p-3, -0x1.68bbep-1 },
+        .q_ddot = { -0x1.cbd33cp+3, -0x1.c483b8p+3, -0x1.ed35p-2, -0x1.bdd86p+3, 0x1.f8f3ep+1,
+            -0x1.ca174p+0 },
+        .mass_factor = -0x1.0de2a94p+0,
+    },
+};
+
+typedef struct answer {
+    int status;
+    uint32_t hash;  /* of the status and all outputs */
+    int listed;     /* outputs whose numbers are given, at most 32 */
+} answer;
+
+static const shaker2_real numbers_forward[] =
+{
+    0x1.0ad6f58bae60bp+7, 0x1.da53041ea1a8p+5, -0x1.b8481994d58b3p+7, 0x1.e4a7e97718fa7p+4,
+        0x1.1a993b3ee231ep+9, 0x1.24a090ff83ea8p+9,
+    -0x1.204d7e795906p+5, 0x1.379c1304d0c35p+13, 0x1.cd7948314530dp+10, -0x1.cc5113f72abe1p+17,
+        0x1.659b62ad786cdp+8, 0x1.73e3532421ecbp+8,
+};
+
+static const shaker2_real numbers_wrench[] =
+{
+    0x1.cf96196d2e0fep+9, 0x1.aeae97dda4c69p+8, -0x1.7ff6cf6dd194cp+10, 0x1.03bb3750e41fcp+1,
+        0x1.14fd46ed4e7e1p+5, 0x1.6f1ac98fdb649p+5,
+    -0x1.83f0e02a94eafp+7, 0x1.e65dcf767cd5p+3, 0x1.4f8f6fe668b7ep+11, -0x1.2af3c71de4cc7p+3,
+        0x1.7c8b151034c51p+4, 0x1.88a1409a22384p+4,
+};
+
+static const shaker2_real numbers_matrices[] =
+{
+    0x1.cp+2, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.bc5c42309d4f5p-11, -0x1.3e4a78923e378p-12, 0x0p+0, 0x1.cp+2, 0x0p+0,
+        -0x1.bc5c42309d4f5p-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.cp+2, 0x1.3e4a78923e378p-12, -0x0p+0,
+        0x0p+0, 0x0p+0, -0x1.bc5c42309d4f5p-11, 0x1.3e4a78923e378p-12, 0x1.e1b6f6e9a0eedp-5, 0x0p+0, 0x0p+0,
+        0x1.bc5c42309d4f5p-11, 0x0p+0, -0x0p+0, 0x0p+0, 0x1.f55ed48e4602dp-5, 0x1.cc144ba6005aep-14,
+        -0x1.3e4a78923e378p-12, 0x0p+0,
+    0x1.cp+2, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.8a32786d31d78p-13, -0x1.7a8645caa4bc6p-10, 0x0p+0, 0x1.cp+2,
+        0x0p+0, 0x1.8a32786d31d78p-13, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.cp+2, 0x1.7a8645caa4bc6p-10,
+        -0x0p+0, 0x0p+0, 0x0p+0, 0x1.8a32786d31d78p-13, 0x1.7a8645caa4bc6p-10, 0x1.dc466e91c5661p-5, 0x0p+0,
+        0x0p+0, -0x1.8a32786d31d78p-13, 0x0p+0, -0x0p+0, 0x0p+0, 0x1.f57666331f40ap-5, 0x1.3453f216cc713p-12,
+        -0x1.7a8645caa4bc6p-10, 0x0p+0,
+};
+
+static const shaker2_real numbers_momentum[] =
+{
+    0x1.65b65731e48e6p+3, 0x1.acfd3c945dacfp+3, 0x1.9ea84791407b4p+2, -0x1.675ec51a7519ep-5,
+        0x1.4b3ffaa702a1p-5, 0x1.0952b9675ec4p-4, 0x1.a41451943e6dep+1, -0x1.9b694bd8d2d64p+0,
+        0x1.241adc1b6b4a7p+4, 0x1.b57b9a5b2bc28p+4, 0x1.a82ef070e8493p+3, -0x1.dc7c340e985f7p+1,
+        0x1.f11aae6f469b2p+4, 0x0p+0, 0x1.6bc2d2f0471adp-15, 0x1.fbd72712fcecep-14,
+    -0x1.2e3ffd4a0fd03p+3, -0x1.6dedbd106fcb5p+3, 0x1.88d56a4dcbaf2p+3, 0x1.468bd72e64335p-4,
+        -0x1.1c5b7a5f233cep-2, 0x1.1fd734faf5beep-2, -0x1.32e8e4a780276p+4, 0x1.70adce972d9a2p-1,
+        -0x1.7d4ea6e13f73p+0, 0x1.6015e866394e4p+0, 0x1.1436b5ddc5c0bp+5, -0x1.3da789825b3b8p+2,
+        0x1.4a334d399df3cp+15, 0x0p+0, 0x1.b09974554e8e2p-13, -0x1.c282d2c5efd1bp-16,
+};
+
+static const shaker2_real numbers_torque[] =
+{
+    -0x1.ab1ce3fd926p-2, -0x1.937f86752456bp-3,
+    0x1.22d0c9c5154cbp-3, 0x1.d5d4dfe8e4477p-2,
+};
+
+static const shaker2_real numbers_coupled[] =
+{
+    0x1.0ad6f58bae60cp+7, 0x1.da648d8fed408p+5, -0x1.b89cd2fc1d186p+7, 0x1.7662cf6f7928cp+3,
+        0x1.1a993b3ee231ep+9, 0x1.24a090ff83ea8p+9, 0x1.461a7b0ad15b1p+8, 0x0p+0,
+    -0x1.204d7e795906p+5, 0x1.377ecd79b5d34p+13, 0x1.c1a066c953e58p+10, -0x1.da59bb2b17d91p+17,
+        0x1.659b62ad786cdp+8, 0x1.73e3532421ecbp+8, 0x1.c2f4e2ec9d004p+17, 0x1.d5b1c0d03057bp+17,
+};
+
+static const shaker2_real numbers_step[] =
+{
+    -0x1.779a109c6a305p-1, 0x1.80b8533828837p+0, -0x1.10f6804d6af67p-4, 0x1.23d5d0d8073e1p-1,
+        -0x1.2f869f7cf0589p-5, -0x1.fa5ef048af892p-2, -0x1.4f6e2697af73cp-1, 0x1.9ae37336396a5p+0,
+        0x1.e7143601a75c8p+0, 0x1.ca4726fa185f4p-1, 0x1.f41e0c0963f9ep+0, 0x1.57d8b8dac31aep-1,
+        0x1.bd1bade88ccc7p-1, -0x1.e7eff6dafdec6p-4, 0x1.48286832f4b9fp+1, -0x1.237ec04f2f134p+5,
+        -0x1.c68578p+6,
+    0x1.c0aa3905b34c6p+0, -0x1.5194642f83ccp-2, -0x1.acdd7bba15bb3p+0, -0x1.ab3ba164851cep-1,
+        -0x1.08fbf4bb4e586p-3, 0x1.694a536683f6cp-2, 0x1.9cc52ae18f78p-2, -0x1.59d867d7a4a37p+0,
+        0x1.1e715513ec289p+1, 0x1.5fde2815bd0bdp+0, -0x1.83c1aa4e3d127p+3, -0x1.225c8f205c10ap+2,
+        0x1.d18a79b47d80ep+1, -0x1.b881d3eedb07bp+0, 0x1.81ebbbd25bc27p+0, -0x1.9201161b24bf1p+12,
+        0x1.c1cb5d73c425ap+12,
+};
+
+static const shaker2_real numbers_step_driven[] =
+{
+    -0x1.779a109de2cfcp-1, 0x1.80b85339103a6p+0, -0x1.10f680434c7a6p-4, 0x1.23d5d0dd89a1bp-1,
+        -0x1.2f869a30f7d5dp-5, -0x1.fa5ef10b80544p-2, -0x1.4f6e264e292cfp-1, 0x1.9ae373372c0b9p+0,
+        0x1.e7142dec9dc11p+0, 0x1.ca487823ee7afp-1, 0x1.f468606a4bde3p+0, 0x1.57d8b9fe48fb9p-1,
+        0x1.bd1bad43980bp-1, -0x1.e7f181adb73ddp-4, 0x1.482864710919fp+1, -0x1.23e173c8p+5, -0x1.c6947fae8p+6,
+    0x1.c0aa380fe39b5p+0, -0x1.5194637d00e9fp-2, -0x1.acdd7a9b70215p+0, -0x1.ab3b8454286aep-1,
+        -0x1.08fee23222662p-3, 0x1.694b08708e737p-2, 0x1.9cc48c76a8914p-2, -0x1.59d866ca834e1p+0,
+        0x1.1e66bb3a743d9p+1, 0x1.5f6345ae6527dp+0, -0x1.74a543b58b99fp+3, -0x1.225b8a193f352p+2,
+        0x1.d18c6975afe9p+1, -0x1.b89dfcc03a518p+0, 0x1.81ce6eb9bedf7p+0, -0x1.92f4fc1984p+12,
+        0x1.c0d2f01b81p+12,
+};
+
+static const shaker2_real numbers_wrap[] =
+{
+    0x1.49e654442d184p-2,
+    0x1.882dd819aa13ep+1,
+};
+
+static const shaker2_real numbers_phase_of_counts[] =
+{
+    0x1.58eb54a73bc22p+1,
+    -0x1.008c9fe731fep-1,
+};
+
+static const shaker2_real numbers_speed_of_counts[] =
+{
+    0x1.443acb0afcbc1p+13,
+    0x1.558b1bb051ebp+12,
+};
+
+static const shaker2_real numbers_accumulate[] =
+{
+    0.0
+};
+
+static const shaker2_real numbers_forward_jacobian[] =
+{
+    -0x1.6db707b0beeccp+0, 0x1.aad298p-1, -0x1.462f7p-1, -0x1.52ebc94f8be55p-13, -0x1.e254d421d55bcp-1,
+        0x1.ee53848d936e8p+0, -0x1.aad298p-1, -0x1.6db7054165baep+0, 0x1.f3efc2fae7376p+0,
+        0x1.e2553756940ddp-1, -0x1.1178a255c762fp-13, -0x1.98cf74f0dd44bp+0, 0x1.462f7p-1,
+        -0x1.f3efa50518c8ap+0, -0x1.6db6e0cb2a6b1p+0, -0x1.ee5734f354109p+0, 0x1.98d622d768a22p+0,
+        -0x1.4bc59671cac7cp-16, 0x1.10185ee6203dep-59, -0x1.515b1736d82bep-6, 0x1.e34a098a82286p-8,
+        -0x1.2f9ab185c2b46p+2, -0x1.f2660bd1c3e7cp-3, -0x1.72cabc6da5b1ap-3, 0x1.444b32228f59p-6,
+        0x1.0763c74a3dc3cp-56, -0x1.efbb3b69e6217p-47, 0x1.0fc3e91c34167p-2, -0x1.3a2022662bfa3p+2,
+        0x1.6b9e5b91398b5p+1, -0x1.6d3abf9969d1ep-8, -0x1.f6aa3c85888bfp-48,
+    -0x1.6db739606763ep+0, 0x1.cf1ac8p+1, 0x1.23b5c4p+2, 0x1.20a64d561ab1bp-10, -0x1.266d29a08a7e2p+1,
+        -0x1.4e24f3bb06538p+2, -0x1.cf1ac8p+1, -0x1.6db6dd8264929p+0, 0x1.d3fc5801ffde2p+1,
+        0x1.263428bf0b92ep+1, 0x1.024f69704bb4dp-13, 0x1.599c4c57c53a5p+0, -0x1.23b5c4p+2,
+        -0x1.d3fc67fe0021ep+1, -0x1.6db7563830f6cp+0, 0x1.4e271a578d8a6p+2, -0x1.595894f20900bp+0,
+        0x1.5eafa44d66ab6p-11, 0x0p+0, 0x1.2eb0f1479a6b3p-8, 0x1.22a81b2f92eadp-5, -0x1.6305a5c1c6a3dp+2,
+        -0x1.f01c82ff562adp-1, 0x1.50bc68daa8444p+0, -0x1.171daf81e5c55p-8, -0x1.74b7e3d37d04fp-58,
+        0x1.15772b7352ff1p-47, 0x1.1f86771640116p+0, -0x1.80ecd87c743e1p+2, -0x1.2fc5469e90a23p+3,
+        -0x1.b3aeb6b4fd7f2p-6, 0x1.2f221d9a28576p-50,
+};
+
+static const shaker2_real numbers_coupled_jacobian[] =
+{
+    -0x1.6db707b0beecep+0, 0x1.aad2980000001p-1, -0x1.462f700000001p-1, -0x1.52ebc94f8be57p-13,
+        -0x1.e254d421d55bdp-1, 0x1.ee53848d936e9p+0, -0x1.aad2980000001p-1, -0x1.6db7f39e687b7p+0,
+        0x1.f3e8580eb4a7ap+0, 0x1.e23a02179893fp-1, -0x1.1b79ec0dec55cp-13, -0x1.98cfc53f8477p+0,
+        0x1.462f7p-1, -0x1.f3f70ff14b587p+0, -0x1.6df1f89218f5cp+0, -0x1.eec39548e3f2dp+0,
+        0x1.98d3a5334c552p+0, -0x1.e5c51a1a439bep-15, -0x1.160689f856df6p-58, -0x1.c83fefd9fd56cp-6,
+        -0x1.9d2c644b67c0ap-5, -0x1.3663cd110223p+2, -0x1.f7639930523bep-3, -0x1.77cc8cbf63139p-3,
+        0x1.444b32228f592p-6, 0x1.8bf939734fa0bp-57, -0x1.efaae027a083cp-47, 0x1.0fc3e91c34167p-2,
+        -0x1.3a2022662bfa3p+2, 0x1.6b9e5b91398b5p+1, -0x1.6d3abf9969d2p-8, -0x1.f69091c3afe64p-48,
+    -0x1.6db739606763ep+0, 0x1.cf1ac8p+1, 0x1.23b5c4p+2, 0x1.20a64d561ab1bp-10, -0x1.266d29a08a7e2p+1,
+        -0x1.4e24f3bb06538p+2, -0x1.cf1ac7fffffffp+1, -0x1.6e1bc2584c237p+0, 0x1.d401ed3fa1fb6p+1,
+        0x1.2631be5a23e7bp+1, 0x1.5d3b9cb532d3ep-13, 0x1.599320bcd7d74p+0, -0x1.23b5c3fffffffp+2,
+        -0x1.d3f6d2c05e049p+1, -0x1.6dc7ebf7fcdbcp+0, 0x1.4e248097259ebp+2, -0x1.59673f78db533p+0,
+        0x1.82cc8610d47f5p-11, -0x1.f964726abf028p-55, -0x1.7ff76be7ae98p-8, 0x1.969005b014656p-10,
+        -0x1.64a782f5d9e27p+2, -0x1.00611246c25f9p+0, 0x1.528a3f97d0f87p+0, -0x1.171daf81e5c55p-8,
+        -0x1.74b7e3d37d04fp-58, 0x1.15772b7352ff1p-47, 0x1.1f86771640116p+0, -0x1.80ecd87c743e1p+2,
+        -0x1.2fc5469e90a23p+3, -0x1.b3aeb6b4fd7f2p-6, 0x1.2f221d9a28576p-50,
+};
+
+static const shaker2_real numbers_inverse[] =
+{
+    -0x1.2dc3e63ad586fp+18, 0x1.31f90add1917ep+18, 0x1.0264fc3fd70e6p+10, 0x1.a1453d6513f9p+9,
+        -0x1.2d649665c6f8p+8, 0x1.88931870ef1p+1, 0x1.15f244a34b6cfp+5, 0x1.6b5d67f38219fp+5,
+        0x1.a2678dcf66d6fp-3, 0x1.1b28248143a7p-5, 0x0p+0, 0x1.da502c8604e1p+0, 0x1.7ef96b4fc6353p+0,
+        -0x1.149ef49714c8cp-1, 0x1.684ee717cad96p-8, 0x1.fe33f434c4a9ep-5, 0x1.4d7fd14096556p-4,
+    0x1.1881c42bef94bp+23, -0x1.971cd7a203f4p+24, -0x1.1086b4a46640cp+8, 0x1.464aa98326ff8p+12,
+        0x1.054a352b74f6dp+15, -0x1.be7931b9ca2p+7, 0x1.4b1ee7fd0f833p+4, 0x1.b5424d77d07f7p+4,
+        0x1.63fb5d3b05b37p-3, 0x1.0e31258a3a705p-5, 0x0p+0, -0x1.5bff10df122fp-6, 0x1.a0a6a6086f081p-2,
+        0x1.4da5fc221aef6p+1, -0x1.1d0ea6146c3a9p-6, 0x1.a6d13e49b2937p-10, 0x1.172c94cd80fb5p-9,
+};
+
+static const shaker2_real numbers_inverse_fast[] =
+{
+    -0x1.2dc3e63ad5869p+18, 0x1.31f90add19179p+18,
+    0x1.1881c42bef947p+23, -0x1.971cd7a203f3fp+24,
+};
+
+static const shaker2_real numbers_quaternion[] =
+{
+    0x1.ebce0603140ccp-1, 0x1.b39c8ecb8202p-4, 0x1.7eeb8d7f5a874p-3, -0x1.68f38183b953ep-3,
+    0x1.c53149e93a79p-1, -0x1.cfa5f6b99ebbap-2, 0x1.b3406065d93ep-9, -0x1.b74968b2934c2p-4,
+};
+
+static const shaker2_real numbers_target[] =
+{
+    -0x1.92c438p+0, -0x1.944cep-2, -0x1.8683b4p+0, 0x1.ebce0603140ccp-1, 0x1.b39c8ecb8202p-4,
+        0x1.7eeb8d7f5a874p-3, -0x1.68f38183b953ep-3, -0x1.05ad775e6ef9ap+0, 0x1.341fd1387e32p+0,
+        0x1.1f13e6e7a4cb9p+0, -0x1.6afab684373dfp-1, 0x1.1790f902111ecp+1, 0x1.3b2b64a1005c6p+0,
+        -0x1.95dd5cp+3, 0x1.e462ap+3, -0x1.23a78p+5, -0x1.c68578p+6, 0x1.14cf0a04d8d89p+3,
+        0x1.d45c9a1ac3fcbp+2, -0x1.73d4bddfc12e4p+1, 0x1.4faaeaac072a2p+3, -0x1.1bff1434ec54ep+3,
+        -0x1.8c18497de742fp+3,
+    -0x1.f8caa4p+0, 0x1.3b88ccp+0, 0x1.8fd1ep-2, 0x1.c53149e93a79p-1, -0x1.cfa5f6b99ebbap-2,
+        0x1.b3406065d93ep-9, -0x1.b74968b2934c2p-4, -0x1.c4743852112a8p-3, -0x1.46888f1c0980cp-1,
+        -0x1.b8eb6633bdca3p+0, -0x1.8b30e1f4a4f82p+0, 0x1.a432767c9afa5p+0, -0x1.17e02ef7437ap-4,
+        0x1.30188p+19, 0x1.942a08p+21, -0x1.92f53p+12, 0x1.c0d28p+12, 0x1.0bc13eafa0567p+4,
+        -0x1.e3d3f9c76a1bbp+3, -0x1.45a5c0d86fce1p-1, 0x1.7620d967fd4cdp+3, -0x1.c44578687050ap+2,
+        0x1.e076805b4f0e3p+2,
+    -0x1.923cb8p+40, -0x1.67826p+40, 0x1.512658p+39, 0x1.9b7cd0933ac01p-1, -0x1.b9b0402d4d276p+0,
+        0x1.b9b0402d4d276p-3, 0x1.2675801e336fap-1, 0x1.8eec5p-1, -0x1.bb3d38p+0, 0x1.a3f8a8p+0, 0x1.882d1p-2,
+        0x1.4d94ap-2, -0x1.c47ac4p+0, 0x1.1746e8p+43, 0x1.037d6p+42, 0x1.a1c0ecp+7, -0x1.cf6e3p+7,
+};
+
+static const shaker2_real numbers_attitude[] =
+{
+    0x1.bc64e69193cfbp-1, -0x1.31fd7c00e94b3p-2, -0x1.963421a35bbd9p-2, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.837009d2ff50ap-2, 0x1.d49c2e0dce84cp-1, 0x1.1b740d7808e53p-3, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.496dd149e37p-2, -0x1.14b3e54f0cc1fp-2, 0x1.d09ecd1b95aefp-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, -0x1.963421a35bbd8p-2, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.1b740d7808e53p-3,
+        0x1.fa25982d2662p-1, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.f435e893a2de2p-1, -0x1.8afd54473a7dep-3, 0x1.75b92148bcb95p-4, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.7eac25ddf3578p-3, 0x1.224a5d14a15ap-1, -0x1.9ac255224ad97p-1, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.a5e16cc1c5cfdp-4, 0x1.9a079d151fdf3p-1, 0x1.2e0eac794ee6ep-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1.75b92148bcb96p-4, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.9ac255224ad98p-1,
+        0x1.2f529110a360bp-1, 0x0p+0, 0x0p+0, 0x0p+0,
+};
+
+static const shaker2_real numbers_prepare[] =
+{
+    0x1.bdd8991p+2, 0x1.25fc1fed04b45p-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.da9cd256eac86p-5, 0x1.f301552e87d2dp-5,
+        0x1.3c5aa24b7d418p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.04e2370a3d70ap-9, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.04e2370a3d70ap-9, 0x1.4dee5aee631f8p-12, 0x0p+0, 0x1.4dee5aee631f8p-12, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.4dee5aee631f8p-13, 0x0p+0, -0x1.0b25158b827cp-18,
+        0x1.0b25158b827cp-18,
+    0x1.bfb97d3p+2, 0x1.24c05cae3891ep-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.dc9cbd8a9bcfep-5, 0x1.f51b8fbc169c2p-5,
+        0x1.3dafdac15f45fp-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.05fb9ae147ae1p-9, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.05fb9ae147ae1p-9, 0x1.4f5688ce703afp-12, 0x0p+0, 0x1.4f5688ce703afp-12, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.4f5688ce703afp-13, 0x0p+0, -0x1.0c453a3ec03p-18,
+        0x1.0c453a3ec03p-18,
+    0x1.cp+2, 0x1.2492492492492p-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.dce7cd035371ap-5, 0x1.f56a7ac81d3aap-5,
+        0x1.3de1e2de87098p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.0624dd2f1a9fcp-9, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.0624dd2f1a9fcp-9, 0x1.4f8b588e368f1p-12, 0x0p+0, 0x1.4f8b588e368f1p-12, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.4f8b588e368f1p-13, 0x0p+0, -0x1.0c6f7a0b5ed8p-18,
+        0x1.0c6f7a0b5ed8p-18,
+};
+
+static const shaker2_real numbers_mounts[] =
+{
+    -0x1.343c5e69e8fe2p+2, -0x1.0a2157b80258cp-1, -0x1.9e987d72b6d93p+1, -0x1.ab1ce3fd92602p-2,
+        -0x1.8d6511e8b848dp-6, 0x1.5bc96065e4b42p-5, -0x1.1a508f4d848dcp+2, 0x1.78b9abc40e81p+4,
+        -0x1.0f2f57c208a52p+4, -0x1.937f867524569p-3, -0x1.80c5d48fac76bp-4, 0x1.afea799f89921p-5,
+    0x1.cafe279c365eep+6, -0x1.3887ff02d005bp+14, 0x1.3af489699b851p+16, 0x1.22d0c9c5154e3p-3,
+        -0x1.56c2ae01a8619p+4, -0x1.a8a6c71659ea6p+4, 0x1.b22edddd2e7abp+4, -0x1.8434a1b8ecbd4p+15,
+        -0x1.6164700fe03bp+16, 0x1.d5d4dfe8e4493p-2, 0x1.77ec76bdea887p+4, 0x1.d6c869e691cp+4,
+};
+
+static const shaker2_real numbers_prepare_mounts[] =
+{
+    0x1.fd89d38p-2, 0x0p+0, 0x1.04e2370a3d70ap-9, 0x0p+0, 0x1.d9c3c435696e5p-11, 0x1.390f753f7ced9p-11,
+        0x1.3d3c0995aaf78p-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.47ae147ae147bp-4, 0x0p+0, 0x1p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.fd89d38p-2, 0x0p+0,
+        0x1.04e2370a3d70ap-9, 0x0p+0, 0x1.d9c3c435696e5p-11, 0x1.390f753f7ced9p-11, 0x1.3d3c0995aaf78p-11,
+        0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.ffaf6a8p-2, 0x0p+0, 0x1.05fb9ae147ae1p-9, 0x0p+0, 0x1.dbc2c54b48d3ap-11, 0x1.3a61204189374p-11,
+        0x1.3e92352a8438p-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.47ae147ae147bp-4, 0x0p+0, 0x1p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.ffaf6a8p-2, 0x0p+0,
+        0x1.05fb9ae147ae1p-9, 0x0p+0, 0x1.dbc2c54b48d3ap-11, 0x1.3a61204189374p-11, 0x1.3e92352a8438p-11,
+        0x0p+0, 0x0p+0, 0x0p+0,
+};
+
+typedef struct function {
+    const char *name;
+    size_t size;  /* of its results, bytes */
+    shaker2_status (*call)(void);
+    void (*take)(tally *sum, shaker2_status status);
+    const shaker2_real *numbers;
+    answer answers[CASES];
+    uint32_t swept;  /* hash of the first SWEPT states of a sweep */
+} function;
+
+static const function functions[FUNCTIONS] =
+{
+    { "forward", sizeof results.forward,
+      call_forward, take_forward_results, numbers_forward,
+      { { 0, 0x61f91833u, 6 }, { 0, 0x4a1442e7u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x5a77235bu },
+    { "wrench", sizeof results.wrench,
+      call_wrench, take_wrench_results, numbers_wrench,
+      { { 0, 0xf8969397u, 6 }, { 0, 0x5bd3c6d5u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xe8e3369cu },
+    { "matrices", sizeof results.matrices,
+      call_matrices, take_matrices_results, numbers_matrices,
+      { { 0, 0x14d1d876u, 32 }, { 0, 0x93377584u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x679df306u },
+    { "momentum", sizeof results.momentum,
+      call_momentum, take_momentum_results, numbers_momentum,
+      { { 0, 0x2b7e4a45u, 16 }, { 0, 0x5195d31eu, 16 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x23e8d055u },
+    { "torque", sizeof results.torque,
+      call_torque, take_torque_results, numbers_torque,
+      { { 0, 0xa889bcefu, 2 }, { 0, 0xa505a3aau, 2 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xb38691aeu },
+    { "coupled", sizeof results.coupled,
+      call_coupled, take_coupled_results, numbers_coupled,
+      { { 0, 0xbf7c5802u, 8 }, { 0, 0xbc759d7fu, 8 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xf863c2b1u },
+    { "step", sizeof results.step,
+      call_step, take_step_results, numbers_step,
+      { { 0, 0x8cf6cb7eu, 17 }, { 0, 0xc9f3f037u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x69f22635u },
+    { "step_driven", sizeof results.step_driven,
+      call_step_driven, take_step_driven_results, numbers_step_driven,
+      { { 0, 0xe3b5521du, 17 }, { 0, 0xd6524939u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x10d46478u },
+    { "wrap", sizeof results.wrap,
+      call_wrap, take_wrap_results, numbers_wrap,
+      { { 0, 0xc0260436u, 1 }, { 0, 0x63775d2eu, 1 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x06eb9d72u },
+    { "phase_of_counts", sizeof results.phase_of_counts,
+      call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
+      { { 0, 0x4d2bc480u, 1 }, { 0, 0x175b8a49u, 1 }, { -5, 0x2107376du, 0 } },
+      0xaf64c044u },
+    { "speed_of_counts", sizeof results.speed_of_counts,
+      call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
+      { { 0, 0x842918afu, 1 }, { 0, 0x941ae97fu, 1 }, { -5, 0x2107376du, 0 } },
+      0x0300cdd0u },
+    { "accumulate", sizeof results.accumulate,
+      call_accumulate, take_accumulate_results, numbers_accumulate,
+      { { 0, 0x5caa922bu, 0 }, { 0, 0xade32bb7u, 0 }, { -5, 0x997109aau, 0 } },
+      0xc8a3d991u },
+    { "forward_jacobian", sizeof results.forward_jacobian,
+      call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
+      { { 0, 0x2fd77a18u, 32 }, { 0, 0x36efa8ffu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x8822346fu },
+    { "coupled_jacobian", sizeof results.coupled_jacobian,
+      call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
+      { { 0, 0x44717e9au, 32 }, { 0, 0x5bace9b9u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x0eb4ef1eu },
+    { "inverse", sizeof results.inverse,
+      call_inverse, take_inverse_results, numbers_inverse,
+      { { 8, 0x68fe0d08u, 17 }, { 8, 0xce8e1ee8u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xecade5d7u },
+    { "inverse_fast", sizeof results.inverse_fast,
+      call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
+      { { 0, 0xea24c006u, 2 }, { 0, 0x2547fa17u, 2 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xd52982c4u },
+    { "quaternion", sizeof results.quaternion,
+      call_quaternion, take_quaternion_results, numbers_quaternion,
+      { { 0, 0xd3caa542u, 4 }, { 0, 0x101ad736u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x6c8a2c36u },
+    { "target", sizeof results.target,
+      call_target, take_target_results, numbers_target,
+      { { 0, 0x32f3d7e8u, 23 }, { 0, 0xdc4bf6dau, 23 }, { -2, 0xf4a4bf81u, 17 } },
+      0xf1a5ba09u },
+    { "attitude", sizeof results.attitude,
+      call_attitude, take_attitude_results, numbers_attitude,
+      { { 0, 0xd6d5f926u, 32 }, { 0, 0x1973a208u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xa00d421cu },
+    { "prepare", sizeof results.prepare,
+      call_prepare, take_prepare_results, numbers_prepare,
+      { { 0, 0xf9054f53u, 32 }, { 0, 0xd4073938u, 32 }, { -2, 0x69231526u, 32 } },
+      0x04590666u },
+    { "mounts", sizeof results.mounts,
+      call_mounts, take_mounts_results, numbers_mounts,
+      { { 0, 0xe276c32du, 12 }, { 0, 0x7f1b2d0eu, 12 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x68c0c817u },
+    { "prepare_mounts", sizeof results.prepare_mounts,
+      call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
+      { { 0, 0x45eb6d79u, 32 }, { 0, 0x7b675401u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xbaff5a71u },
+};
+
+/* ---- a sweep's inputs: an integer generator, exact scaling ---- */
+
+static uint32_t draw_word(uint32_t *seed)  /* xorshift32 */
+{
+    uint32_t x = *seed;
+    x = x ^ (x << 13);
+    x = x ^ (x >> 17);
+    x = x ^ (x << 5);
+    *seed = x;
+    return x;
+}
+
+/* 24 bits as a real in [-largest, largest). */
+static shaker2_real draw_real(uint32_t *seed, shaker2_real largest)
+{
+    const int32_t part = (int32_t)(draw_word(seed) >> 8) - 8388608;
+    return largest * ((shaker2_real)part / 8388608.0);
+}
+
+static void draw_reals(uint32_t *seed, shaker2_real *values, int count, shaker2_real largest)
+{
+    for (int i = 0; i < count; ++i) {
+        values[i] = draw_real(seed, largest);
+    }
+}
+
+static void draw_flags(uint32_t *seed, int *flags, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        flags[i] = (draw_word(seed) >> 30) == 0u ? 1 : 0;
+    }
+}
+
+/* The square of a quaternion of integers, by its length: a unit quaternion, of twice the length if refused. */
+static void draw_attitude(uint32_t *seed, shaker2_real attitude[4], int refused)
+{
+    const uint32_t word = draw_word(seed);
+    const int32_t a = 2 * (int32_t)(word >> 25) - 127;  /* odd: not all are 0 */
+    const int32_t b = (int32_t)((word >> 16) & 0xffu) - 128;
+    const int32_t c = (int32_t)((word >> 8) & 0xffu) - 128;
+    const int32_t d = (int32_t)(word & 0xffu) - 128;
+    const shaker2_real norm = (shaker2_real)(a * a + b * b + c * c + d * d);
+    const shaker2_real factor = refused != 0 ? 2.0 : 1.0;
+    attitude[0] = factor * ((shaker2_real)(a * a - b * b - c * c - d * d) / norm);
+    attitude[1] = factor * ((shaker2_real)(2 * a * b) / norm);
+    attitude[2] = factor * ((shaker2_real)(2 * a * c) / norm);
+    attitude[3] = factor * ((shaker2_real)(2 * a * d) / norm);
+}
+
+static void draw_inputs(uint32_t *seed, unsigned long state)
+{
+    const shaker2_real fast = state % 4ul == 3ul ? 32.0 : 1.0;
+    const int refused = state % 16ul == 15ul ? 1 : 0;
+    draw_reals(seed, in.x.position, 3, 2.0);
+    draw_attitude(seed, in.x.attitude, refused);
+    draw_reals(seed, in.x.V, 6, 2.0);
+    draw_reals(seed, in.x.phi, SHAKER2_N, 16.0 * fast);
+    draw_reals(seed, in.x.phi_dot, SHAKER2_N, 256.0 * fast);
+    draw_reals(seed, in.phi_ddot, SHAKER2_N, 512.0);
+    draw_reals(seed, in.V_dot, 6, 16.0);
+    draw_reals(seed, in.tau, SHAKER2_N, 2.0);
+    draw_flags(seed, in.locked, SHAKER2_N);
+    in.dt = 0x1p-14;
+    in.order = (draw_word(seed) & 0x100u) != 0u ? 4 : 2;
+    draw_reals(seed, &in.phi, 1, 16.0 * fast);
+    in.count = -1048576 + (int)(draw_word(seed) % 2097152u);
+    in.per_turn = 4000 + (int)(draw_word(seed) % 97u);
+    draw_reals(seed, &in.zero, 1, 1.0);
+    in.moved = -512 + (int)(draw_word(seed) % 1024u);
+    in.encoder.counter = -32768 + (int)(draw_word(seed) % 65536u);
+    in.encoder.place = 0 + (int)(draw_word(seed) % 4000u);
+    in.encoder.moved = -512 + (int)(draw_word(seed) % 1024u);
+    in.counter = -32768 + (int)(draw_word(seed) % 65536u);
+    in.bits = 16 + (int)(draw_word(seed) % 1u);
+    draw_reals(seed, in.angles, 3, 1.0);
+    draw_reals(seed, in.position, 3, 2.0);
+    draw_reals(seed, in.q_dot, 6, 2.0);
+    draw_reals(seed, in.q_ddot, 6, 16.0);
+    in.mass_factor = 1.0 + draw_real(seed, 0.125);
+}
+
+/* The parameters of the stand file with all masses and inertias multiplied. */
+static void scale_parameters(void)
+{
+    parameters = shaker2_default_parameters;
+    parameters.carrier.mass = parameters.carrier.mass * in.mass_factor;
+    for (int i = 0; i < 6; ++i) {
+        parameters.carrier.inertia[i] = parameters.carrier.inertia[i] * in.mass_factor;
+    }
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        parameters.flywheel[i].body.mass = parameters.flywheel[i].body.mass * in.mass_factor;
+        for (int j = 0; j < 6; ++j) {
+            parameters.flywheel[i].body.inertia[j] = parameters.flywheel[i].body.inertia[j] * in.mass_factor;
+        }
+    }
+}
+
+/* ---- the test ---- */
+
+/* Calls one function and takes its results. */
+static void call(const function *f, tally *sum, int *status)
+{
+    unsigned char *bytes = results.bytes;
+    shaker2_status found;
+    for (size_t i = 0; i < f->size; ++i) {
+        bytes[i] = (unsigned char)UNTOUCHED;
+    }
+    found = f->call();
+    *status = (int)found;
+    take_word(sum, (real_bits)(uint32_t)*status, 4);
+    f->take(sum, found);
+}
+
+static char line[160];
+static size_t length;
+
+static void add_text(const char *text)
+{
+    for (size_t i = 0; text[i] != '\0' && length + 1u < sizeof line; ++i) {
+        line[length] = text[i];
+        length = length + 1u;
+    }
+    line[length] = '\0';
+}
+
+static void add_decimal(uint64_t value)
+{
+    char digits[21];
+    size_t i = sizeof digits - 1u;
+    digits[i] = '\0';
+    do {
+        i = i - 1u;
+        digits[i] = (char)('0' + (int)(value % 10u));
+        value = value / 10u;
+    } while (value != 0u);
+    add_text(&digits[i]);
+}
+
+static void add_hash(uint32_t value)
+{
+    char digits[9];
+    for (int i = 7; i >= 0; --i) {
+        digits[i] = "0123456789abcdef"[value & 0xfu];
+        value = value >> 4;
+    }
+    digits[8] = '\0';
+    add_text(digits);
+}
+
+static void end_line(void (*print)(const char *text))
+{
+    add_text("\n");
+    print(line);
+    length = 0u;
+}
+
+/* The golden vectors of one function; not 0 if it failed. */
+static int judge(const function *f, uint32_t swept, void (*print)(const char *text))
+{
+    const shaker2_real *numbers = f->numbers;
+    real_bits worst = 0u;
+    uint32_t wrong = 0u;
+    for (int i = 0; i < CASES; ++i) {
+        const answer *expected = &f->answers[i];
+        tally sum;
+        int status;
+        in = golden[i];
+        scale_parameters();
+        begin(&sum);
+        sum.expected = numbers;
+        sum.left = expected->listed;
+        call(f, &sum, &status);
+        numbers += expected->listed;
+        worst = sum.worst > worst ? sum.worst : worst;
+        if (status != expected->status || sum.hash != expected->hash || sum.worst != 0u || sum.touched != 0) {
+            wrong = wrong + 1u;
+        }
+    }
+    if (swept != f->swept) {
+        wrong = wrong + 1u;
+    }
+    add_text(f->name);
+    add_text(wrong == 0u ? " PASS cases " : " FAIL cases ");
+    add_decimal((uint64_t)CASES + 1u);
+    if (wrong != 0u) {
+        add_text(" wrong ");
+        add_decimal(wrong);
+    }
+    add_text(worst > FAR ? " worst more than " : " worst ");
+    add_decimal(worst > FAR ? FAR : worst);
+    add_text(" ulp");
+    end_line(print);
+    return wrong != 0u ? 1 : 0;
+}
+
+static tally sums[FUNCTIONS];
+
+/* Hashes of every function over so many states. */
+static void run_sweep(unsigned long states)
+{
+    uint32_t seed = 0x6d61686fu;
+    for (int i = 0; i < FUNCTIONS; ++i) {
+        begin(&sums[i]);
+    }
+    for (unsigned long state = 0u; state < states; ++state) {
+        draw_inputs(&seed, state);
+        scale_parameters();
+        for (int i = 0; i < FUNCTIONS; ++i) {
+            int status;
+            call(&functions[i], &sums[i], &status);
+        }
+    }
+}
+
+/* Runs everything and prints it, a line a call of `print`; returns the number of functions that failed. */
+int shaker2_selftest(void (*print)(const char *text), unsigned long sweep)
+{
+    int failures = 0;
+    length = 0u;
+    (void)shaker2_prepare_mounts(&shaker2_default_parameters, &mounting);
+    add_text("mahovik selftest shaker2 structure 94a85f4a physics 2591b2a4 real double");
+    end_line(print);
+    add_text("generator mahovik 0.1.0");
+    end_line(print);
+    run_sweep((unsigned long)SWEPT);
+    for (int i = 0; i < FUNCTIONS; ++i) {
+        failures += judge(&functions[i], sums[i].hash, print);
+    }
+    run_sweep(sweep);
+    add_text("sweep ");
+    add_decimal(sweep);
+    end_line(print);
+    for (int i = 0; i < FUNCTIONS; ++i) {
+        add_text(functions[i].name);
+        add_text(" ");
+        add_hash(sums[i].hash);
+        end_line(print);
+    }
+    add_text("failures ");
+    add_decimal((uint64_t)failures);
+    end_line(print);
+    return failures;
+}
+
+#ifndef SHAKER2_SELFTEST_NO_MAIN
+static void print_text(const char *text)
+{
+    (void)fputs(text, stdout);
+}
+
+int main(void)
+{
+    return shaker2_selftest(print_text, SHAKER2_SELFTEST_SWEEP) != 0;
+}
+#endif
