@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import strategies as st
 
-from mahovik.stand import Stand, State
-from mahovik.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
+from mahovik.core.stand import Stand, State
+from mahovik.core.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
 
 _SEEDS = st.integers(0, 2**32 - 1)
 

@@ -18,45 +18,51 @@ SOURCES = sorted([*MODULES, *(REPOSITORY / "tests").rglob("*.py"), *(REPOSITORY 
 
 STAGES = (
     ("__main__",),
-    ("cli",),
-    ("api",),
-    ("report",),
-    ("export",),
-    ("study",),
-    ("design",),
-    ("foreign",),
-    ("control",),
-    ("plan",),
-    ("simulate",),
-    ("verify",),
-    ("toolchain",),
-    ("emit",),
-    ("lower",),
-    ("formula",),
-    ("derive", "reference", "rigorous", "second"),
-    ("routines",),
-    ("program",),
-    ("motion",),
-    ("stand",),
+    ("out.cli",),
+    ("out.api",),
+    ("out.report",),
+    ("out.export",),
+    ("proof.evidence",),
+    ("out.foreign",),
+    ("use.study",),
+    ("use.design",),
+    ("use.control",),
+    ("use.plan",),
+    ("use.simulate",),
+    ("proof.diagnose",),
+    ("proof.cost",),
+    ("proof.verify",),
+    ("core.toolchain",),
+    ("core.emit",),
+    ("core.lower",),
+    ("core.formula",),
+    ("core.derive", "proof.reference", "proof.rigorous", "proof.second"),
+    ("core.routines",),
+    ("core.program",),
+    ("core.motion",),
+    ("core.stand",),
     ("stands",),
     ("errors", "nearest"),
     ("mahovik",),
 )
 """From the top of the house down; names on one floor never import one another. `mahovik` is the package itself."""
 
-FRONT_DOOR = {"mahovik": {"api", "errors", "stand"}}
+WINGS = ("core", "proof", "use", "out")
+"""Folders of stages, each with one purpose; what it is stands in its `__init__`."""
+
+FRONT_DOOR = {"mahovik": {"out.api", "errors", "core.stand"}}
 """`import mahovik` offers what these have, and loads it when it is asked for: the only imports that point up."""
 
 FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
 
 ONLY = {
-    "reference": {"errors", "stand", "numpy"},
-    "rigorous": {"errors", "stand", "flint"},
-    "lower": {"routines", "formula", "derive", "program", "stand", "errors", "numpy"},
-    "formula": {"derive", "errors", "sympy"},
-    "derive": {"errors", "sympy"},
-    "program": {"errors", "numpy"},
-    "routines": {"errors", "program", "mpmath", "numpy"},
+    "proof.reference": {"errors", "core.stand", "numpy"},
+    "proof.rigorous": {"errors", "core.stand", "flint"},
+    "core.lower": {"core.routines", "core.formula", "core.derive", "core.program", "core.stand", "errors", "numpy"},
+    "core.formula": {"core.derive", "errors", "sympy"},
+    "core.derive": {"errors", "sympy"},
+    "core.program": {"errors", "numpy"},
+    "core.routines": {"errors", "core.program", "mpmath", "numpy"},
     "errors": set(),
     "nearest": set(),
 }
@@ -70,8 +76,10 @@ def name_of(path: Path) -> str:
 
 def stage_of(path: Path) -> str:
     """The stage a module belongs to."""
-    first = path.relative_to(PACKAGE).parts[0]
-    return "mahovik" if first == "__init__.py" else first.removesuffix(".py")
+    parts = path.relative_to(PACKAGE).parts
+    if parts[0] in WINGS:
+        return f"{parts[0]}.{parts[1]}" if len(parts) > 2 else "mahovik"
+    return "mahovik" if parts[0] == "__init__.py" else parts[0].removesuffix(".py")
 
 
 def tree_of(path: Path) -> ast.Module:
@@ -99,7 +107,8 @@ def target(name: str) -> str:
     parts = name.split(".")
     if parts[0] != "mahovik":
         return "" if parts[0] in sys.stdlib_module_names else parts[0]
-    return parts[1] if len(parts) > 1 and parts[1] in FLOOR else "mahovik"
+    name = ".".join(parts[1:3]) if len(parts) > 2 and parts[1] in WINGS else ".".join(parts[1:2])
+    return name if name in FLOOR else "mahovik"
 
 
 def strings(path: Path) -> Iterator[tuple[int, str]]:
@@ -156,9 +165,11 @@ def test_lowering_knows_no_symbols() -> None:
     """It asks for formulas; of the derivation itself it knows the order of numbers, so that it can do without SymPy."""
 
     def symbols(path: Path) -> list[str]:
-        return [n for n in imported(path) if n.startswith("mahovik.derive") and "mahovik.derive.order." not in n]
+        return [
+            n for n in imported(path) if n.startswith("mahovik.core.derive") and "mahovik.core.derive.order." not in n
+        ]
 
-    assert each(of("lower"), symbols) == {}
+    assert each(of("core.lower"), symbols) == {}
 
 
 C_SYNTAX = re.compile(
@@ -166,9 +177,9 @@ C_SYNTAX = re.compile(
     r"|\bstatic\s+(const|inline|\w+\s*\()|(?<![,\w])[a-z_]{2,}->[a-z_]|\bstruct\s+\w+\s*\{|\bu?int(8|16|32|64)_t\b"
     r"|\bfor\s*\(|\w\s*;\s*\}|\bvoid\b\s*[*)(]"
 )
-KNOWS_C = ("emit", "toolchain")
+KNOWS_C = ("core.emit", "core.toolchain")
 """emit/ prints C; toolchain/ calls it, so that it reads the emitted header."""
-READS_C = ("generator/mahovik/verify/c_backend.py",)
+READS_C = ("generator/mahovik/proof/verify/c_backend.py",)
 """Judges C that others hold: finds the identities in its header."""
 
 
@@ -257,8 +268,8 @@ def test_what_is_not_C_is_left_alone(text: str) -> None:
 
 def test_floors_are_told_apart() -> None:
     """Names of imports lead to stages."""
-    assert target("mahovik.reference.evaluate.evaluate") == "reference"
-    assert target("mahovik.routines") == "routines"
+    assert target("mahovik.proof.reference.evaluate.evaluate") == "proof.reference"
+    assert target("mahovik.core.routines") == "core.routines"
     assert target("mahovik.__version__") == "mahovik"
     assert target("numpy.typing") == "numpy"
     assert target("collections.abc") == ""

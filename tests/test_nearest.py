@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, refused
+from mahovik.core.stand.units import LENGTH, QuantityError, number
 from mahovik.nearest import LISTED, meant, nearest
-from mahovik.stand.units import LENGTH, QuantityError, number
 from mahovik.stands import path
 
 SAT4 = str(path("sat4"))

@@ -11,8 +11,8 @@ import pytest
 
 from mahovik import __version__
 from mahovik import stands as examples
-from mahovik.emit.generate import generate
-from mahovik.stand import load
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import load
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -83,7 +83,7 @@ def test_what_travels(wheel):
 
 
 def test_the_installed_package_generates_the_same_c(installed, tmp_path):
-    code = "from mahovik.cli import main; main()"
+    code = "from mahovik.out.cli import main; main()"
     found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
     installed("-c", code, "generate", found, "-o", "out")
     written = {file.name: file.read_text(encoding="ascii") for file in (tmp_path / "out").iterdir()}
@@ -93,7 +93,7 @@ def test_the_installed_package_generates_the_same_c(installed, tmp_path):
 
 
 def test_the_installed_command_knows_its_version_and_examples(installed, tmp_path):
-    code = "from mahovik.cli import main; main()"
+    code = "from mahovik.out.cli import main; main()"
     assert __version__ in installed("-c", code, "--version")
     installed("-c", code, "new", "sat4", "-o", "mine.toml")
     assert (tmp_path / "mine.toml").read_bytes() == examples.path("sat4").read_bytes()

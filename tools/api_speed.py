@@ -15,9 +15,9 @@ from marked import put
 from processor import processor
 
 import mahovik
-from mahovik.api.compiled import compiled
-from mahovik.toolchain.board import version
-from mahovik.toolchain.compiler import find_compiler
+from mahovik.core.toolchain.board import version
+from mahovik.core.toolchain.compiler import find_compiler
+from mahovik.out.api.compiled import compiled
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "python.md"
 BEGIN, END = "<!-- speed -->", "<!-- end of speed -->"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from mahovik.cli import SECTIONS, main
+from mahovik.out.cli import SECTIONS, main
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "commands.md"
 

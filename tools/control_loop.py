@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mahovik.stand import load
+from mahovik.core.stand import load
+from mahovik.core.toolchain.board import build, run, version
+from mahovik.core.toolchain.loop import BENCH8, Counts, control_loop, read_counts
+from mahovik.core.toolchain.targets import TARGETS
 from mahovik.stands import path
-from mahovik.toolchain.board import build, run, version
-from mahovik.toolchain.loop import BENCH8, Counts, control_loop, read_counts
-from mahovik.toolchain.targets import TARGETS
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "control-loop.md"
 BEGIN, END = "<!-- figures: tools/control_loop.py -->", "<!-- end of figures -->"

@@ -22,11 +22,11 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
-from mahovik.design import Outcome, Wishes, design_stand
-from mahovik.design.read import read_freedom
-from mahovik.motion.required import RequiredMotion
-from mahovik.motion.required.course import Harmonics
-from mahovik.stand.model import Stand
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.required.course import Harmonics
+from mahovik.core.stand.model import Stand
+from mahovik.use.design import Outcome, Wishes, design_stand
+from mahovik.use.design.read import read_freedom
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "design.md"
 BEGIN, END = "<!-- campaign: tools/design_campaign.py --write -->", "<!-- end of campaign -->"

@@ -18,14 +18,14 @@ from typing import Any
 import numpy as np
 from explain_planting import Answers, Plant, answers_of, derived, edited, interpreted, literal, renumbered, rewritten
 
-from mahovik.second import Second
-from mahovik.stand.model import Stand
-from mahovik.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
-from mahovik.study.diagnose.diagnosis import Clinic, Diagnosis
-from mahovik.study.diagnose.faults import DICTIONARY
-from mahovik.study.diagnose.predict import Faulty, Part
-from mahovik.verify.c_backend import CBackend, with_all_inputs
-from mahovik.verify.states import Request
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
+from mahovik.proof.diagnose.diagnosis import Clinic, Diagnosis
+from mahovik.proof.diagnose.faults import DICTIONARY
+from mahovik.proof.diagnose.predict import Faulty, Part
+from mahovik.proof.second import Second
+from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
+from mahovik.proof.verify.states import Request
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "diagnosis.md"
 BEGIN, END = "<!-- campaign: tools/explain_campaign.py --write -->", "<!-- end of campaign -->"

@@ -22,23 +22,23 @@ from unittest.mock import patch
 import numpy as np
 import sympy as sp
 
-import mahovik.second
-from mahovik import reference
-from mahovik.derive import carrier, flywheel, wrench
-from mahovik.derive.symbols import vector
-from mahovik.emit.generate import Generated
+import mahovik.proof.second
+from mahovik.core.derive import carrier, flywheel, wrench
+from mahovik.core.derive.symbols import vector
+from mahovik.core.emit.generate import Generated
+from mahovik.core.lower import forward, wrenches
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.program import lower_layout
+from mahovik.core.lower.values import Values
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Stand
+from mahovik.core.stand.state import State
+from mahovik.core.stand.structure import structure
 from mahovik.errors import StateError
-from mahovik.lower import forward, wrenches
-from mahovik.lower.layout import Layout
-from mahovik.lower.program import lower_layout
-from mahovik.lower.values import Values
-from mahovik.program.types import DOUBLE
-from mahovik.stand.model import Body, Flywheel, MountingAngles, Stand
-from mahovik.stand.state import State
-from mahovik.stand.structure import structure
-from mahovik.verify.backends import Backend
-from mahovik.verify.c_backend import InterpreterBackend
-from mahovik.verify.states import Request
+from mahovik.proof import reference
+from mahovik.proof.verify.backends import Backend
+from mahovik.proof.verify.c_backend import InterpreterBackend
+from mahovik.proof.verify.states import Request
 
 Answers = Callable[[Request], Mapping[str, Any]]
 
@@ -313,13 +313,13 @@ SECOND: dict[str, tuple[str, str, str]] = {
 
 def rewritten(stand: Stand) -> Iterator[Plant]:
     """The second derivation, a copy with one place of its text replaced."""
-    source = Path(mahovik.second.__file__).parent
+    source = Path(mahovik.proof.second.__file__).parent
     for number, (name, (module, there, instead)) in enumerate(SECOND.items()):
         package = f"mutated_second_{number}"
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(source, Path(folder) / package, ignore=shutil.ignore_patterns("__pycache__"))
             for path in (Path(folder) / package).glob("*.py"):
-                text = path.read_text(encoding="utf-8").replace("mahovik.second", package)
+                text = path.read_text(encoding="utf-8").replace("mahovik.proof.second", package)
                 if path.stem == module:
                     if text.count(there) != 1:
                         raise SystemExit(f"{name}: {there!r} is not once in second/{module}.py")

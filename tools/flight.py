@@ -9,12 +9,12 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from mahovik.cli import main as mahovik
-from mahovik.stand import load
+from mahovik.core.stand import load
+from mahovik.core.toolchain.board import build, run
+from mahovik.core.toolchain.flight import flight
+from mahovik.core.toolchain.targets import TARGETS
+from mahovik.out.cli import main as mahovik
 from mahovik.stands import path
-from mahovik.toolchain.board import build, run
-from mahovik.toolchain.flight import flight
-from mahovik.toolchain.targets import TARGETS
 
 
 def main() -> None:

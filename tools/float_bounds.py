@@ -14,15 +14,15 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik import reference
-from mahovik.stand.model import Stand
-from mahovik.stand.summary import summarize
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.summary import summarize
+from mahovik.proof import reference
+from mahovik.proof.verify.bounds import FLOAT
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.campaign import random_stands, verify_random
+from mahovik.proof.verify.draw import rounded
 from mahovik.stands import names, path
-from mahovik.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, states
-from mahovik.verify.bounds import FLOAT
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.campaign import random_stands, verify_random
-from mahovik.verify.draw import rounded
+from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, states
 
 ROOT = Path(__file__).resolve().parents[1]
 BEGIN, END = "<!-- float: tools/float_bounds.py -->", "<!-- end of float -->"
@@ -33,7 +33,7 @@ UNITS = "units of `check`"
 def stand_of(number: int) -> Stand:
     """Example stands first, then random ones."""
     if number < len(names()):
-        from mahovik.stand import load
+        from mahovik.core.stand import load
 
         return load(path(names()[number]))
     *_, found = random_stands(number - len(names()) + 1)

@@ -12,20 +12,20 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.control.causes import contributions
-from mahovik.control.following import following
-from mahovik.control.loop import Case, close_loop
-from mahovik.control.mismatch import mismatched
-from mahovik.control.trim import TrimDesign, design_trim
-from mahovik.control.wanted import Wanted
-from mahovik.motion.programme import Programme
-from mahovik.motion.required import RequiredMotion, load_motion
-from mahovik.motion.servo import Servo, load_servo
-from mahovik.plan.planner import plan_motion
-from mahovik.plan.wishes import Wishes
-from mahovik.stand import load
-from mahovik.stand.model import Stand
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.motion.servo import Servo, load_servo
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.stands import path, servos
+from mahovik.use.control.causes import contributions
+from mahovik.use.control.following import following
+from mahovik.use.control.loop import Case, close_loop
+from mahovik.use.control.mismatch import mismatched
+from mahovik.use.control.trim import TrimDesign, design_trim
+from mahovik.use.control.wanted import Wanted
+from mahovik.use.plan.planner import plan_motion
+from mahovik.use.plan.wishes import Wishes
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "following.md"
 BEGIN, END = "<!-- campaign: tools/following_campaign.py --write -->", "<!-- end of campaign -->"

@@ -24,12 +24,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from mahovik.core.stand import load
+from mahovik.core.toolchain.board import version
+from mahovik.core.toolchain.fuzzing import FLAGS, Run, compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
-from mahovik.export.fuzz import fuzz_project, sources
-from mahovik.stand import load
+from mahovik.out.export.fuzz import fuzz_project, sources
 from mahovik.stands import path
-from mahovik.toolchain.board import version
-from mahovik.toolchain.fuzzing import FLAGS, Run, compile_harness, fuzz, minimise
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "fuzzing.md"

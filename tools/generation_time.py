@@ -20,7 +20,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mahovik.formula.cache import VARIABLE
+from mahovik.core.formula.cache import VARIABLE
 from mahovik.stands import path
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "generation.md"
@@ -34,8 +34,8 @@ KINDS = ("bare", "everything")
 DRAW = """
 import sys
 import numpy as np
-from mahovik.stand.random import BARE, EVERYTHING, random_stand
-from mahovik.stand.write import dumps
+from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.core.stand.write import dumps
 kind, count = sys.argv[1], int(sys.argv[2])
 features = BARE if kind == "bare" else EVERYTHING
 print(dumps(random_stand(np.random.default_rng([1986, count]), count, features, name=f"{kind}{count}")))

@@ -9,13 +9,13 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from mahovik.stand import Stand, load
+from mahovik.core.stand import Stand, load
+from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge, Model
+from mahovik.proof.verify.judges.basilisk_wheel import with_its_wheels
+from mahovik.proof.verify.judges.compare import ALL, JUDGES, MOTION, QUANTITIES, verify_by, verify_judges
+from mahovik.proof.verify.judges.rigid import missing, stripped
+from mahovik.proof.verify.report import Report
 from mahovik.stands import names, path
-from mahovik.verify.judges.basilisk_judge import BasiliskJudge, Model
-from mahovik.verify.judges.basilisk_wheel import with_its_wheels
-from mahovik.verify.judges.compare import ALL, JUDGES, MOTION, QUANTITIES, verify_by, verify_judges
-from mahovik.verify.judges.rigid import missing, stripped
-from mahovik.verify.report import Report
 
 ROOT = Path(__file__).resolve().parents[1]
 BEGIN, END = "<!-- judges: tools/judges_table.py -->", "<!-- end of judges -->"

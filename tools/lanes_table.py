@@ -19,20 +19,20 @@ from pathlib import Path
 import numpy as np
 from processor import processor
 
-from mahovik.emit.generate import LANES, Generated, generate_all
-from mahovik.stand.model import Stand
-from mahovik.stand.random import BARE, random_stand
-from mahovik.study.cost.states import measuring_states
-from mahovik.toolchain.board import build, version
-from mahovik.toolchain.callgrind import instructions_of_host
-from mahovik.toolchain.compiler import BITS, FAST
-from mahovik.toolchain.footprint import STACK_FLAGS, footprint
-from mahovik.toolchain.targets import TARGETS
-from mahovik.toolchain.workload import workload
-from mahovik.verify.bounds import DOUBLE
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.draw import draw
-from mahovik.verify.harness import judge
+from mahovik.core.emit.generate import LANES, Generated, generate_all
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.core.toolchain.board import build, version
+from mahovik.core.toolchain.callgrind import instructions_of_host
+from mahovik.core.toolchain.compiler import BITS, FAST
+from mahovik.core.toolchain.footprint import STACK_FLAGS, footprint
+from mahovik.core.toolchain.targets import TARGETS
+from mahovik.core.toolchain.workload import workload
+from mahovik.proof.cost.states import measuring_states
+from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import judge
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "lanes.md"

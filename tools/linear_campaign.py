@@ -21,16 +21,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from mahovik import motion
-from mahovik.motion.laws import WrenchTable
-from mahovik.second.linear import linear
-from mahovik.simulate import Case, simulate
-from mahovik.stand import Stand, load
-from mahovik.stand.random import random_stand, random_state
+from mahovik.core import motion
+from mahovik.core.motion.laws import WrenchTable
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.random import random_stand, random_state
+from mahovik.proof.second.linear import linear
 from mahovik.stands import path
-from mahovik.study.linear import linear_model
-from mahovik.study.response import Periodic, periodic_response
-from mahovik.study.rest import rest
+from mahovik.use.simulate import Case, simulate
+from mahovik.use.study.linear import linear_model
+from mahovik.use.study.response import Periodic, periodic_response
+from mahovik.use.study.rest import rest
 
 Array = NDArray[np.float64]
 

@@ -24,13 +24,13 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
-from mahovik.emit.declaration import prototype
-from mahovik.emit.expression import Expressions
-from mahovik.emit.names import Names
-from mahovik.emit.statement import Statements
-from mahovik.program.function import Function
-from mahovik.program.types import DOUBLE, FLOAT, Precision
-from mahovik.routines import atan2, sincos, square_root, unwind, wrap
+from mahovik.core.emit.declaration import prototype
+from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import Statements
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.routines import atan2, sincos, square_root, unwind, wrap
 
 sys.path.insert(0, str(Path(__file__).parent))
 import math_proof

@@ -23,11 +23,11 @@ from functools import cache
 
 from flint import arb, arb_poly, ctx, fmpq
 
-from mahovik.program.types import DOUBLE, FLOAT, Precision
-from mahovik.routines.arc_tangent import POLYNOMIALS as ARC_TANGENT
-from mahovik.routines.real_constants import PI
-from mahovik.routines.sincos import POLYNOMIALS as SINCOS
-from mahovik.routines.sincos import SMALL_TURNS, half_pi_parts
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.routines.arc_tangent import POLYNOMIALS as ARC_TANGENT
+from mahovik.core.routines.real_constants import PI
+from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
+from mahovik.core.routines.sincos import SMALL_TURNS, half_pi_parts
 
 BITS = 300
 REDUCED = 0.7855  # |r| after reduction: pi/4, and a little where x (2/pi) is rounded to the wrong side of a tie

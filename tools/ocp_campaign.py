@@ -24,11 +24,11 @@ from marked import put
 from plan_stands import campaign_motion, campaign_stand
 
 import mahovik.stands
-from mahovik.motion.required import RequiredMotion, load_motion
-from mahovik.plan import Plan, Wishes, plan_motion
-from mahovik.plan.wishes import Method
-from mahovik.stand import load
-from mahovik.stand.model import Stand
+from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.use.plan import Plan, Wishes, plan_motion
+from mahovik.use.plan.wishes import Method
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-ocp.md"
 BEGIN, END = "<!-- campaign: tools/ocp_campaign.py --write -->", "<!-- end of campaign -->"

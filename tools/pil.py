@@ -12,17 +12,17 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from mahovik.control.mismatch import mismatched
-from mahovik.export.pil import Run, processor_in_the_loop, read_run
-from mahovik.export.servo import ExportedServo, export_servo
-from mahovik.motion.programme import load_programme
-from mahovik.motion.required import load_motion
-from mahovik.motion.servo import load_servo
-from mahovik.stand import load
+from mahovik.core.motion.programme import load_programme
+from mahovik.core.motion.required import load_motion
+from mahovik.core.motion.servo import load_servo
+from mahovik.core.stand import load
+from mahovik.core.toolchain.board import build, run, version
+from mahovik.core.toolchain.footprint import STACK_FLAGS, Footprint, footprint
+from mahovik.core.toolchain.targets import TARGETS
+from mahovik.out.export.pil import Run, processor_in_the_loop, read_run
+from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.stands import motions, path, servos
-from mahovik.toolchain.board import build, run, version
-from mahovik.toolchain.footprint import STACK_FLAGS, Footprint, footprint
-from mahovik.toolchain.targets import TARGETS
+from mahovik.use.control.mismatch import mismatched
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "servo.md"
 BEGIN, END = "<!-- figures: tools/pil.py --write -->", "<!-- end of figures -->"

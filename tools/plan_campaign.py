@@ -25,10 +25,10 @@ import numpy as np
 from marked import put
 from plan_stands import NO_BOUNDS, PERIOD, campaign_motion, campaign_move, campaign_stand
 
-from mahovik.motion.required import RequiredMotion
-from mahovik.plan import Wishes, plan_motion
-from mahovik.plan.certificate import certified, wrong_items
-from mahovik.stand.model import Stand
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan.certificate import certified, wrong_items
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning.md"
 BEGIN, END = "<!-- campaign: tools/plan_campaign.py --write -->", "<!-- end of campaign -->"

@@ -9,9 +9,9 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.motion.required import Bounds, Objective, RequiredMotion
-from mahovik.motion.required.course import Harmonics, Sampled
-from mahovik.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Suspension, Vec3
+from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
+from mahovik.core.motion.required.course import Harmonics, Sampled
+from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Suspension, Vec3
 
 Array = NDArray[np.float64]
 

@@ -17,12 +17,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from pathlib import Path
 
-from mahovik.emit.eva import CLAIMED, Driver, drivers, eva_files
-from mahovik.emit.generate import generate_all
-from mahovik.stand import load
-from mahovik.stand.identity import identities
+from mahovik.core.emit.eva import CLAIMED, Driver, drivers, eva_files
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand import load
+from mahovik.core.stand.identity import identities
+from mahovik.core.toolchain.eva import Proof, prove, version
 from mahovik.stands import names, path
-from mahovik.toolchain.eva import Proof, prove, version
 
 ROOT = Path(__file__).resolve().parents[1]
 KEPT = ROOT / "build" / "proofs"

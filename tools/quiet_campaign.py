@@ -26,10 +26,10 @@ import numpy as np
 from marked import put
 from quiet_stands import satellite, speeds_before
 
-from mahovik.stand import load
+from mahovik.core.stand import load
 from mahovik.stands import path
-from mahovik.study.quiet import Quieted, Wish, quiet
-from mahovik.study.quiet.wheels import momentum_axes
+from mahovik.use.study.quiet import Quieted, Wish, quiet
+from mahovik.use.study.quiet.wheels import momentum_axes
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "quiet.md"
 BEGIN, END = "<!-- campaign: tools/quiet_campaign.py --write -->", "<!-- end of campaign -->"

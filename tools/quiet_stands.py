@@ -8,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.stand.model import Carrier, Flywheel, Mat3, Mat6, Motor, MountingAxes, Point, Stand, Suspension, Vec3
+from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, Motor, MountingAxes, Point, Stand, Suspension, Vec3
 
 Array = NDArray[np.float64]
 

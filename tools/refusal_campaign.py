@@ -24,12 +24,12 @@ import numpy as np
 from marked import put
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
-from mahovik.motion.required import Bounds
-from mahovik.plan.budget import Budget
-from mahovik.plan.choose import Improver
-from mahovik.plan.preflight import preflight
-from mahovik.plan.problem import Problem
-from mahovik.plan.search import search
+from mahovik.core.motion.required import Bounds
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.choose import Improver
+from mahovik.use.plan.preflight import preflight
+from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.search import search
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning.md"
 BEGIN, END = "<!-- refusals: tools/refusal_campaign.py --write -->", "<!-- end of refusals -->"

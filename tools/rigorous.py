@@ -13,14 +13,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from mahovik.rigorous import WANTS
-from mahovik.stand import load
+from mahovik.core.stand import load
+from mahovik.proof.rigorous import WANTS
+from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.campaign import random_stands
+from mahovik.proof.verify.rounding.limits import MARGIN, ULPS
+from mahovik.proof.verify.rounding.measure import measure_rounding
+from mahovik.proof.verify.rounding.report import ulp_text
 from mahovik.stands import names, path
-from mahovik.verify.bounds import BOUNDS
-from mahovik.verify.campaign import random_stands
-from mahovik.verify.rounding.limits import MARGIN, ULPS
-from mahovik.verify.rounding.measure import measure_rounding
-from mahovik.verify.rounding.report import ulp_text
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "rounding.md"
 SHORT = ("forward", "coupled", "torque")
@@ -69,7 +69,7 @@ in `double`: {double}; in `float`: {single}.
 
 The one tolerance of `double` leaves digits for stands that are worse conditioned than any here. An error of 1e-12 in
 one number is too small for it, and is caught by `--rigorous`, which accepts {ulps:g} ulp. In `float` the tolerances
-are near the error, each with its own reason (`mahovik.verify.bounds`).
+are near the error, each with its own reason (`mahovik.proof.verify.bounds`).
 
 `generalized`, `points` and `inverse` have no enclosure: they are held to their tolerances by the judges alone.
 """

@@ -23,11 +23,11 @@ import numpy as np
 from marked import put
 from plan_stands import campaign_motion, campaign_stand
 
-from mahovik.motion.programme import Programme
-from mahovik.motion.required import Bounds
-from mahovik.plan import Wishes, plan_motion
-from mahovik.plan.certificate import certified, wrong_items
-from mahovik.plan.runup import shortcomings, with_runup
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Bounds
+from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan.certificate import certified, wrong_items
+from mahovik.use.plan.runup import shortcomings, with_runup
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-runup.md"
 BEGIN, END = "<!-- campaign: tools/runup_campaign.py --write -->", "<!-- end of campaign -->"

@@ -2,7 +2,7 @@
 
 python tools/static_checks.py [--stands bench8,...] [--page]
 
-Exit status 1 at any warning, at a MISRA deviation or finding that toolchain/static_checks.py does not list with its
+Exit status 1 at any warning, at a MISRA deviation or finding that core/toolchain/static_checks.py does not list with its
 reason, and at a listed one that no stand has any more.
 """
 
@@ -14,10 +14,9 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from mahovik.emit.delivery import delivery
-from mahovik.stand import load
-from mahovik.stands import names, path
-from mahovik.toolchain.static_checks import (
+from mahovik.core.emit.delivery import delivery
+from mahovik.core.stand import load
+from mahovik.core.toolchain.static_checks import (
     COMPILERS,
     DEVIATIONS,
     KNOWN,
@@ -26,6 +25,7 @@ from mahovik.toolchain.static_checks import (
     version,
     warned,
 )
+from mahovik.stands import names, path
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "misra.md"

@@ -9,9 +9,9 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from mahovik.stand import load
+from mahovik.core.stand import load
+from mahovik.proof.verify.targets import REALS, SWEEP, TargetRow, TargetsReport, asked, verify_targets
 from mahovik.stands import path
-from mahovik.verify.targets import REALS, SWEEP, TargetRow, TargetsReport, asked, verify_targets
 
 ROOT = Path(__file__).resolve().parents[1]
 BEGIN, END = "<!-- targets: tools/targets_table.py -->", "<!-- end of targets -->"

@@ -15,9 +15,9 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from mahovik.verify.bounds import BOUNDS
-from mahovik.verify.campaign import random_stands, verify_random
-from mahovik.verify.report import conclusion, worst_lines
+from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.campaign import random_stands, verify_random
+from mahovik.proof.verify.report import conclusion, worst_lines
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "verification.md"
 BEGIN, END = "<!-- campaign: tools/verify_campaign.py --write -->", "<!-- end of campaign -->"

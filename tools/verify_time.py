@@ -12,10 +12,10 @@ from __future__ import annotations
 import argparse
 import os
 
-from mahovik.stand import load
+from mahovik.core.stand import load
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.campaign import WHAT_MATTERS, random_stands, verify_random
 from mahovik.stands import names, path
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.campaign import WHAT_MATTERS, random_stands, verify_random
 
 MOST = 20.0
 """s, of the comparison of all stands."""

@@ -8,12 +8,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.reference import pieces
-from mahovik.reference.evaluate import evaluate
-from mahovik.stand.model import Stand
-from mahovik.stand.random import BARE, random_stand, random_state
-from mahovik.stand.state import State
-from mahovik.verify.scales import scales
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import BARE, random_stand, random_state
+from mahovik.core.stand.state import State
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.evaluate import evaluate
+from mahovik.proof.verify.scales import scales
 from mahovik_bench.works import Work
 
 Array = NDArray[np.float64]

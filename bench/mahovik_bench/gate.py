@@ -6,10 +6,10 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from mahovik.study.cost.check import Comparison, compare
-from mahovik.study.cost.measure import Costs, measure
-from mahovik.study.cost.page import accepted, as_json
-from mahovik.toolchain.targets import TARGETS
+from mahovik.core.toolchain.targets import TARGETS
+from mahovik.proof.cost.check import Comparison, compare
+from mahovik.proof.cost.measure import Costs, measure
+from mahovik.proof.cost.page import accepted, as_json
 from mahovik_bench.build import ROOT
 from mahovik_bench.cases import case
 

@@ -11,9 +11,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from mahovik.reference.inertia import spatial_inertia
-from mahovik.reference.rotation import flywheel_rotation
-from mahovik.stand.model import Flywheel, Stand
+from mahovik.core.stand.model import Flywheel, Stand
+from mahovik.proof.reference.inertia import spatial_inertia
+from mahovik.proof.reference.rotation import flywheel_rotation
 
 f = ca.sparsify(ca.DM([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]))
 

@@ -13,7 +13,7 @@ def peers(case: Case) -> list[Peer]:
     """Coupled by mj_forward, torque by mj_inverse; it has no forward for given phi''."""
     import mujoco
 
-    from mahovik.verify.judges.mujoco_judge import mjcf
+    from mahovik.proof.verify.judges.mujoco_judge import mjcf
 
     CACHE.mkdir(parents=True, exist_ok=True)
     model = CACHE / f"{case.stand.name}.xml"

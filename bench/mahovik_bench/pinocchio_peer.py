@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from mahovik.verify.judges.rigid import tree
+from mahovik.proof.verify.judges.rigid import tree
 from mahovik_bench.build import CACHE, NATIVE, Recipe
 from mahovik_bench.cases import Case
 from mahovik_bench.peer import Peer

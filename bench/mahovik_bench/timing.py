@@ -8,8 +8,8 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from mahovik.reference import pieces
-from mahovik.reference.evaluate import evaluate
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.evaluate import evaluate
 from mahovik_bench.cases import Case
 from mahovik_bench.loaded import Contestant
 from mahovik_bench.works import Work
@@ -83,7 +83,7 @@ def _numpy(case: Case, work: Work, repetition: int) -> float:
     state = case.states[repetition % len(case.states)]
     start = time.perf_counter_ns()
     if work.name == "forward":
-        from mahovik.reference.forward import forward
+        from mahovik.proof.reference.forward import forward
 
         at = pieces(case.stand, state)
         forward(at, at.phi_dot)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from mahovik.emit.batch import batch_files
-from mahovik.emit.generate import generate_all
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.generate import generate_all
 from mahovik_bench.cases import case
 
 

@@ -18,8 +18,8 @@ symforce.set_epsilon_to_number()
 import symforce.symbolic as sf  # noqa: E402
 from symforce import codegen, values  # noqa: E402
 
-from mahovik.reference.inertia import spatial_inertia  # noqa: E402
-from mahovik.reference.rotation import flywheel_rotation  # noqa: E402
+from mahovik.proof.reference.inertia import spatial_inertia  # noqa: E402
+from mahovik.proof.reference.rotation import flywheel_rotation  # noqa: E402
 from mahovik_bench.cases import case  # noqa: E402
 
 ZERO = sf.Matrix(3, 3)

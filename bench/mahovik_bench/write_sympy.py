@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mahovik.reference.inertia import spatial_inertia
-from mahovik.reference.rotation import flywheel_rotation
+from mahovik.proof.reference.inertia import spatial_inertia
+from mahovik.proof.reference.rotation import flywheel_rotation
 from mahovik_bench.cases import case
 
 HEAD = """#include <math.h>

@@ -13,10 +13,7 @@ Public is what `__all__` names; docs/python.md describes it. It is loaded when i
 TYPE_CHECKING = False  # type checkers take it for True; `typing` itself is half of a start
 
 if TYPE_CHECKING:
-    from mahovik.api.model import Model, build
-    from mahovik.api.results import Result
-    from mahovik.api.stands import example, examples, load
-    from mahovik.api.states import States
+    from mahovik.core.stand.model import Stand
     from mahovik.errors import (
         InputError,
         MahovikError,
@@ -26,7 +23,10 @@ if TYPE_CHECKING:
         ToolchainError,
         UsageError,
     )
-    from mahovik.stand.model import Stand
+    from mahovik.out.api.model import Model, build
+    from mahovik.out.api.results import Result
+    from mahovik.out.api.stands import example, examples, load
+    from mahovik.out.api.states import States
 
 __version__ = "0.1.0"
 
@@ -50,14 +50,14 @@ __all__ = [
 ]
 
 _PLACES = {
-    "Model": "api.model",
-    "Result": "api.results",
-    "Stand": "stand.model",
-    "States": "api.states",
-    "build": "api.model",
-    "example": "api.stands",
-    "examples": "api.stands",
-    "load": "api.stands",
+    "Model": "out.api.model",
+    "Result": "out.api.results",
+    "Stand": "core.stand.model",
+    "States": "out.api.states",
+    "build": "out.api.model",
+    "example": "out.api.stands",
+    "examples": "out.api.stands",
+    "load": "out.api.stands",
 }
 
 

@@ -6,8 +6,8 @@ from functools import cache
 import numpy as np
 
 import mahovik
-from mahovik.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
+from mahovik.proof.verify.c_backend import CBackend
 
 
 @cache

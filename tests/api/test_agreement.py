@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 import mahovik
 from api.models import backend, drawn, given, model, stand
-from mahovik import reference
+from mahovik.proof import reference
 
 WANTS = {
     "forward": ("forward", ("phi_ddot",)),

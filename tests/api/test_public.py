@@ -25,7 +25,7 @@ def signatures():
         if inspect.isclass(value):
             bases = ", ".join(base.__name__ for base in value.__bases__ if issubclass(base, Exception))
             lines.append(f"class {name}({bases})")
-            if value.__module__.startswith("mahovik.api"):
+            if value.__module__.startswith("mahovik.out.api"):
                 lines += [f"{name}.{line}" for line in attributes(value)]
         else:
             lines.append(f"{name}{inspect.signature(value)}" if callable(value) else name)

@@ -12,11 +12,11 @@ import pytest
 
 import mahovik
 from api.models import model, stand
-from mahovik.api import compiled, store
-from mahovik.stand.random import random_state
-from mahovik.stand.structure import structure
-from mahovik.toolchain import compiler
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.stand.random import random_state
+from mahovik.core.stand.structure import structure
+from mahovik.core.toolchain import compiler
+from mahovik.out.api import compiled, store
+from mahovik.proof.verify.c_backend import CBackend
 from toolchain.tools import require
 
 

@@ -14,8 +14,8 @@ import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, process, refused, run
 from mahovik import __version__, stands
-from mahovik.cli import main
-from mahovik.stand import identities, load
+from mahovik.core.stand import identities, load
+from mahovik.out.cli import main
 
 COMMANDS = ("new", "check", "derive", "generate", "verify", "eval")
 

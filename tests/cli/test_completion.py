@@ -37,7 +37,7 @@ def test_what_is_completed(words: str, found: list[str]) -> None:
     """By the variables that the script for bash sets."""
     typed = words.split(" ")
     done = subprocess.run(
-        [sys.executable, "-c", "import sys; sys.argv[0] = 'mahovik'; from mahovik.cli import main; main()"],
+        [sys.executable, "-c", "import sys; sys.argv[0] = 'mahovik'; from mahovik.out.cli import main; main()"],
         env={
             **os.environ,
             "_MAHOVIK_COMPLETE": "bash_complete",

@@ -12,14 +12,14 @@ from typing import Any
 import pytest
 
 from cli.run import AUV6, DEMO3, refused, run
-from mahovik.emit.generate import generate
-from mahovik.stand import load
-from mahovik.stand.model import Stand
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.targets import Target
+from mahovik.proof.cost import measure as measuring
+from mahovik.proof.cost.measure import USUAL, Costs, FunctionCost, TargetCost
+from mahovik.proof.verify import delivery
 from mahovik.stands import path
-from mahovik.study.cost import measure as measuring
-from mahovik.study.cost.measure import USUAL, Costs, FunctionCost, TargetCost
-from mahovik.toolchain.targets import Target
-from mahovik.verify import delivery
 
 FUNCTIONS = (FunctionCost("forward", 1000, 500, 490, 3000, ()), FunctionCost("inverse", 9000, 0, 0, 4000, ()))
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3, refused, run
-from mahovik.motion.programme import load_programme
-from mahovik.stand import load
+from mahovik.core.motion.programme import load_programme
+from mahovik.core.stand import load
 from mahovik.stands import path
 
 SHAKER2 = str(path("shaker2"))

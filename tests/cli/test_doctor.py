@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from cli.run import run
-from mahovik.toolchain.targets import TARGETS
+from mahovik.core.toolchain.targets import TARGETS
 
 
 def tool(folder: Path, name: str, script: str) -> None:

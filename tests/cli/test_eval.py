@@ -90,7 +90,7 @@ def test_no_compiler_is_one_line_that_says_what_to_install() -> None:
 
 
 def test_a_conversation_is_answered_line_by_line() -> None:
-    command = [sys.executable, "-c", "from mahovik.cli import main; main()", "eval", DEMO3, "--backend", "numpy"]
+    command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "eval", DEMO3, "--backend", "numpy"]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1) as program:
         assert program.stdin is not None
         assert program.stdout is not None
@@ -104,7 +104,7 @@ def test_a_conversation_is_answered_line_by_line() -> None:
 
 def test_a_reader_that_leaves_ends_it_quietly() -> None:
     script = (
-        'yes \'{"want": ["matrices"]}\' | head -500 | "$0" -c "from mahovik.cli import main; main()" "$@" | head -1'
+        'yes \'{"want": ["matrices"]}\' | head -500 | "$0" -c "from mahovik.out.cli import main; main()" "$@" | head -1'
     )
     done = subprocess.run(
         ["sh", "-c", script, sys.executable, "eval", BENCH8, "--backend", "numpy"],

@@ -10,8 +10,8 @@ import pytest
 from cli.run import BENCH8, refused, run
 from control.following import SERVO, TRIM
 from mahovik import stands
-from mahovik.motion.programme import save_programme
-from mahovik.report.plot.run import panels, read
+from mahovik.core.motion.programme import save_programme
+from mahovik.out.report.plot.run import panels, read
 from verify.programme.programmes import shaker
 
 STAND = str(stands.path("shaker2"))
@@ -44,7 +44,7 @@ def test_ctrl_c_while_causes_are_asked_keeps_the_figures(given: list[str], monke
     def pressed(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("mahovik.control.causes.contributions", pressed)
+    monkeypatch.setattr("mahovik.use.control.causes.contributions", pressed)
     said = run(*given, "--periods", "11")
     assert said.exit_code == 130
     assert "error of the carrier" in said.stdout

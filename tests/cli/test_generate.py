@@ -13,11 +13,11 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
-from mahovik.emit import delivery
-from mahovik.emit.generate import generate
-from mahovik.stand import identities, load
-from mahovik.stand.model import Stand
-from mahovik.verify.delivery import add_to_delivery
+from mahovik.core.emit import delivery
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import identities, load
+from mahovik.core.stand.model import Stand
+from mahovik.proof.verify.delivery import add_to_delivery
 
 FILES = {
     "README.md",
@@ -197,7 +197,7 @@ def test_an_interrupted_run_leaves_the_old_folder(
             raise fault("stopped")
         real(source, target)
 
-    monkeypatch.setattr("mahovik.verify.files.os.replace", replace)
+    monkeypatch.setattr("mahovik.proof.verify.files.os.replace", replace)
     result = run("generate", DEMO3, "-o", str(folder), "--real", "float")
     assert result.exit_code != 0
     assert contents(folder) == before

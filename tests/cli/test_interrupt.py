@@ -15,9 +15,9 @@ import pytest
 
 from cli.run import BENCH8, DEMO3
 from cli.terminal import RUN
-from mahovik.motion.programme import load_programme
-from mahovik.simulate.output import SUFFIXES
+from mahovik.core.motion.programme import load_programme
 from mahovik.stands import path
+from mahovik.use.simulate.output import SUFFIXES
 
 SAT4 = str(path("sat4"))
 MOTION = str(path("bench8").with_name("bench8.motion.json"))

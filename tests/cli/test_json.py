@@ -9,9 +9,9 @@ from pathlib import Path
 import click
 import pytest
 
-import mahovik.report.evidence.pieces as all_pieces
+import mahovik.proof.evidence.pieces as all_pieces
 from cli.run import BENCH8, DEMO3, run
-from mahovik.cli import main
+from mahovik.out.cli import main
 from mahovik.stands import path
 from report.evidence import BAD, GOOD
 

@@ -12,11 +12,11 @@ import pytest
 from cli.run import DEMO3, refused, run
 
 PYTHON = shlex.quote(sys.executable)
-EVAL = f"{PYTHON} -c 'from mahovik.cli import main; main()' eval {{stand}} --backend numpy"
+EVAL = f"{PYTHON} -c 'from mahovik.out.cli import main; main()' eval {{stand}} --backend numpy"
 
 WRONG = """
 import json, subprocess, sys
-command = [sys.executable, "-c", "from mahovik.cli import main; main()", "eval", sys.argv[1], "--backend", "numpy"]
+command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "eval", sys.argv[1], "--backend", "numpy"]
 given = [json.loads(line) for line in sys.stdin]
 for state in given:
     CHANGE

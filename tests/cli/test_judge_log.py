@@ -12,10 +12,10 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
 from emit.selftests import made, run_selftest
-from mahovik.emit.generate import Generated
-from mahovik.stand import identities, load
-from mahovik.stand.model import Stand
-from mahovik.verify import judge_log
+from mahovik.core.emit.generate import Generated
+from mahovik.core.stand import identities, load
+from mahovik.core.stand.model import Stand
+from mahovik.proof.verify import judge_log
 
 SWEEP = 20
 FUNCTIONS = [f.name for f in made("demo3")[0].program.functions if f.public]

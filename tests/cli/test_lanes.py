@@ -10,11 +10,11 @@ import pytest
 from cli.run import DEMO3, refused, run
 from emit.selftests import run_selftest
 from emit.stands import stand
-from mahovik.emit.delivery import delivery
-from mahovik.emit.header import read_header
-from mahovik.simulate.replay import CMachine
-from mahovik.verify.delivery import deliver
-from mahovik.verify.harness import verify_c
+from mahovik.core.emit.delivery import delivery
+from mahovik.core.emit.header import read_header
+from mahovik.proof.verify.delivery import deliver
+from mahovik.proof.verify.harness import verify_c
+from mahovik.use.simulate.replay import CMachine
 from simulate.flights import Recorder
 
 

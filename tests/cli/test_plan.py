@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
-from mahovik.motion.programme import load_programme
-from mahovik.plan import Plan
+from mahovik.core.motion.programme import load_programme
 from mahovik.stands import path as stand_path
+from mahovik.use.plan import Plan
 from verify.programme.programmes import shaker
 
 SHAKER = str(stand_path("shaker2"))
@@ -107,7 +107,7 @@ def test_a_folder_is_made_for_what_is_found_and_only_for_that(tmp_path: Path) ->
 def test_fewer_than_were_to_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Said, and nothing of an earlier run is left that could be taken for one of this."""
     programme = shaker()[2]
-    monkeypatch.setattr("mahovik.plan.plan_motion", lambda *_: Plan("OK", None, (), (), (programme,)))
+    monkeypatch.setattr("mahovik.use.plan.plan_motion", lambda *_: Plan("OK", None, (), (), (programme,)))
     folder = tmp_path / "new"
     folder.mkdir()
     for name in ("p.2.json", "p.3.json", "p.4.json"):

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3, refused, run
-from mahovik.motion import load as load_regime
-from mahovik.simulate.start import load as load_start
-from mahovik.stand import load
+from mahovik.core.motion import load as load_regime
+from mahovik.core.stand import load
 from mahovik.stands import path
+from mahovik.use.simulate.start import load as load_start
 
 SAT4 = str(path("sat4"))
 ASKED = ("--point", "acc1", "--band", "20..200Hz", "--backend", "none")
@@ -47,7 +47,7 @@ def test_a_compiler_that_is_missing_is_told_before_the_search(monkeypatch: pytes
     def searched(*_: object) -> None:
         raise AssertionError("searched")
 
-    monkeypatch.setattr("mahovik.study.quiet.quieted.Search.run", searched)
+    monkeypatch.setattr("mahovik.use.study.quiet.quieted.Search.run", searched)
     assert "CC=no-such-compiler: no such command" in refused(
         "quiet", SAT4, "--point", "acc1", "--band", "20..200Hz", "--momentum", "0 0 1"
     )

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
-from mahovik.emit.log_format import MAGIC
-from mahovik.stand import load
+from mahovik.core.emit.log_format import MAGIC
+from mahovik.core.stand import load
+from mahovik.core.toolchain.board import build
+from mahovik.core.toolchain.board import run as run_program
+from mahovik.core.toolchain.flight import flight
+from mahovik.core.toolchain.targets import TARGETS
 from mahovik.stands import path
-from mahovik.toolchain.board import build
-from mahovik.toolchain.board import run as run_program
-from mahovik.toolchain.flight import flight
-from mahovik.toolchain.targets import TARGETS
 from simulate.flights import Recorder
 from toolchain.tools import require
 

@@ -14,12 +14,12 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik import __version__
-from mahovik.report.stand import page, verification
-from mahovik.report.stand.gather import gather
-from mahovik.stand import identities, load
+from mahovik.core.stand import identities, load
+from mahovik.out.report.stand import page, verification
+from mahovik.out.report.stand.gather import gather
+from mahovik.proof.verify import harness
+from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.stands import path
-from mahovik.verify import harness
-from mahovik.verify.bounds import DOUBLE
 from report.stand.reports import read, words
 
 SHAKER2 = str(path("shaker2"))
@@ -129,7 +129,7 @@ def test_judges_that_are_not_installed_are_not_run(monkeypatch: pytest.MonkeyPat
     only(monkeypatch, "verification")
     for name in ("pinocchio", "mujoco"):
         monkeypatch.setitem(__import__("sys").modules, name, None)
-        monkeypatch.delitem(__import__("sys").modules, f"mahovik.verify.judges.{name}_judge", raising=False)
+        monkeypatch.delitem(__import__("sys").modules, f"mahovik.proof.verify.judges.{name}_judge", raising=False)
     text = words(made())
     assert "Judges from outside" not in text
     assert "Pinocchio: pinocchio is not installed (pinocchio): pip install pin mujoco" in text
@@ -306,8 +306,8 @@ def test_an_interrupt_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def test_parquet_carries_the_identity_of_its_stand() -> None:
-    from mahovik.report.plot.run import identity
-    from mahovik.report.plot.run import read as columns
+    from mahovik.out.report.plot.run import identity
+    from mahovik.out.report.plot.run import read as columns
 
     names = identities(load(DEMO3))
     simulated("a.parquet"), simulated("a.csv")

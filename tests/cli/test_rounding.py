@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3, refused, run
-from mahovik.emit.generate import generate
-from mahovik.rigorous import WANTS
-from mahovik.stand import load
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import load
+from mahovik.proof.rigorous import WANTS
 
 
 @pytest.mark.slow
@@ -60,7 +60,9 @@ def test_it_measures_c_alone(other: tuple[str, ...]) -> None:
 
 def test_without_python_flint_one_line_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "flint", None)
-    for name in [name for name in sys.modules if name.startswith(("mahovik.rigorous", "mahovik.verify.rounding"))]:
+    for name in [
+        name for name in sys.modules if name.startswith(("mahovik.proof.rigorous", "mahovik.proof.verify.rounding"))
+    ]:
         monkeypatch.delitem(sys.modules, name)
     said = refused("verify", DEMO3, "--rigorous")
     assert said == "error: --rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'\n"

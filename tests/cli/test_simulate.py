@@ -17,10 +17,10 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
 from mahovik.errors import StateError
-from mahovik.simulate import output
-from mahovik.simulate.moment import Moment
+from mahovik.proof.verify.files import probe, write_all
 from mahovik.stands import path
-from mahovik.verify.files import probe, write_all
+from mahovik.use.simulate import output
+from mahovik.use.simulate.moment import Moment
 
 SPIN = 'schema = 1\ndefault = { speed = "600 rpm" }\n'
 
@@ -155,7 +155,7 @@ def test_a_run_without_a_row_leaves_what_is_there(monkeypatch: pytest.MonkeyPatc
         raise StateError("at t = 0 s a step ends with RANGE")
         yield
 
-    monkeypatch.setattr("mahovik.simulate.by_scipy.SciPyMotion.moments", nothing)
+    monkeypatch.setattr("mahovik.use.simulate.by_scipy.SciPyMotion.moments", nothing)
     Path("a.csv").write_text("mine")
     said = refused("simulate", DEMO3, "--until", "1", "--backend", "scipy", "-o", "a.csv")
     assert said == "error: at t = 0 s a step ends with RANGE\n"
@@ -166,7 +166,7 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monk
     def never(*given: object) -> None:
         pytest.fail("computed")
 
-    monkeypatch.setattr("mahovik.study.rest.rest", never)
+    monkeypatch.setattr("mahovik.use.study.rest.rest", never)
     Path("file").write_text("")
     assert "a part of the path is a file" in refused("simulate", DEMO3, "--until", "1", "-o", "file/x/a.csv")
     assert "/proc/a.csv: cannot be written" in refused("simulate", DEMO3, "--until", "1", "-o", "/proc/a.csv")
@@ -250,7 +250,7 @@ def started(command: list[str], folder: Path, env: dict[str, str]) -> subprocess
 
 
 def test_ctrl_c_keeps_what_was_computed(own_folder: Path) -> None:
-    command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
+    command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "simulate", DEMO3]
     command += ["--until", "2000", "--every", "0.01", "-o", "run.csv"]
     env = {**os.environ, "TMPDIR": str(own_folder)}
     with started(command, own_folder, env) as program:
@@ -270,7 +270,7 @@ def test_ctrl_c_before_the_first_step_writes_nothing(own_folder: Path) -> None:
     compiler = own_folder / "slow-cc"
     compiler.write_text("#!/bin/sh\ntouch began\nexec sleep 60\n")
     compiler.chmod(0o755)
-    command = [sys.executable, "-c", "from mahovik.cli import main; main()", "simulate", DEMO3]
+    command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "simulate", DEMO3]
     command += ["--until", "1", "-o", "run.csv"]
     env = {**os.environ, "TMPDIR": str(own_folder), "CC": str(compiler)}
     with started(command, own_folder, env) as program:

@@ -16,7 +16,7 @@ SLOW = ("sympy", "casadi", "scipy", "pint", "jinja2", "cffi", "numpy", "pydantic
 
 CODE = f"""
 import json, sys
-from mahovik.cli import main
+from mahovik.out.cli import main
 try:
     main()
 except SystemExit:

@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
-from mahovik.emit.generate import generate
-from mahovik.stand import load
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import load
 
 PYTHON = shlex.quote(sys.executable)
-EVAL = f"{PYTHON} -c 'from mahovik.cli import main; main()' eval {{stand}}"
+EVAL = f"{PYTHON} -c 'from mahovik.out.cli import main; main()' eval {{stand}}"
 
 
 def program(text: str) -> str:
@@ -123,7 +123,7 @@ def test_generalized_may_be_offered_without_i0_and_j0() -> None:
 
 DROPPING = """
 import json, subprocess, sys
-command = [sys.executable, "-c", "from mahovik.cli import main; main()", "eval", sys.argv[1], "--backend", "numpy"]
+command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "eval", sys.argv[1], "--backend", "numpy"]
 for number, line in enumerate(subprocess.run(command, stdin=sys.stdin, capture_output=True).stdout.splitlines()):
     result = json.loads(line)
     if DROP:

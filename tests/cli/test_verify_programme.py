@@ -10,7 +10,7 @@ import pytest
 
 from cli.run import BENCH8, refused, run
 from mahovik import stands
-from mahovik.motion.programme import save_programme
+from mahovik.core.motion.programme import save_programme
 from verify.programme.programmes import shaker
 
 SHAKER = str(stands.path("shaker2"))

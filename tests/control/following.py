@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from functools import cache
 
-from mahovik.control.loop import Case, close_loop
-from mahovik.control.mismatch import mismatched
-from mahovik.control.record import Record
-from mahovik.control.trim import TrimDesign, design_trim
-from mahovik.control.wanted import Wanted
-from mahovik.motion.servo import Servo, read_servo
+from mahovik.core.motion.servo import Servo, read_servo
+from mahovik.use.control.loop import Case, close_loop
+from mahovik.use.control.mismatch import mismatched
+from mahovik.use.control.record import Record
+from mahovik.use.control.trim import TrimDesign, design_trim
+from mahovik.use.control.wanted import Wanted
 from verify.programme.programmes import shaker
 
 SERVO = """

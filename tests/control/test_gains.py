@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.control.gains import gains, law, lightness, rotor_inertia, samples
+from mahovik.core.motion.servo import Servo, read_servo
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.motion.servo import Servo, read_servo
-from mahovik.stand import load
-from mahovik.stand.model import Stand
 from mahovik.stands import path
+from mahovik.use.control.gains import gains, law, lightness, rotor_inertia, samples
 
 BENCH8, SHAKER, SAT4 = (load(path(name)) for name in ("bench8", "shaker2", "sat4"))
 

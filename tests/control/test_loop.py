@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from control.following import design, run, servo, wanted
-from mahovik.control.encoder import Encoders
-from mahovik.control.following import following
-from mahovik.control.loop import Case, close_loop, starting_state, step_error
-from mahovik.control.plant import plant
+from mahovik.core.motion.programme import RunUpTable, Samples
+from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
-from mahovik.motion.programme import RunUpTable, Samples
-from mahovik.plan.runup.fade import fade
-from mahovik.stand.model import Encoder
+from mahovik.use.control.encoder import Encoders
+from mahovik.use.control.following import following
+from mahovik.use.control.loop import Case, close_loop, starting_state, step_error
+from mahovik.use.control.plant import plant
+from mahovik.use.plan.runup.fade import fade
 from verify.programme.programmes import shaker
 
 Z = 2

@@ -8,11 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mahovik import stands as examples
-from mahovik.control.mismatch import mismatched
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.physical import inertia_about_center
 from mahovik.errors import UsageError
-from mahovik.plan.residual.spatial import mount_axes
-from mahovik.stand import Stand, load
-from mahovik.stand.physical import inertia_about_center
+from mahovik.use.control.mismatch import mismatched
+from mahovik.use.plan.residual.spatial import mount_axes
 from strategies import stands
 
 SHARE = 0.01

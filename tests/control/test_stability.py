@@ -8,19 +8,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.control.gains import Law, gains, law, rotor_inertia
-from mahovik.control.stability import GAIN, PHASE, Loop, check, delay, highest_bandwidth, loop, margins
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.servo.form import ServoForm
+from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.motion.servo import Servo, read_servo
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import structure
 from mahovik.errors import CheckError
-from mahovik.lower.layout import Layout
-from mahovik.lower.servo.form import ServoForm
-from mahovik.lower.servo.program import lower_servo
-from mahovik.motion.servo import Servo, read_servo
-from mahovik.program.interpret import Interpreter
-from mahovik.program.types import DOUBLE
-from mahovik.stand import load
-from mahovik.stand.model import Stand
-from mahovik.stand.structure import structure
 from mahovik.stands import path
+from mahovik.use.control.gains import Law, gains, law, rotor_inertia
+from mahovik.use.control.stability import GAIN, PHASE, Loop, check, delay, highest_bandwidth, loop, margins
 
 SHAKER, SAT4 = load(path("shaker2")), load(path("sat4"))
 T = 1e-3

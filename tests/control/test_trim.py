@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from control.following import design, servo
-from mahovik.control.orbit import Orbit, along_required, nodes, settled
-from mahovik.control.trim import TrimDesign, design_trim, trim_members
+from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.errors import UsageError
-from mahovik.motion.programme import Fourier, Programme
-from mahovik.plan.forward import course, drive
-from mahovik.plan.residual import Mechanics
+from mahovik.use.control.orbit import Orbit, along_required, nodes, settled
+from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
+from mahovik.use.plan.forward import course, drive
+from mahovik.use.plan.residual import Mechanics
 from verify.programme.programmes import shaker
 
 TERMS = 5

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mahovik.derive import accumulate, flywheel
-from mahovik.derive.symbols import matrix, symmetric, vector
+from mahovik.core.derive import accumulate, flywheel
+from mahovik.core.derive.symbols import matrix, symmetric, vector
 
 Binding = dict[sp.Symbol, sp.Expr]
 

@@ -6,9 +6,9 @@ import pytest
 import sympy as sp
 
 from derive.exact import remainders, rotation
-from mahovik.derive import attitude as derived
-from mahovik.derive.screw import cross
-from mahovik.derive.symbols import matrix, vector
+from mahovik.core.derive import attitude as derived
+from mahovik.core.derive.screw import cross
+from mahovik.core.derive.symbols import matrix, vector
 
 SEQUENCES = tuple(derived.SEQUENCES)
 ANGLES = sp.symbols("psi theta phi")

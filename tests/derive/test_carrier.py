@@ -7,10 +7,10 @@ import sympy as sp
 
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
-from mahovik.derive import accumulate, carrier, flywheel
-from mahovik.derive.order import SYMMETRIC
-from mahovik.derive.screw import L, Phi, Theta, blocks, cross, elementary, f
-from mahovik.derive.symbols import from_six, matrix, symmetric, vector
+from mahovik.core.derive import accumulate, carrier, flywheel
+from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.derive.screw import L, Phi, Theta, blocks, cross, elementary, f
+from mahovik.core.derive.symbols import from_six, matrix, symmetric, vector
 
 W = flywheel.generic()
 PHI_DDOT = sp.Symbol("phi_ddot")

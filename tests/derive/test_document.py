@@ -6,12 +6,12 @@ import pytest
 import sympy as sp
 
 from derive.exact import circle, remainders, trigonometric
-from mahovik.derive import carrier, flywheel
-from mahovik.derive.document import Formula, Section, sections
-from mahovik.derive.document.carrier import velocity_matrix
-from mahovik.derive.document.flywheel import in_mounting_axes
-from mahovik.derive.screw import Phi, blocks
-from mahovik.derive.symbols import matrix
+from mahovik.core.derive import carrier, flywheel
+from mahovik.core.derive.document import Formula, Section, sections
+from mahovik.core.derive.document.carrier import velocity_matrix
+from mahovik.core.derive.document.flywheel import in_mounting_axes
+from mahovik.core.derive.screw import Phi, blocks
+from mahovik.core.derive.symbols import matrix
 
 c, s = sp.symbols("c s")
 DOUBLE = {sp.Symbol("c2"): c * c - s * s, sp.Symbol("s2"): 2 * s * c}

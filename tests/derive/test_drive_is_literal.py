@@ -9,8 +9,8 @@ import sympy as sp
 
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
-from mahovik.derive import carrier, drive, flywheel
-from mahovik.derive.symbols import symmetric, vector
+from mahovik.core.derive import carrier, drive, flywheel
+from mahovik.core.derive.symbols import symmetric, vector
 
 W = flywheel.generic()
 SO3 = (*circle(sp.Symbol("c"), sp.Symbol("s")), *rotation(W.R))

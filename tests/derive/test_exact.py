@@ -7,8 +7,8 @@ import sympy as sp
 
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
-from mahovik.derive import carrier, flywheel
-from mahovik.derive.screw import L, Phi, Theta, e_bracket, elementary, f
+from mahovik.core.derive import carrier, flywheel
+from mahovik.core.derive.screw import L, Phi, Theta, e_bracket, elementary, f
 
 W = flywheel.generic()
 c, s = sp.symbols("c s")

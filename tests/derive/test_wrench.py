@@ -7,11 +7,11 @@ import sympy as sp
 
 from derive import table
 from derive.exact import remainders, rotation, trigonometric
-from mahovik.derive import wrench as derived
-from mahovik.derive.attitude import quaternion_product, rotation_of_quaternion
-from mahovik.derive.order import SYMMETRIC
-from mahovik.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
-from mahovik.derive.symbols import from_six, matrix, six_of, symmetric, vector
+from mahovik.core.derive import wrench as derived
+from mahovik.core.derive.attitude import quaternion_product, rotation_of_quaternion
+from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
+from mahovik.core.derive.symbols import from_six, matrix, six_of, symmetric, vector
 
 TIME = sp.Symbol("t")
 

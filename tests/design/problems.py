@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from mahovik import stands
-from mahovik.design.freedom import Freedom
-from mahovik.design.read import read_freedom
-from mahovik.motion.required import RequiredMotion, load_motion
-from mahovik.stand import load
-from mahovik.stand.model import Stand
+from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.use.design.freedom import Freedom
+from mahovik.use.design.read import read_freedom
 
 FREE = """
 schema = 1

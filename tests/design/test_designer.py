@@ -10,19 +10,19 @@ import numpy as np
 import pytest
 
 from design.problems import FREE, freedom, motion_of, shaker
-from mahovik.design import Outcome, Wishes, design_stand
-from mahovik.design.cost import Cost
-from mahovik.design.freedom import Weights
-from mahovik.design.pareto import Point, unbeaten
-from mahovik.design.read import read_freedom
-from mahovik.design.search import Search
-from mahovik.design.show import as_object, summary
+from mahovik.core.stand import loads
+from mahovik.core.stand.model import Flywheel
+from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError
-from mahovik.plan.fourier import uniform
-from mahovik.plan.residual import Mechanics, Norm, prescribe, residual
-from mahovik.stand import loads
-from mahovik.stand.model import Flywheel
-from mahovik.stand.write import dumps
+from mahovik.use.design import Outcome, Wishes, design_stand
+from mahovik.use.design.cost import Cost
+from mahovik.use.design.freedom import Weights
+from mahovik.use.design.pareto import Point, unbeaten
+from mahovik.use.design.read import read_freedom
+from mahovik.use.design.search import Search
+from mahovik.use.design.show import as_object, summary
+from mahovik.use.plan.fourier import uniform
+from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual
 
 
 @cache

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from design.problems import FREE, freedom, shaker
-from mahovik.design import freedom_of_keys
-from mahovik.design.freedom import PARTS
-from mahovik.design.read import read_freedom
 from mahovik.errors import DesignError
+from mahovik.use.design import freedom_of_keys
+from mahovik.use.design.freedom import PARTS
+from mahovik.use.design.read import read_freedom
 
 
 def test_keys_free_all_flywheels() -> None:

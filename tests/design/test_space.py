@@ -7,16 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.design.freedom import PARTS, WIDTH, Freedom, Limits, Mask, Tie
-from mahovik.design.space import Space, numbers_of
-from mahovik.design.task import Design, Task, Weighing
+from mahovik.core.motion.required import Bounds
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import DesignError
-from mahovik.motion.required import Bounds
-from mahovik.plan.fourier import Periodic
-from mahovik.plan.residual import Mechanics
-from mahovik.plan.residual.spatial import mount_axes
-from mahovik.stand.model import Stand
-from mahovik.stand.random import EVERYTHING, random_stand
+from mahovik.use.design.freedom import PARTS, WIDTH, Freedom, Limits, Mask, Tie
+from mahovik.use.design.space import Space, numbers_of
+from mahovik.use.design.task import Design, Task, Weighing
+from mahovik.use.plan.fourier import Periodic
+from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.residual.spatial import mount_axes
 from plan.problems import required
 
 

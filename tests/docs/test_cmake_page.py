@@ -7,7 +7,7 @@ from pathlib import Path
 
 from docs.pages import ROOT, blocks
 from emit.stands import generated, stand, write
-from mahovik.emit.cpp import cpp_header
+from mahovik.core.emit.cpp import cpp_header
 from toolchain.tools import compile_c, require, run
 
 PAGE = ROOT / "docs" / "cmake.md"

@@ -11,9 +11,9 @@ import pytest
 
 from docs.pages import ROOT, blocks, cells, tables
 from mahovik import stands
-from mahovik.design import read
-from mahovik.design.freedom import PARTS
-from mahovik.stand import load
+from mahovik.core.stand import load
+from mahovik.use.design import read
+from mahovik.use.design.freedom import PARTS
 
 PAGE = ROOT / "docs" / "design.md"
 TOOLS = ROOT / "tools"

@@ -8,7 +8,7 @@ from types import ModuleType
 import pytest
 
 from docs.pages import ROOT, cells
-from mahovik.study.diagnose.faults import DICTIONARY
+from mahovik.proof.diagnose.faults import DICTIONARY
 
 PAGE = ROOT / "docs" / "diagnosis.md"
 
@@ -65,8 +65,8 @@ def test_the_summary(written: ModuleType) -> None:
 
 
 def test_the_verdict(written: ModuleType) -> None:
-    from mahovik.study.diagnose.diagnosis import Cause, Diagnosis
-    from mahovik.study.diagnose.predict import Part
+    from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
+    from mahovik.proof.diagnose.predict import Part
 
     first, second = DICTIONARY[:2]
     found = Diagnosis("named", (Cause((Part(first),), 1.0, 0.0), Cause((Part(second),), 1.0, 0.0)))

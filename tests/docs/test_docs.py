@@ -13,14 +13,14 @@ import sympy as sp
 from pydantic import BaseModel
 
 from docs.pages import PAGES, ROOT, Block, anchors, blocks, cells, links, prose, rows, tables
-from mahovik.derive import flywheel
-from mahovik.emit.batch import batch_files
-from mahovik.emit.generate import generate, generate_all
-from mahovik.lower.limits import limits
-from mahovik.program.function import STATUS_VALUES
-from mahovik.program.types import DOUBLE
-from mahovik.stand import load, loads, schema
-from mahovik.toolchain.compiler import BITS, WARNINGS, find_compiler
+from mahovik.core.derive import flywheel
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.lower.limits import limits
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand import load, loads, schema
+from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler
 
 PACKAGE = ROOT / "generator" / "mahovik"
 ARCHITECTURE, MODEL, STAND_FILE, C_INTERFACE = (
@@ -156,7 +156,7 @@ def test_functions_are_those_of_the_code(tmp_path: Path) -> None:
 
 
 def test_harmonics_are_those_of_the_derivation() -> None:
-    """The table of harmonics in model.md is what derive/flywheel.py gives."""
+    """The table of harmonics in model.md is what core/derive/flywheel.py gives."""
     w = flywheel.generic()
     known = {f"b{i + 1}": w.b[i] for i in range(3)}
     known |= {f"J{i + 1}{j + 1}": w.J[i, j] for i in range(3) for j in range(i, 3)}
@@ -179,7 +179,7 @@ def test_stand_files_load(block: Block) -> None:
 
 def test_units_are_known() -> None:
     """Every quantity in quotes under *Numbers and units* can be read."""
-    from mahovik.stand import units
+    from mahovik.core.stand import units
 
     kinds = [x for x in vars(units).values() if isinstance(x, units.Dimension)]
     section = prose(STAND_FILE).partition("## Numbers and units")[2].partition("\n## ")[0]
@@ -190,7 +190,7 @@ def test_units_are_known() -> None:
 
 
 def _reads(quantity: str, kind: object) -> bool:
-    from mahovik.stand import units
+    from mahovik.core.stand import units
 
     try:
         units.number(quantity, kind)

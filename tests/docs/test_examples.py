@@ -10,7 +10,7 @@ import pytest
 
 from docs.execute import COMMANDS, Session, matches, name, steps
 from docs.pages import PAGES, ROOT, blocks, prose
-from mahovik.cli import main
+from mahovik.out.cli import main
 from toolchain.tools import require
 
 NOT_RUN = {

@@ -8,7 +8,7 @@ PAGE = ROOT / "docs" / "import.md"
 
 
 def test_every_option_is_on_the_page() -> None:
-    from mahovik.cli.import_model import import_model
+    from mahovik.out.cli.import_model import import_model
 
     text = PAGE.read_text()
     for command in import_model.commands.values():

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from docs.pages import ROOT, cells, tool
+from mahovik.proof.verify.judges.compare import ALL, JUDGES, MOTION
 from mahovik.stands import names
-from mahovik.verify.judges.compare import ALL, JUDGES, MOTION
 
 
 def lines_of(text: str) -> list[list[str]]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from docs.pages import ROOT, cells, tool
-from mahovik.study.response.periodic import KINKED_TAIL, TAIL, UNSTABLE
-from mahovik.study.response.speeds import EXACT, MOST_TURNS
+from mahovik.use.study.response.periodic import KINKED_TAIL, TAIL, UNSTABLE
+from mahovik.use.study.response.speeds import EXACT, MOST_TURNS
 
 
 def rows(name: str) -> tuple[str, list[list[str]]]:

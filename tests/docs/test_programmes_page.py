@@ -7,10 +7,10 @@ import re
 
 from docs.pages import ROOT, blocks, cells, tables
 from mahovik import stands
-from mahovik.motion.programme import read as programme
-from mahovik.motion.required import limits, read
-from mahovik.stand import load
-from mahovik.verify.programme.finding import Tolerance, tolerance_for
+from mahovik.core.motion.programme import read as programme
+from mahovik.core.motion.required import limits, read
+from mahovik.core.stand import load
+from mahovik.proof.verify.programme.finding import Tolerance, tolerance_for
 
 PAGE = ROOT / "docs" / "programmes.md"
 

@@ -10,10 +10,10 @@ from types import ModuleType
 import pytest
 
 from docs.pages import ROOT, cells
-from mahovik.rigorous import WANTS
+from mahovik.proof.rigorous import WANTS
+from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.rounding.limits import MARGIN, ULPS
 from mahovik.stands import names
-from mahovik.verify.bounds import BOUNDS
-from mahovik.verify.rounding.limits import MARGIN, ULPS
 
 REALS = ("double", "float")
 Row = dict[str, str]

@@ -7,8 +7,8 @@ import re
 import pytest
 
 from docs.pages import ROOT, cells, tool
-from mahovik.toolchain.targets import TARGETS
-from mahovik.verify.targets import REALS, TargetRow, TargetsReport
+from mahovik.core.toolchain.targets import TARGETS
+from mahovik.proof.verify.targets import REALS, TargetRow, TargetsReport
 
 
 def report() -> TargetsReport:

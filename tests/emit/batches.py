@@ -9,10 +9,10 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from emit.stands import stand, write
-from mahovik.emit.batch import batch_files
-from mahovik.emit.generate import generate_all
-from mahovik.lower.batch import batches
-from mahovik.program.types import Kind, Struct
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.batch import batches
+from mahovik.core.program.types import Kind, Struct
 from toolchain.tools import FIRMWARE_WARNINGS
 
 OPTIONS = {"dt": 1e-5, "order": 4}

@@ -7,10 +7,10 @@ from tempfile import TemporaryDirectory
 from unittest.mock import patch
 
 from emit.stands import float_texts, generated, stand, write
-from mahovik.program.interpret import Interpreter
-from mahovik.toolchain import library as library_module
-from mahovik.toolchain.compiler import build_shared
-from mahovik.toolchain.library import Library
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.toolchain import library as library_module
+from mahovik.core.toolchain.compiler import build_shared
+from mahovik.core.toolchain.library import Library
 
 QUANTITIES = ("forward", "matrices", "momentum", "attitude", "wrench")
 """Public functions of a state; a stand without wrenches has no `wrench`."""

@@ -5,9 +5,9 @@ import subprocess
 from functools import cache
 
 from emit.stands import stand, write
-from mahovik.emit.delivery import selftest_files
-from mahovik.emit.generate import generate_all
-from mahovik.verify.selftest_log import read_log
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import generate_all
+from mahovik.proof.verify.selftest_log import read_log
 from toolchain.tools import compile_c
 
 

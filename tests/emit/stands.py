@@ -6,9 +6,9 @@ from functools import cache
 import numpy as np
 
 from mahovik import stands as examples
-from mahovik.emit.generate import generate_all
-from mahovik.stand import load
-from mahovik.stand.random import BARE, EVERYTHING, Features, random_stand
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.stand import load
+from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 
 WET = Features("aircraft", 1, True, True, True, False, 0, 1, False, False)
 HUNG = Features("euler", 1, True, False, False, True, 2, 0, True, True)

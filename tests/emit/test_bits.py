@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from emit.compiled import QUANTITIES, bits, compiled, compiled_float
-from mahovik.program.types import DOUBLE, FLOAT
-from mahovik.stand.random import EXTREMES, extreme_state, random_state
+from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
 from toolchain.tools import require
 
 NAME = "everything6"

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, stand, write
-from mahovik.emit.generate import generate
-from mahovik.program.expression import Place
-from mahovik.program.walk import expressions
-from mahovik.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.core.emit.generate import generate
+from mahovik.core.program.expression import Place
+from mahovik.core.program.walk import expressions
+from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from toolchain.tools import compile_c, require, require_32_bit, run
 
 FLOAT_NAMES = ("bench8", "everything6", "bare0", "hung5")

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, stand, write
-from mahovik.emit.cpp import cpp_example, cpp_header, namespace
-from mahovik.emit.generate import generate_all
-from mahovik.program.function import STATUS_VALUES
-from mahovik.stand.random import BARE, random_stand
+from mahovik.core.emit.cpp import cpp_example, cpp_header, namespace
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.stand.random import BARE, random_stand
 from toolchain.tools import compile_c, require, run
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast")

@@ -7,10 +7,10 @@ import subprocess
 import pytest
 
 from emit.stands import stand, write
-from mahovik.emit.delivery import delivery
-from mahovik.emit.generate import generate_all
-from mahovik.emit.manifest import manifest
-from mahovik.stand.identity import identities
+from mahovik.core.emit.delivery import delivery
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.manifest import manifest
+from mahovik.core.stand.identity import identities
 from toolchain.tools import compile_c, run
 
 TRIED = ("bench8", "auv6", "everything0", "everything6", "bare0")

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from emit.trees import Trees
-from mahovik.emit.declaration import prototype
-from mahovik.emit.expression import Expressions
-from mahovik.emit.names import Names
-from mahovik.emit.statement import Statements
-from mahovik.program.build import Body
-from mahovik.program.expression import (
+from mahovik.core.emit.declaration import prototype
+from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import Statements
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import (
     Negate,
     Not,
     Variable,
@@ -25,9 +25,9 @@ from mahovik.program.expression import (
     select,
     word,
 )
-from mahovik.program.function import Function, Program
-from mahovik.program.interpret import Interpreter
-from mahovik.program.types import DOUBLE, FLOAT, Kind
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind
 from toolchain.tools import require, run
 
 # All of -Wall -Wextra -Wconversion, less what a random tree cannot help: x < x, w >= 0, 1.0 / 0.0.

@@ -10,12 +10,12 @@ import pytest
 
 from emit.selftests import in_function, made, run_selftest
 from emit.stands import stand
-from mahovik.emit.delivery import delivery
-from mahovik.emit.manifest import manifest
+from mahovik.core.emit.delivery import delivery
+from mahovik.core.emit.manifest import manifest
+from mahovik.core.lower.golden import ACCEPTED
+from mahovik.core.toolchain.compiler import FAST
 from mahovik.errors import UsageError
-from mahovik.lower.golden import ACCEPTED
-from mahovik.toolchain.compiler import FAST
-from mahovik.verify.selftest_log import read_log
+from mahovik.proof.verify.selftest_log import read_log
 from toolchain.tools import require
 
 _WORST = re.compile(r"^(\w+) (PASS|FAIL) cases 3(?: wrong \d)? worst (more than )?(\d+) units$", re.MULTILINE)

@@ -10,8 +10,8 @@ import pytest
 
 from emit.selftests import made, run_selftest
 from emit.stands import stand, write
-from mahovik.emit.delivery import selftest_files
-from mahovik.emit.generate import LANES, generate_all, host_lanes
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import LANES, generate_all, host_lanes
 from mahovik.errors import UsageError
 from toolchain.tools import FIRMWARE_WARNINGS, compile_c, require, run
 

@@ -7,13 +7,13 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from emit.trees import Trees
-from mahovik.emit.expression import Expressions
-from mahovik.emit.layout import WIDTH, paragraph, wrapped
-from mahovik.emit.names import Names
-from mahovik.emit.statement import Statements
-from mahovik.program.build import Body
-from mahovik.program.expression import Variable
-from mahovik.program.types import DOUBLE, FLOAT, Kind
+from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.layout import WIDTH, paragraph, wrapped
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import Statements
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Variable
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind
 
 TOKEN = re.compile(
     r"/\*.*?\*/|(?:\d+\.?\d*(?:e[-+]?\d+)?|0x[0-9a-f]+)[uF]?|\w+|->|<<|>>|[<>=!+*/&|^-]=|&&|\|\||\+\+|\S", re.S

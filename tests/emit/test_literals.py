@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mahovik.emit.literal import real_literal, word_literal
-from mahovik.program.types import DOUBLE, FLOAT
+from mahovik.core.emit.literal import real_literal, word_literal
+from mahovik.core.program.types import DOUBLE, FLOAT
 from toolchain.tools import require, run
 
 DOUBLES = st.floats(allow_nan=False, allow_infinity=False)

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from emit.stands import stand
-from mahovik.emit.generate import generate_all
-from mahovik.emit.recorder import recorder_files
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.recorder import recorder_files
 from toolchain.tools import compile_c, require, require_32_bit, run
 
 CASES = [

@@ -10,8 +10,8 @@ from mahovik import stands as examples
 
 SCRIPT = """
 import sys
-from mahovik.emit.generate import generate
-from mahovik.stand import load
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import load
 for text in generate(load(sys.argv[1])).values():
     sys.stdout.buffer.write(text.encode("ascii"))
 """

@@ -8,12 +8,12 @@ import pytest
 
 from emit.selftests import failed, in_function, made, replaced, run_selftest
 from emit.stands import NAMES, stand, write
-from mahovik.emit.delivery import selftest_files
-from mahovik.emit.generate import generate_all
-from mahovik.emit.hexadecimal import hex_literal
-from mahovik.lower.golden import CASES, FAR, LISTED, golden, sweep_hashes
-from mahovik.program.types import DOUBLE, FLOAT
-from mahovik.verify.selftest_log import problems, read_log
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.hexadecimal import hex_literal
+from mahovik.core.lower.golden import CASES, FAR, LISTED, golden, sweep_hashes
+from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.proof.verify.selftest_log import problems, read_log
 from toolchain.tools import compile_c, require, require_32_bit, run
 
 TRIED = ("auv6", "bench8", "demo3", "everything0", "everything6", "bare0", "drawn12")

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, other_numbers, stand
-from mahovik.emit.generate import generate, generate_all
-from mahovik.emit.layout import WIDTH
-from mahovik.program.walk import reachable
-from mahovik.stand.random import EVERYTHING, Features, random_stand
-from mahovik.stand.structure import structure
+from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.emit.layout import WIDTH
+from mahovik.core.program.walk import reachable
+from mahovik.core.stand.random import EVERYTHING, Features, random_stand
+from mahovik.core.stand.structure import structure
 
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 TABLES = "/* ---- tables ---- */"

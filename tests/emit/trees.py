@@ -5,9 +5,9 @@ Kept away from what C leaves undefined: ints stay small, divisors of ints are no
 
 import math
 
-from mahovik.program.build import Body
-from mahovik.program.expression import Convert as Converted
-from mahovik.program.expression import (
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Convert as Converted
+from mahovik.core.program.expression import (
     Not,
     binary,
     bits_of,
@@ -20,8 +20,8 @@ from mahovik.program.expression import (
     select,
     word,
 )
-from mahovik.program.function import Argument, Function, Program
-from mahovik.program.types import Kind
+from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.types import Kind
 
 REALS, WORDS, INTS = 5, 3, 3
 

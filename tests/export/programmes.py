@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 
 from mahovik import stands
-from mahovik.emit.generate import generate_all
-from mahovik.export.programme import Exported, export_programme
-from mahovik.motion.programme import Fourier, Programme, RunUpTable, Samples
-from mahovik.motion.required import RequiredMotion, load_motion
-from mahovik.stand import identities, load
-from mahovik.stand.model import Stand
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Samples
+from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.stand import identities, load
+from mahovik.core.stand.model import Stand
+from mahovik.out.export.programme import Exported, export_programme
 from toolchain.tools import compile_c
 
 PERIOD = 0.05

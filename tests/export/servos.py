@@ -7,8 +7,8 @@ from functools import cache
 from pathlib import Path
 
 from export.programmes import motion, spin, stand, stand_files, started, swaying
-from mahovik.export.servo import ExportedServo, export_servo
-from mahovik.motion.servo import Servo, read_servo
+from mahovik.core.motion.servo import Servo, read_servo
+from mahovik.out.export.servo import ExportedServo, export_servo
 from toolchain.tools import compile_c
 
 HEAD = 'schema = 1\nname = "follow"\nsample_period = "0.5 ms"\nbandwidth = "60 Hz"\nlatency = "700 us"\n'

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from export.programmes import exported, self_tested, spin, written
-from mahovik.emit.names import Names
-from mahovik.lower.programme.form import RESERVED
-from mahovik.program.cost import cost
+from mahovik.core.emit.names import Names
+from mahovik.core.lower.programme.form import RESERVED
+from mahovik.core.program.cost import cost
 from toolchain.tools import compile_c, require, require_32_bit, run
 
 CASES = [

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from export.programmes import exported, written
-from mahovik.program.interpret import Interpreter
+from mahovik.core.program.interpret import Interpreter
 from toolchain.tools import compile_c, run
 
 

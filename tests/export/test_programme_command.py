@@ -10,7 +10,7 @@ import pytest
 from cli.run import refused, run
 from export.programmes import spin, stand_files, started, swaying
 from mahovik import stands
-from mahovik.motion.programme import Programme, save_programme
+from mahovik.core.motion.programme import Programme, save_programme
 
 STAND = str(stands.path("shaker2"))
 MOTION = str(stands.path("shaker2").parent / "shaker2_spin.motion.json")

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from export.programmes import PERIOD, exported, motion, spin, stand, started, swaying
+from mahovik.core.lower.programme.play import Player
+from mahovik.core.motion.programme import Fourier
 from mahovik.errors import CheckError, MahovikError, UsageError
-from mahovik.export.programme import Exported, export_programme
-from mahovik.lower.programme.play import Player
-from mahovik.motion.programme import Fourier
+from mahovik.out.export.programme import Exported, export_programme
 
 OUTPUTS = ("phi", "phi_dot", "phi_ddot")
 

@@ -10,7 +10,7 @@ from cli.run import refused, run
 from export.programmes import spin, stand_files
 from export.servos import HEAD, TRIM
 from mahovik import stands
-from mahovik.motion.programme import save_programme
+from mahovik.core.motion.programme import save_programme
 
 STAND = str(stands.path("shaker2"))
 MOTION = str(stands.path("shaker2").parent / "shaker2_spin.motion.json")

@@ -15,19 +15,19 @@ import numpy as np
 
 from faults.drivers import NULLS, nulls, routines
 from faults.emitted import Emitted, Host, Planted, files_of, first_error, stand_of, states_of
-from mahovik.emit.manifest import manifest
+from mahovik.core.emit.manifest import manifest
+from mahovik.core.program.function import STATUS_VALUES
 from mahovik.errors import ToolchainError
-from mahovik.program.function import STATUS_VALUES
-from mahovik.second import Second
-from mahovik.verify.bounds import BOUNDS
-from mahovik.verify.compare import Row, same_bits
-from mahovik.verify.harness import bits, judge
-from mahovik.verify.refusals import refusals
-from mahovik.verify.selftest_log import problems, read_log
+from mahovik.proof.second import Second
+from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.compare import Row, same_bits
+from mahovik.proof.verify.harness import bits, judge
+from mahovik.proof.verify.refusals import refusals
+from mahovik.proof.verify.selftest_log import problems, read_log
 from toolchain.tools import FIRMWARE_WARNINGS, require
 
 if TYPE_CHECKING:
-    from mahovik.verify.c_backend import CBackend
+    from mahovik.proof.verify.c_backend import CBackend
 
 Run = Callable[[Emitted], str]
 

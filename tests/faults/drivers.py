@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from mahovik.program.function import STATUS_VALUES, Function, Program
-from mahovik.program.types import Struct
+from mahovik.core.program.function import STATUS_VALUES, Function, Program
+from mahovik.core.program.types import Struct
 
 NULLS = "nulls.c"
 

@@ -11,16 +11,16 @@ from typing import Any
 from unittest.mock import patch
 
 from mahovik import stands as examples
-from mahovik.emit.delivery import selftest_files
-from mahovik.emit.generate import Generated, generate_all
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.stand import Stand, State, load
+from mahovik.core.toolchain import library as library_module
+from mahovik.core.toolchain.compiler import BITS, run_compiler
+from mahovik.core.toolchain.library import Library
 from mahovik.errors import ToolchainError
-from mahovik.stand import Stand, State, load
-from mahovik.toolchain import library as library_module
-from mahovik.toolchain.compiler import BITS, run_compiler
-from mahovik.toolchain.library import Library
-from mahovik.verify.c_backend import InterpreterBackend
-from mahovik.verify.draw import draw
-from mahovik.verify.program_backend import ProgramBackend
+from mahovik.proof.verify.c_backend import InterpreterBackend
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.program_backend import ProgramBackend
 
 STATES = 3
 """Random states on which the C is judged."""

@@ -104,7 +104,7 @@ def test_accelerations_that_rounding_decides_are_told() -> None:
 
 def test_a_stand_that_disagrees_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
     """Should the reading of a format be wrong for a file, the other program notices."""
-    from mahovik.foreign import urdf
+    from mahovik.out.foreign import urdf
 
     monkeypatch.setattr(urdf, "of_rpy", lambda *_: np.eye(3))
     said = refused("import", "urdf", URDF, status=1)

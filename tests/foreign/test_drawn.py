@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from foreign.drawn import drawn, mjcf, urdf
-from mahovik.foreign.agreement import MujocoOriginal, PinocchioOriginal, agreement
-from mahovik.foreign.merge import stand_of
-from mahovik.foreign.mjcf import compiled, read_mjcf
-from mahovik.foreign.urdf import read_urdf
-from mahovik.foreign.write import stand_file
+from mahovik.out.foreign.agreement import MujocoOriginal, PinocchioOriginal, agreement
+from mahovik.out.foreign.merge import stand_of
+from mahovik.out.foreign.mjcf import compiled, read_mjcf
+from mahovik.out.foreign.urdf import read_urdf
+from mahovik.out.foreign.write import stand_file
 
 SEEDS = [*range(4), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(4, 60))]
 

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.core.stand import loads
 from mahovik.errors import ForeignError, UsageError
-from mahovik.foreign.agreement import MujocoOriginal, agreement
-from mahovik.foreign.merge import Imported, stand_of
-from mahovik.foreign.mjcf import compiled, read_mjcf
-from mahovik.foreign.write import stand_file
-from mahovik.stand import loads
+from mahovik.out.foreign.agreement import MujocoOriginal, agreement
+from mahovik.out.foreign.merge import Imported, stand_of
+from mahovik.out.foreign.mjcf import compiled, read_mjcf
+from mahovik.out.foreign.write import stand_file
 
 SAT = Path(__file__).parent / "models" / "sat.xml"
 TOLERANCE = 1e-12

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.foreign.merge import combined, moved
-from mahovik.foreign.model import Place, RigidMass
-from mahovik.foreign.naming import Names, stand_name
-from mahovik.foreign.rotation import about, angles_of, of_rpy, spin_axes
-from mahovik.stand.names import name_problem, stand_name_problem
+from mahovik.core.stand.names import name_problem, stand_name_problem
+from mahovik.out.foreign.merge import combined, moved
+from mahovik.out.foreign.model import Place, RigidMass
+from mahovik.out.foreign.naming import Names, stand_name
+from mahovik.out.foreign.rotation import about, angles_of, of_rpy, spin_axes
 
 
 def test_every_name_is_an_identifier_of_its_own() -> None:

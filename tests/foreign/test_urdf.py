@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.core.stand import loads
+from mahovik.core.stand.model import MountingAxes
+from mahovik.core.stand.state import State
 from mahovik.errors import ForeignError
-from mahovik.foreign.agreement import PinocchioOriginal, agreement, disagreement
-from mahovik.foreign.merge import Imported, stand_of
-from mahovik.foreign.model import Array
-from mahovik.foreign.urdf import read_urdf
-from mahovik.foreign.write import stand_file
-from mahovik.stand import loads
-from mahovik.stand.model import MountingAxes
-from mahovik.stand.state import State
+from mahovik.out.foreign.agreement import PinocchioOriginal, agreement, disagreement
+from mahovik.out.foreign.merge import Imported, stand_of
+from mahovik.out.foreign.model import Array
+from mahovik.out.foreign.urdf import read_urdf
+from mahovik.out.foreign.write import stand_file
 
 SAT = Path(__file__).parent / "models" / "sat.urdf"
 TOLERANCE = 1e-12

@@ -13,13 +13,13 @@ from types import SimpleNamespace
 import pytest
 
 from mahovik import stands
-from mahovik.formula import cache
-from mahovik.formula.derived import carrier, leave_cache, use_cache
-from mahovik.formula.tree import Matrix
+from mahovik.core.formula import cache
+from mahovik.core.formula.derived import carrier, leave_cache, use_cache
+from mahovik.core.formula.tree import Matrix
 
 CODE = """
 import atexit, sys
-from mahovik.cli import main
+from mahovik.out.cli import main
 atexit.register(lambda: print('sympy' in sys.modules))
 main()
 """
@@ -59,7 +59,7 @@ def mahovik(*arguments: str, cwd: Path, **env: str) -> subprocess.CompletedProce
 def test_what_was_derived_is_not_derived_again(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     warnings: list[str] = []
     first = remembered(warnings)
-    monkeypatch.setattr("mahovik.formula.derived._derived", lambda *_: pytest.fail("derived again"))
+    monkeypatch.setattr("mahovik.core.formula.derived._derived", lambda *_: pytest.fail("derived again"))
     assert remembered(warnings) == first == remembered(warnings)
     assert warnings == []
     assert len(list(folder.iterdir())) == 1

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from mahovik.formula.ordered import ordered
-from mahovik.formula.tree import Formula
+from mahovik.core.formula.ordered import ordered
+from mahovik.core.formula.tree import Formula
 
 a, b, c, s = sp.symbols("a b c s")
 x2, x10 = sp.symbols("x[2] x[10]")

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 import sympy as sp
 
-from mahovik.formula.tree import Matrix, as_json, from_json, names_of, renamed
+from mahovik.core.formula.tree import Matrix, as_json, from_json, names_of, renamed
 
 SUM = ("+", ("*", 2.0, "mu[0]"), ("-", "c"))
 VALUES = (

@@ -11,14 +11,14 @@ from hypothesis import given
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
 from fuzz.reading import READERS, fuzzed, taken
-from mahovik.emit.generate import generate
-from mahovik.emit.manifest import NAME as MANIFEST
-from mahovik.emit.manifest import manifest
-from mahovik.stand import load
+from mahovik.core.emit.generate import generate
+from mahovik.core.emit.manifest import NAME as MANIFEST
+from mahovik.core.emit.manifest import manifest
+from mahovik.core.stand import load
+from mahovik.proof.cost.page import accepted
+from mahovik.proof.verify.cost_files import COST, FIGURES
+from mahovik.proof.verify.delivery import accepted_figures, deliver, differences, require_place_for_cost
 from mahovik.stands import path
-from mahovik.study.cost.page import accepted
-from mahovik.verify.cost_files import COST, FIGURES
-from mahovik.verify.delivery import accepted_figures, deliver, differences, require_place_for_cost
 
 ROOT = Path(__file__).resolve().parents[2]
 DEMO3 = load(path("demo3"))

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from fuzz.mangle import NUMBERS, spoiled_bytes
 from fuzz.reading import READERS, fuzzed, taken
-from mahovik.foreign.merge import Imported, stand_of
-from mahovik.foreign.mjcf import read_mjcf
-from mahovik.foreign.urdf import read_urdf
-from mahovik.foreign.write import stand_file
+from mahovik.out.foreign.merge import Imported, stand_of
+from mahovik.out.foreign.mjcf import read_mjcf
+from mahovik.out.foreign.urdf import read_urdf
+from mahovik.out.foreign.write import stand_file
 
 pytestmark = READERS
 

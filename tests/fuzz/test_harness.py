@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3, run
+from mahovik.core.stand import load
+from mahovik.core.toolchain.fuzzing import compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
-from mahovik.export.fuzz import fuzz_project
-from mahovik.stand import load
-from mahovik.toolchain.fuzzing import compile_harness, fuzz, minimise
+from mahovik.out.export.fuzz import fuzz_project
 from toolchain.tools import compile_c, require
 
 pytestmark = pytest.mark.fuzz

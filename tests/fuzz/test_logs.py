@@ -13,12 +13,12 @@ from hypothesis import strategies as st
 from emit.stands import stand as known_stand
 from fuzz.mangle import spoiled_bytes
 from fuzz.reading import READERS, fuzzed, soon, taken
-from mahovik.emit.log_format import fnv1a
+from mahovik.core.emit.log_format import fnv1a
 from mahovik.errors import MahovikError
-from mahovik.simulate import flight_log
-from mahovik.simulate.flight_log import Damage, Start, records
-from mahovik.simulate.replay import CMachine, check_stand, replay
-from mahovik.verify.judge_log import judge_log
+from mahovik.proof.verify.judge_log import judge_log
+from mahovik.use.simulate import flight_log
+from mahovik.use.simulate.flight_log import Damage, Start, records
+from mahovik.use.simulate.replay import CMachine, check_stand, replay
 from simulate.flights import Recorder
 
 NAME, REAL = "demo3", "double"
@@ -91,7 +91,7 @@ def console() -> bytes:
 
 def _selftest_log() -> str:
     """What a self-test would print that has no sweep: nothing has to be compiled to judge it."""
-    from mahovik.stand.identity import identities
+    from mahovik.core.stand.identity import identities
 
     found = identities(STAND)
     head = f"mahovik selftest {STAND.name} structure {found.structure} physics {found.physics} real double"

@@ -10,11 +10,11 @@ import pytest
 
 from cli.run import DEMO3, run
 from fuzz.reading import READERS, said, soon
+from mahovik.core.motion.read import loads
+from mahovik.core.stand import Stand, load
 from mahovik.errors import RegimeError
-from mahovik.motion.read import loads
-from mahovik.stand import Stand, load
-from mahovik.verify import evaluate
-from mahovik.verify.backends import NumpyBackend
+from mahovik.proof.verify import evaluate
+from mahovik.proof.verify.backends import NumpyBackend
 
 pytestmark = READERS
 

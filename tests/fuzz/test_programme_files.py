@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from fuzz.mangle import spoiled_bytes, spoiled_json
 from fuzz.reading import READERS, fuzzed, taken
 from mahovik import stands
-from mahovik.motion.programme import load_programme, programme_text, read_programme
-from mahovik.motion.required import load_motion, read_motion
-from mahovik.stand import load
+from mahovik.core.motion.programme import load_programme, programme_text, read_programme
+from mahovik.core.motion.required import load_motion, read_motion
+from mahovik.core.stand import load
 
 pytestmark = READERS
 

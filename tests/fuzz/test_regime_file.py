@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json, spoiled_toml
 from fuzz.reading import READERS, fuzzed, taken
-from mahovik.motion.read import load, loads
-from mahovik.stand import load as load_stand
+from mahovik.core.motion.read import load, loads
+from mahovik.core.stand import load as load_stand
 from mahovik.stands import path
 
 pytestmark = READERS

@@ -9,11 +9,11 @@ from hypothesis import given
 
 from fuzz.mangle import spoiled_bytes, spoiled_toml
 from fuzz.reading import READERS, fuzzed, taken
-from mahovik.control.gains import gains
-from mahovik.control.stability import check
-from mahovik.motion.servo import load_servo, read_servo
-from mahovik.stand import load
+from mahovik.core.motion.servo import load_servo, read_servo
+from mahovik.core.stand import load
 from mahovik.stands import path
+from mahovik.use.control.gains import gains
+from mahovik.use.control.stability import check
 
 pytestmark = READERS
 

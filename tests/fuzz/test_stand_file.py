@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from cli.run import run
 from fuzz.mangle import spoiled_bytes, spoiled_toml
 from fuzz.reading import READERS, fuzzed, said, soon, taken
-from mahovik.stand.read import load, loads
+from mahovik.core.stand.read import load, loads
 from mahovik.stands import names, path
 
 pytestmark = READERS

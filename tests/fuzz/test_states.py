@@ -12,15 +12,15 @@ from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
 from fuzz.reading import READERS, fuzzed, soon, taken
-from mahovik.simulate.start import load as load_start
-from mahovik.stand import load
-from mahovik.stand.state import rest_state
+from mahovik.core.stand import load
+from mahovik.core.stand.state import rest_state
+from mahovik.proof.verify.backends import Backend, NumpyBackend
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.evaluate import results
+from mahovik.proof.verify.foreign import read_results
+from mahovik.proof.verify.states import Request
 from mahovik.stands import path
-from mahovik.verify.backends import Backend, NumpyBackend
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.evaluate import results
-from mahovik.verify.foreign import read_results
-from mahovik.verify.states import Request
+from mahovik.use.simulate.start import load as load_start
 
 pytestmark = READERS
 

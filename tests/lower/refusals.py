@@ -4,8 +4,8 @@ import copy
 import math
 
 from emit.compiled import bits
-from mahovik.program.function import STATUS_VALUES
-from mahovik.toolchain.library import filled
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.toolchain.library import filled
 
 FILL = 4321.5
 """What outputs hold before a call."""

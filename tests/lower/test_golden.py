@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from emit.stands import generated
-from mahovik.lower import golden
-from mahovik.lower.layout import Layout
-from mahovik.lower.program import lower_layout
-from mahovik.program.types import DOUBLE
-from mahovik.stand.random import BARE, random_stand
-from mahovik.stand.structure import structure
+from mahovik.core.lower import golden
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.program import lower_layout
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.core.stand.structure import structure
 
 
 @pytest.mark.parametrize(("flywheels", "left_out"), [(3, set()), (64, set()), (300, {"coupled_jacobian"})])

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear
 
-from mahovik.program.function import STATUS_VALUES
-from mahovik.stand.random import BARE, random_stand
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.proof.verify.c_backend import CBackend
 
 COUNTS = (1, 5, 6, 7, 12, 64)
 LIMITED = (1, 5, 6, 8, 12, 24)

@@ -10,13 +10,13 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from mahovik.program.cost import cost
-from mahovik.program.function import STATUS_VALUES
-from mahovik.second import Second
-from mahovik.stand import Stand, State, load
-from mahovik.stand.random import BARE, EVERYTHING, random_stand, random_state
+from mahovik.core.program.cost import cost
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.stand import Stand, State, load
+from mahovik.core.stand.random import BARE, EVERYTHING, random_stand, random_state
+from mahovik.proof.second import Second
+from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
 from mahovik.stands import names, path
-from mahovik.verify.c_backend import CBackend, with_all_inputs
 
 RANDOM = {
     "everything 1": (1, EVERYTHING, 1),

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from mahovik.program.function import STATUS_VALUES
-from mahovik.reference import evaluate
-from mahovik.stand import State
-from mahovik.stand.random import BARE, EVERYTHING, random_stand
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.stand import State
+from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.proof.reference import evaluate
+from mahovik.proof.verify.c_backend import CBackend
 
 DURATION = 0.1
 

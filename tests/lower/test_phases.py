@@ -13,11 +13,11 @@ import pytest
 from flint import arb, ctx
 
 from lower.refusals import FILL
-from mahovik.lower.phases import MAX_COUNTS
-from mahovik.program.function import STATUS_VALUES
-from mahovik.program.interpret import Interpreter
-from mahovik.stand.random import BARE, random_stand
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.lower.phases import MAX_COUNTS
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.proof.verify.c_backend import CBackend
 
 PRECISIONS = pytest.mark.parametrize("precision_name", ["double", "float"])
 ERROR = {"double": 5e-16, "float": 3e-7}

@@ -8,10 +8,10 @@ import pytest
 from emit.compiled import Compiled, bits, compiled
 from emit.stands import other_numbers
 from lower.refusals import NOT_FINITE, accepts, numbers, refuses, spoiled
-from mahovik.emit.generate import generate_all
-from mahovik.lower.limits import limits
-from mahovik.program.types import DOUBLE
-from mahovik.stand.random import random_state
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.limits import limits
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.random import random_state
 
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bench8", "remus6")
 FEW = ("everything1", "hung5", "bare0")

@@ -8,9 +8,9 @@ import pytest
 
 from emit.compiled import QUANTITIES, compiled
 from lower.refusals import FILL, NOT_FINITE, accepts, get, numbers, refuses, spoiled
-from mahovik.lower.limits import limits
-from mahovik.program.types import DOUBLE
-from mahovik.stand.random import random_state
+from mahovik.core.lower.limits import limits
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.random import random_state
 
 NAMES = ("everything6", "hung5", "bare5", "everything0")
 LIMIT = {name: limit.value for name, limit in limits(DOUBLE).items()}

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.lower.layout import Layout
-from mahovik.lower.servo.form import ServoForm, TrimForm
-from mahovik.lower.servo.program import lower_servo
-from mahovik.program.interpret import Interpreter
-from mahovik.program.types import DOUBLE, FLOAT, Precision
-from mahovik.stand import load
-from mahovik.stand.structure import structure
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.servo.form import ServoForm, TrimForm
+from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.stand import load
+from mahovik.core.stand.structure import structure
 from mahovik.stands import path
 
 OK, LIMITED, NOT_FINITE, RANGE, BAD_ARGUMENT = 0, 4, -1, -2, -5

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.lower.layout import Layout
-from mahovik.lower.servo.form import ServoForm, TrimForm
-from mahovik.lower.servo.program import lower_servo
-from mahovik.program.interpret import Interpreter
-from mahovik.program.types import DOUBLE
-from mahovik.reference.rotation import attitude, quaternion_rotation
-from mahovik.stand import load
-from mahovik.stand.structure import structure
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.servo.form import ServoForm, TrimForm
+from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand import load
+from mahovik.core.stand.structure import structure
+from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.stands import path
 
 STAND = load(path("shaker2"))

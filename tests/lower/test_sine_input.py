@@ -12,11 +12,11 @@ import pytest
 
 from emit.compiled import bits
 from lower.refusals import FILL
-from mahovik.program.function import STATUS_VALUES
-from mahovik.program.interpret import Interpreter
-from mahovik.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
-from mahovik.toolchain.library import filled
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
+from mahovik.core.toolchain.library import filled
+from mahovik.proof.verify.c_backend import CBackend
 
 FUNCTIONS = ("forward", "torque", "coupled", "inverse_fast")
 FLOATING = Features("ship", 1, True, True, True, True, 1, 1, True)

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from lower.test_inverse import ask, made
-from mahovik.program.function import STATUS_VALUES
-from mahovik.stand import rest_state
-from mahovik.stand.random import BARE, random_stand
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.stand import rest_state
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.proof.verify.c_backend import CBackend
 
 
 @cache

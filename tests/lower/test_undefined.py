@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import mahovik.program.interpret as module
+import mahovik.core.program.interpret as module
 from emit.compiled import QUANTITIES, bits, compiled
-from mahovik.program.types import Kind, Struct
-from mahovik.stand.random import extreme_state, random_state
+from mahovik.core.program.types import Kind, Struct
+from mahovik.core.stand.random import extreme_state, random_state
 from toolchain.tools import require
 
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "stream1")
@@ -53,7 +53,7 @@ sys.path.insert(0, sys.argv[1])
 import numpy as np
 from emit.compiled import QUANTITIES, compiled
 from lower.refusals import numbers, spoiled
-from mahovik.stand.random import EXTREMES, extreme_state, random_state
+from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
 
 checks = "undefined,float-divide-by-zero,bounds-strict"
 c = compiled(sys.argv[2], "-O1", f"gcc -fsanitize={checks} -fsanitize-undefined-trap-on-error")

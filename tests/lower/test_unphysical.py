@@ -14,18 +14,18 @@ from numpy.typing import NDArray
 
 from emit.compiled import compiled
 from lower.refusals import refuses
-from mahovik.emit.generate import generate_all
-from mahovik.lower import parameters as lowered
-from mahovik.lower.checks import within
-from mahovik.lower.layout import Layout
-from mahovik.lower.library import Library
-from mahovik.lower.thresholds import THRESHOLDS
-from mahovik.program.function import STATUS_VALUES, Program
-from mahovik.program.interpret import Interpreter
-from mahovik.program.types import DOUBLE, FLOAT, Precision
-from mahovik.stand import Stand, structure
-from mahovik.stand.random import BARE, random_stand
-from mahovik.verify.c_backend import CBackend
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower import parameters as lowered
+from mahovik.core.lower.checks import within
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.program.function import STATUS_VALUES, Program
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.stand import Stand, structure
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.proof.verify.c_backend import CBackend
 from strategies import stands
 
 Array = NDArray[np.float64]

@@ -7,9 +7,19 @@ import math
 import numpy as np
 import pytest
 
-from mahovik.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable, WrenchTable
-from mahovik.motion.motor import available, drive, friction, needed
-from mahovik.stand.model import Motor
+from mahovik.core.motion.laws import (
+    Constant,
+    Harmonic,
+    LogSweep,
+    Ramp,
+    RunUp,
+    SpeedTable,
+    Torque,
+    TorqueTable,
+    WrenchTable,
+)
+from mahovik.core.motion.motor import available, drive, friction, needed
+from mahovik.core.stand.model import Motor
 
 TABLE = SpeedTable.of(np.array([-0.5, 0.0, 0.3, 1.0, 2.5]), np.array([1.0, 3.0, -2.0, 5.0, 4.0]))
 LAWS = [

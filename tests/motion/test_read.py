@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from mahovik import stands
+from mahovik.core.lower.limits import limits
+from mahovik.core.motion import load, loads, ranges, steady
+from mahovik.core.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand import load as load_stand
 from mahovik.errors import RegimeError
-from mahovik.lower.limits import limits
-from mahovik.motion import load, loads, ranges, steady
-from mahovik.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
-from mahovik.program.types import DOUBLE
-from mahovik.simulate.case import MAX_STEP
-from mahovik.stand import load as load_stand
+from mahovik.use.simulate.case import MAX_STEP
 
 SHAKER = load_stand(stands.path("shaker2"))
 HEAD = "schema = 1\n"

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import pytest
 
-from mahovik.stand import Stand, State, dumps
-from mahovik.verify.evaluate import state_line
-from mahovik.verify.states import Request
+from mahovik.core.stand import Stand, State, dumps
+from mahovik.proof.verify.evaluate import state_line
+from mahovik.proof.verify.states import Request
 
 Shown = Callable[[Stand, State], None]
 

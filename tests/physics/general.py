@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from mahovik.stand.random import EVERYTHING, random_stand, random_state
+from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 
 
 def rows(matrix):

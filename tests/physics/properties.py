@@ -11,8 +11,8 @@ import numpy as np
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 
-from mahovik.reference import evaluate, pieces
-from mahovik.verify.scales import scales
+from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.verify.scales import scales
 from physics.motions import vec
 from strategies import stands, states
 

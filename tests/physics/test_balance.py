@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.reference import evaluate, pieces
-from mahovik.reference.torque import flywheel_acceleration
+from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.torque import flywheel_acceleration
 from physics.general import draw, isolated, without_wrench
 from physics.motions import motion, rate, vec
 

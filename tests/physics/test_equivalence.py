@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.reference import evaluate, pieces
+from mahovik.proof.reference import evaluate, pieces
 from physics.general import draw
 from physics.motions import motion, rate, rotation, vec
 

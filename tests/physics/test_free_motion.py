@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from mahovik.reference import evaluate
+from mahovik.proof.reference import evaluate
 from physics.general import draw, isolated, without_wrench
 from physics.motions import rotation, vec
 

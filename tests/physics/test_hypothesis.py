@@ -10,10 +10,10 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from mahovik.reference import evaluate, pieces
-from mahovik.reference.torque import flywheel_acceleration
-from mahovik.stand import loads
-from mahovik.stand.model import Buoyancy, Damping, Instrument, MountingAngles
+from mahovik.core.stand import loads
+from mahovik.core.stand.model import Buoyancy, Damping, Instrument, MountingAngles
+from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.torque import flywheel_acceleration
 from physics.general import isolated, without_added_mass, without_wrench
 from physics.motions import vec
 from physics.properties import PROPERTY, cases, near, of_a_motion, scale, value

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from mahovik.reference import evaluate, pieces
-from mahovik.stand.model import Instrument
+from mahovik.core.stand.model import Instrument
+from mahovik.proof.reference import evaluate, pieces
 from physics.general import isolated, rows, without_added_mass
 from physics.motions import cross, rotation, vec
 from physics.properties import PROPERTY, cases, near, scale, value

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import given, settings
 
-from mahovik.reference import evaluate
+from mahovik.proof.reference import evaluate
 from physics.general import isolated, without_wrench
 from physics.motions import motion, rate, vec
 from physics.properties import PROPERTY, cases, near, of_a_motion, scale

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.reference import evaluate
-from mahovik.reference.rotation import flywheel_rotation
-from mahovik.stand.model import Damping, MountingAxes
+from mahovik.core.stand.model import Damping, MountingAxes
+from mahovik.proof.reference import evaluate
+from mahovik.proof.reference.rotation import flywheel_rotation
 from physics.general import draw, isolated, rows
 from physics.motions import cross, rotation, vec, with_rotation
 

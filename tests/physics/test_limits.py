@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.reference import evaluate, pieces
-from mahovik.stand.model import Instrument, MountingAngles
+from mahovik.core.stand.model import Instrument, MountingAngles
+from mahovik.proof.reference import evaluate, pieces
 from physics.general import draw, isolated, rows, without_added_mass, without_wrench
 from physics.motions import cross, rotation, vec
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.reference import evaluate
-from mahovik.stand.model import MountingAxes, Suspension
+from mahovik.core.stand.model import MountingAxes, Suspension
+from mahovik.proof.reference import evaluate
 from physics.general import draw, rows, without_added_mass
 from physics.motions import motion, rotation, second_rate, vec
 

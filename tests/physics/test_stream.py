@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.reference import evaluate, pieces
-from mahovik.reference.mass import added_mass_matrix
+from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.mass import added_mass_matrix
 from physics.general import draw
 from physics.motions import motion, rate, vec
 

@@ -7,15 +7,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.plan.residual import Mechanics
-from mahovik.reference import pieces
-from mahovik.reference.generalized import generalized
-from mahovik.reference.inverse import demand
-from mahovik.reference.rotation import kinematic_matrix, kinematic_matrix_rate
-from mahovik.reference.torque import torque
-from mahovik.stand.model import Stand
-from mahovik.stand.random import Features, random_stand
-from mahovik.stand.state import State
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import Features, random_stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.generalized import generalized
+from mahovik.proof.reference.inverse import demand
+from mahovik.proof.reference.rotation import kinematic_matrix, kinematic_matrix_rate
+from mahovik.proof.reference.torque import torque
+from mahovik.use.plan.residual import Mechanics
 
 Array = NDArray[np.float64]
 

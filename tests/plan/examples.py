@@ -7,10 +7,10 @@ from functools import cache
 from pathlib import Path
 
 import mahovik.stands
-from mahovik.motion.required import RequiredMotion, load_motion
-from mahovik.plan.problem import Problem
-from mahovik.stand import load
-from mahovik.stand.model import Stand
+from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.use.plan.problem import Problem
 
 STANDS = Path(mahovik.stands.__file__).parent
 

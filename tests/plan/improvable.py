@@ -7,17 +7,17 @@ from functools import cache
 
 import numpy as np
 
-from mahovik.motion.required import Bounds, Objective
-from mahovik.plan.budget import Budget
-from mahovik.plan.choose import Improver
-from mahovik.plan.fourier import Periodic
-from mahovik.plan.levenberg import ladder
-from mahovik.plan.optimise import Improved, finish, improve, judged
-from mahovik.plan.preflight import preflight
-from mahovik.plan.problem import Problem
-from mahovik.plan.search import RUNGS, Candidate, search
-from mahovik.plan.starts import Crowd
-from mahovik.stand.model import Motor
+from mahovik.core.motion.required import Bounds, Objective
+from mahovik.core.stand.model import Motor
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.choose import Improver
+from mahovik.use.plan.fourier import Periodic
+from mahovik.use.plan.levenberg import ladder
+from mahovik.use.plan.optimise import Improved, finish, improve, judged
+from mahovik.use.plan.preflight import preflight
+from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.search import RUNGS, Candidate, search
+from mahovik.use.plan.starts import Crowd
 from plan.examples import example
 
 N = 8

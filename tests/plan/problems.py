@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.motion.required import Bounds, Objective, RequiredMotion
-from mahovik.motion.required.course import Harmonics
-from mahovik.plan.fourier import Periodic
-from mahovik.plan.problem import Problem
-from mahovik.stand.model import Stand
-from mahovik.stand.random import Features, random_stand
+from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
+from mahovik.core.motion.required.course import Harmonics
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import Features, random_stand
+from mahovik.use.plan.fourier import Periodic
+from mahovik.use.plan.problem import Problem
 
 PERIOD = 0.2
 NONE = Bounds()

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
-from mahovik.plan.bounds import KNEE, RHO, bias_hinges, exceeded, hinges, utilisation
-from mahovik.plan.fourier import Angles, Basis, uniform
-from mahovik.plan.residual import linear, prescribe
-from mahovik.plan.rows import Rows, sums
-from mahovik.stand.random import EVERYTHING
+from mahovik.core.motion.required import Bounds
+from mahovik.core.stand.random import EVERYTHING
+from mahovik.use.plan.bounds import KNEE, RHO, bias_hinges, exceeded, hinges, utilisation
+from mahovik.use.plan.fourier import Angles, Basis, uniform
+from mahovik.use.plan.residual import linear, prescribe
+from mahovik.use.plan.rows import Rows, sums
 from plan.courses import Drawn, drawn
 from plan.problems import PERIOD, wheels
 

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from mahovik.plan.residual import PARAMETERS, Mechanics, by_design, prescribe, residual, torques
-from mahovik.plan.residual.spatial import mount_axes
-from mahovik.stand.model import Flywheel, MountingAxes, Stand
-from mahovik.stand.random import BARE, EVERYTHING, SEQUENCES, Features
+from mahovik.core.stand.model import Flywheel, MountingAxes, Stand
+from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features
+from mahovik.use.plan.residual import PARAMETERS, Mechanics, by_design, prescribe, residual, torques
+from mahovik.use.plan.residual.spatial import mount_axes
 from plan.courses import Drawn, drawn
 
 Array = NDArray[np.float64]

@@ -7,18 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import load_programme, save_programme
-from mahovik.motion.required import RequiredMotion
-from mahovik.motion.required.course import Sampled
-from mahovik.plan import Wishes, plan_motion
-from mahovik.plan.budget import Budget
-from mahovik.plan.finite import FiniteProblem, search_finite, table_of
-from mahovik.plan.finite.space import Space
-from mahovik.plan.fourier import Angles
-from mahovik.plan.preflight import preflight
-from mahovik.plan.problem import Problem
-from mahovik.stand.model import Stand
-from mahovik.verify.programme import verify_programme
+from mahovik.core.motion.programme import load_programme, save_programme
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.required.course import Sampled
+from mahovik.core.stand.model import Stand
+from mahovik.proof.verify.programme import verify_programme
+from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.finite import FiniteProblem, search_finite, table_of
+from mahovik.use.plan.finite.space import Space
+from mahovik.use.plan.fourier import Angles
+from mahovik.use.plan.preflight import preflight
+from mahovik.use.plan.problem import Problem
 from plan.examples import example
 
 SPAN = 0.3

@@ -9,16 +9,16 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
+from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, StateError
-from mahovik.plan.array import Array
-from mahovik.plan.forward import Chart, along, course, drive, equilibrium, linearise, pushes
-from mahovik.plan.forward.collocation import Eliminated, blocks, integrated
-from mahovik.plan.residual import Mechanics
-from mahovik.reference import pieces
-from mahovik.reference.forward import forward
-from mahovik.stand.model import Stand
-from mahovik.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
-from mahovik.stand.state import State
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.forward import forward
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.forward import Chart, along, course, drive, equilibrium, linearise, pushes
+from mahovik.use.plan.forward.collocation import Eliminated, blocks, integrated
+from mahovik.use.plan.residual import Mechanics
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
 HELD = replace(EVERYTHING, legs=0, stream=False)
@@ -89,7 +89,7 @@ def test_twist_and_pose_of_coordinates() -> None:
     rng = np.random.default_rng(4)
     chart = chart_of(random_stand(rng, 1, EVERYTHING), rng)
     course_of = Pose(*(rng.normal(size=(2, 6)) * 0.4 for _ in range(3)))
-    from mahovik.plan.residual.kinematics import twists
+    from mahovik.use.plan.residual.kinematics import twists
 
     expected, found = twists(chart.mechanics.stand, course_of), chart.twists(chart.of(course_of))
     for name in ("C", "O1", "V", "V_r"):

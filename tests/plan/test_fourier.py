@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.plan.fourier import Basis, Periodic, uniform
-from mahovik.plan.residual import linear, prescribe, residual
-from mahovik.stand.random import EVERYTHING
+from mahovik.core.stand.random import EVERYTHING
+from mahovik.use.plan.fourier import Basis, Periodic, uniform
+from mahovik.use.plan.residual import linear, prescribe, residual
 from plan.courses import drawn
 
 T = 0.4

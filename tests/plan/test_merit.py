@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
-from mahovik.plan.fourier import Periodic
-from mahovik.plan.objective import Cost
-from mahovik.plan.optimise.galerkin import coefficients
-from mahovik.plan.optimise.improve import stage_of
-from mahovik.plan.optimise.merit import Stage
-from mahovik.stand.random import EVERYTHING, Features
+from mahovik.core.motion.required import Bounds
+from mahovik.core.stand.random import EVERYTHING, Features
+from mahovik.use.plan.fourier import Periodic
+from mahovik.use.plan.objective import Cost
+from mahovik.use.plan.optimise.galerkin import coefficients
+from mahovik.use.plan.optimise.improve import stage_of
+from mahovik.use.plan.optimise.merit import Stage
 from plan.problems import problem, wheels
 
 N, H = 3, 4

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.plan.optimise.nullspace import Range
+from mahovik.use.plan.optimise.nullspace import Range
 
 
 @pytest.mark.parametrize("shape, rank", [((6, 10), 6), ((6, 10), 4), ((10, 6), 6), ((8, 8), 5), ((5, 5), 5)])

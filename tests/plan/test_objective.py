@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from mahovik.core.motion.required import Course
+from mahovik.core.stand.random import EVERYTHING
 from mahovik.errors import MotionError
-from mahovik.motion.required import Course
-from mahovik.plan.fourier import Angles
-from mahovik.plan.objective import KINDS, Cost
-from mahovik.plan.residual import Prescribed, linear, prescribe
-from mahovik.plan.rows import Rows
-from mahovik.stand.random import EVERYTHING
+from mahovik.use.plan.fourier import Angles
+from mahovik.use.plan.objective import KINDS, Cost
+from mahovik.use.plan.residual import Prescribed, linear, prescribe
+from mahovik.use.plan.rows import Rows
 from plan.courses import Drawn, drawn
 from plan.problems import required
 

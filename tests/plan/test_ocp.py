@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 
 from mahovik.errors import UsageError
-from mahovik.plan import Wishes, plan_motion
-from mahovik.plan.fourier import Angles
-from mahovik.plan.objective import Cost
-from mahovik.plan.ocp import asked as asked_module
-from mahovik.plan.ocp.coefficients import Scaled
-from mahovik.plan.ocp.mesh import Mesh
-from mahovik.plan.ocp.node import node_functions
-from mahovik.plan.ocp.partition import Along, best_partition, order_of, partition_of
-from mahovik.plan.ocp.structure import Formulation, Structure
-from mahovik.plan.ocp.transcription import transcription
-from mahovik.plan.residual import prescribe, residual, torques
-from mahovik.plan.rows import Rows
+from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan.fourier import Angles
+from mahovik.use.plan.objective import Cost
+from mahovik.use.plan.ocp import asked as asked_module
+from mahovik.use.plan.ocp.coefficients import Scaled
+from mahovik.use.plan.ocp.mesh import Mesh
+from mahovik.use.plan.ocp.node import node_functions
+from mahovik.use.plan.ocp.partition import Along, best_partition, order_of, partition_of
+from mahovik.use.plan.ocp.structure import Formulation, Structure
+from mahovik.use.plan.ocp.transcription import transcription
+from mahovik.use.plan.residual import prescribe, residual, torques
+from mahovik.use.plan.rows import Rows
 from plan.examples import example
 from plan.examples import problem as example_problem
 

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.plan import Plan, Wishes, plan_motion
-from mahovik.plan.ocp.watch import Seen
+from mahovik.use.plan import Plan, Wishes, plan_motion
+from mahovik.use.plan.ocp.watch import Seen
 from plan.examples import example
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))

@@ -7,11 +7,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
-from mahovik.plan.budget import Budget
-from mahovik.plan.figures import figures
-from mahovik.plan.optimise import Improved, improve, judged, over
-from mahovik.plan.optimise.merit import Around, Model, Point
+from mahovik.core.motion.required import Bounds
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.figures import figures
+from mahovik.use.plan.optimise import Improved, improve, judged, over
+from mahovik.use.plan.optimise.merit import Around, Model, Point
 from plan.improvable import UNTIL, N, improved, plain, setting
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
-from mahovik.plan.optimise import judged, over
+from mahovik.core.motion.required import Bounds
+from mahovik.use.plan.optimise import judged, over
 from plan.improvable import N, improved, plain, setting
 
 pytestmark = pytest.mark.slow

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds, RequiredMotion
-from mahovik.motion.required.course import Harmonics
-from mahovik.plan import Wishes, plan_motion
-from mahovik.plan.shortened import shortened
-from mahovik.plan.starts import Crowd
+from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.motion.required.course import Harmonics
+from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan.shortened import shortened
+from mahovik.use.plan.starts import Crowd
 from plan.examples import example
 
 QUICK = Wishes(verify=False)
@@ -73,7 +73,7 @@ def _half(motion: RequiredMotion) -> Harmonics:
 
 def test_a_singular_attitude_is_told() -> None:
     """A leg that shrinks to nothing on the way has no direction."""
-    from mahovik.stand.model import Leg
+    from mahovik.core.stand.model import Leg
 
     stand, motion = example("bench8")
     leg = Leg(ground=(0.0, 0.0, 0.0), carrier=(0.0, 0.0, 0.0), length=0.1, stiffness=1.0, damping=0.0)
@@ -87,11 +87,11 @@ def test_a_singular_attitude_is_told() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_preflight_refuses_what_no_search_finds(seed: int) -> None:
     """Beyond the first-moment limit by 1 to 30 %: refused, and a search without preflight finds nothing."""
-    from mahovik.plan.budget import Budget
-    from mahovik.plan.choose import Improver
-    from mahovik.plan.preflight import preflight
-    from mahovik.plan.problem import Problem
-    from mahovik.plan.search import search
+    from mahovik.use.plan.budget import Budget
+    from mahovik.use.plan.choose import Improver
+    from mahovik.use.plan.preflight import preflight
+    from mahovik.use.plan.problem import Problem
+    from mahovik.use.plan.search import search
 
     stand, motion = example("bench8")
     rng = np.random.default_rng(seed)

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.core.motion.programme import Fourier
+from mahovik.core.motion.required import Bounds
 from mahovik.errors import MotionError
-from mahovik.motion.programme import Fourier
-from mahovik.motion.required import Bounds
-from mahovik.plan import Plan, Wishes, plan_motion
-from mahovik.plan.certificate import programme_of
+from mahovik.use.plan import Plan, Wishes, plan_motion
+from mahovik.use.plan.certificate import programme_of
 from plan.examples import example
 
 N = 8

@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
-from mahovik.motion.required.course import Harmonics
-from mahovik.plan.preflight import Preflight, preflight
-from mahovik.plan.problem import Problem
+from mahovik.core.motion.required import Bounds
+from mahovik.core.motion.required.course import Harmonics
+from mahovik.use.plan.preflight import Preflight, preflight
+from mahovik.use.plan.problem import Problem
 from plan.examples import example, problem
 
 

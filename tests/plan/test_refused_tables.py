@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import Programme
-from mahovik.motion.required import Bounds, RequiredMotion
-from mahovik.plan import Wishes, plan_motion, planner
-from mahovik.plan.certificate import without_refused_tables, wrong_items
-from mahovik.stand.model import Stand
-from mahovik.verify.programme import Finding
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.proof.verify.programme import Finding
+from mahovik.use.plan import Wishes, plan_motion, planner
+from mahovik.use.plan.certificate import without_refused_tables, wrong_items
 from plan.examples import example
 from plan.test_runup import planned
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.plan.residual import linear, prescribe, residual, torques
-from mahovik.stand.random import BARE, EVERYTHING, SEQUENCES, Features
+from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features
+from mahovik.use.plan.residual import linear, prescribe, residual, torques
 from plan.courses import drawn, literal
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]

@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from scipy.integrate import DOP853
 
-from mahovik.motion.programme import Fourier, Programme, RunUpTable, load_programme, save_programme
-from mahovik.motion.required import Bounds, RequiredMotion
-from mahovik.plan.certificate import programme_of
-from mahovik.plan.runup import shortcomings, solve, with_runup
-from mahovik.stand.model import Stand
-from mahovik.verify.programme.rest import rest_near
-from mahovik.verify.programme.scale import scale_of
-from mahovik.verify.programme.simulation import rate
+from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, load_programme, save_programme
+from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.proof.verify.programme.rest import rest_near
+from mahovik.proof.verify.programme.scale import scale_of
+from mahovik.proof.verify.programme.simulation import rate
+from mahovik.use.plan.certificate import programme_of
+from mahovik.use.plan.runup import shortcomings, solve, with_runup
 from plan.examples import example
 
 Array = np.ndarray

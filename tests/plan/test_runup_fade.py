@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import Fourier, Programme
-from mahovik.plan.runup.fade import fade
+from mahovik.core.motion.programme import Fourier, Programme
+from mahovik.use.plan.runup.fade import fade
 
 T, LASTS = 0.2, 0.73
 

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds
-from mahovik.plan import Wishes, plan_motion
-from mahovik.plan.runup import shortcomings, with_runup
-from mahovik.verify.programme import verify_programme
+from mahovik.core.motion.required import Bounds
+from mahovik.proof.verify.programme import verify_programme
+from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan.runup import shortcomings, with_runup
 from plan.examples import example
 
 pytestmark = pytest.mark.slow

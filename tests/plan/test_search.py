@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.plan.budget import Budget
-from mahovik.plan.choose import Improver
-from mahovik.plan.preflight import preflight
-from mahovik.plan.problem import EXACT, KINKED
-from mahovik.plan.search import Search, search
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.choose import Improver
+from mahovik.use.plan.preflight import preflight
+from mahovik.use.plan.problem import EXACT, KINKED
+from mahovik.use.plan.search import Search, search
 from plan.examples import problem
 from plan.improvable import Plain
 

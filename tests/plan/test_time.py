@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import Programme
-from mahovik.motion.required import Bounds, RequiredMotion
-from mahovik.plan import Wishes, plan_motion, planner
-from mahovik.plan.budget import Budget
-from mahovik.plan.outcome import Progress
-from mahovik.plan.runup import shortcomings, table, with_runup
-from mahovik.plan.search import Search
-from mahovik.stand.model import Stand
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.use.plan import Wishes, plan_motion, planner
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.outcome import Progress
+from mahovik.use.plan.runup import shortcomings, table, with_runup
+from mahovik.use.plan.search import Search
 from plan.examples import example
 from plan.test_runup import spinning
 
@@ -110,10 +110,10 @@ def pressing(times: int) -> Any:
 def test_ctrl_c_in_the_verification_waits_for_its_end(where: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The programme is given, as interrupted; a second Ctrl-C does not wait."""
     stand, motion = example("shaker2", "shaker2_spin")
-    place = "mahovik.plan.planner.certified"
+    place = "mahovik.use.plan.planner.certified"
     if where == "finite":
         stand, motion = campaign_stand(5000, 8), campaign_move(5000, 8)
-        place = "mahovik.plan.finite.plan.certified"
+        place = "mahovik.use.plan.finite.plan.certified"
     monkeypatch.setattr(place, pressing(1))
     found = plan_motion(stand, motion)
     assert found.interrupted and found.programmes[0].report["verified"]

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.motion.required import Bounds, RequiredMotion, Winding
-from mahovik.plan.windings import Kind, allowed, drawn, order
+from mahovik.core.motion.required import Bounds, RequiredMotion, Winding
+from mahovik.use.plan.windings import Kind, allowed, drawn, order
 from plan.problems import PERIOD, required
 
 ONE = 2 * np.pi / PERIOD

@@ -1,9 +1,9 @@
 """Small programs for tests: one function from a few lines, run by the interpreter."""
 
-from mahovik.program.build import Body
-from mahovik.program.function import Argument, Function, Program
-from mahovik.program.interpret import Interpreter
-from mahovik.program.types import DOUBLE, Kind
+from mahovik.core.program.build import Body
+from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, Kind
 
 
 def argument(name, kind=Kind.REAL, shape=(), direction="in"):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from mahovik.program.apart import apart
-from mahovik.program.build import Body
-from mahovik.program.function import Argument, Function, Program
-from mahovik.program.types import DOUBLE, Field, Kind, Struct
+from mahovik.core.program.apart import apart
+from mahovik.core.program.build import Body
+from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 
 PAIR = Struct("pair", "Two vectors.", (Field("a", Kind.REAL, (3,)), Field("b", Kind.REAL, (3,))))
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from mahovik.program.build import Body, call
-from mahovik.program.expression import (
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import (
     BitCast,
     Convert,
     Variable,
@@ -16,7 +16,7 @@ from mahovik.program.expression import (
     unequal,
     word,
 )
-from mahovik.program.types import Field, Kind, NamedCount, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from program.small import argument, function
 
 R, W, I = Kind.REAL, Kind.WORD, Kind.INT

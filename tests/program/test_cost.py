@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 
 from emit.stands import generated, stand
-from mahovik.emit.generate import generate_all
-from mahovik.program.build import call
-from mahovik.program.cost import Cost, cost
-from mahovik.program.expression import Convert, bits_of, real, real_of_bits, select
-from mahovik.program.types import Kind
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.program.build import call
+from mahovik.core.program.cost import Cost, cost
+from mahovik.core.program.expression import Convert, bits_of, real, real_of_bits, select
+from mahovik.core.program.types import Kind
 from program.small import argument, function, value_of
 
 R, I = Kind.REAL, Kind.INT

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.program.build import call
-from mahovik.program.expression import (
+from mahovik.core.program.build import call
+from mahovik.core.program.expression import (
     Convert,
     Not,
     Status,
@@ -24,9 +24,9 @@ from mahovik.program.expression import (
     unequal,
     word,
 )
-from mahovik.program.function import STATUS_VALUES
-from mahovik.program.interpret import Interpreter
-from mahovik.program.types import DOUBLE, FLOAT, Field, Kind, Struct
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, FLOAT, Field, Kind, Struct
 from program.small import argument, evaluate, function, program, run
 
 R, W, I = Kind.REAL, Kind.WORD, Kind.INT

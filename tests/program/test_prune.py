@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.program.build import Body, call
-from mahovik.program.expression import Place, integer, select
-from mahovik.program.function import Function
-from mahovik.program.interpret import Interpreter
-from mahovik.program.prune import pruned
-from mahovik.program.statement import Declare, Do, Let, Loop, Set, When
-from mahovik.program.types import Kind
-from mahovik.program.validate import validate
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Place, integer, select
+from mahovik.core.program.function import Function
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.prune import pruned
+from mahovik.core.program.statement import Declare, Do, Let, Loop, Set, When
+from mahovik.core.program.types import Kind
+from mahovik.core.program.validate import validate
 from program.small import argument, function, program
 
 R, I = Kind.REAL, Kind.INT

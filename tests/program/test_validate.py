@@ -3,11 +3,11 @@
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, stand
-from mahovik.program.expression import Const, Place, Variable, integer, real
-from mahovik.program.function import Argument, Function, Program
-from mahovik.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, When
-from mahovik.program.types import DOUBLE, Field, Kind, Struct
-from mahovik.program.validate import validate
+from mahovik.core.program.expression import Const, Place, Variable, integer, real
+from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, When
+from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
+from mahovik.core.program.validate import validate
 from program.small import argument, function, program
 
 R, I = Kind.REAL, Kind.INT

@@ -2,17 +2,17 @@
 
 import pytest
 
-from mahovik.program.build import Body, call
-from mahovik.program.expression import Not, Select, Status, both, equal, integer, real, unequal
-from mahovik.program.function import STATUS_VALUES, Function
-from mahovik.program.inline import Inliner
-from mahovik.program.interpret import Interpreter
-from mahovik.program.refusal import without_returns
-from mahovik.program.statement import Do, Loop, Set
-from mahovik.program.types import DOUBLE, FLOAT, Kind, NamedCount
-from mahovik.program.validate import validate
-from mahovik.program.wide import Wide
-from mahovik.program.widen import RESERVED, Widener
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Not, Select, Status, both, equal, integer, real, unequal
+from mahovik.core.program.function import STATUS_VALUES, Function
+from mahovik.core.program.inline import Inliner
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.refusal import without_returns
+from mahovik.core.program.statement import Do, Loop, Set
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind, NamedCount
+from mahovik.core.program.validate import validate
+from mahovik.core.program.wide import Wide
+from mahovik.core.program.widen import RESERVED, Widener
 from program.small import argument, function, program
 
 COUNT = NamedCount("N", 9)

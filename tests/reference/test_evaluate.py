@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.random import EXTREMES, extreme_state, random_stand
 from mahovik.errors import StateError
-from mahovik.reference import WANTS, evaluate
-from mahovik.stand.random import EXTREMES, extreme_state, random_stand
+from mahovik.proof.reference import WANTS, evaluate
 from physics.general import draw
 from physics.motions import motion, rate, rotation, second_rate
 

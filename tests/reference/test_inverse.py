@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from mahovik.reference import evaluate, pieces
-from mahovik.reference.inverse import demand, inverse
-from mahovik.reference.partition import dependent_acceleration, determinant
-from mahovik.stand.model import MountingAngles
-from mahovik.stand.state import rest_state
+from mahovik.core.stand.model import MountingAngles
+from mahovik.core.stand.state import rest_state
+from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.inverse import demand, inverse
+from mahovik.proof.reference.partition import dependent_acceleration, determinant
 from physics.general import draw, isolated, rows
 
 SEEDS = range(6)

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.reference import evaluate, pieces
-from mahovik.reference.coupled import full_mass_matrix
-from mahovik.reference.inertia import spatial_inertia
-from mahovik.reference.linear import solve
-from mahovik.reference.screw import Phi, cross, f, spin, wrench_to_parent
-from mahovik.reference.torque import flywheel_acceleration
+from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.coupled import full_mass_matrix
+from mahovik.proof.reference.inertia import spatial_inertia
+from mahovik.proof.reference.linear import solve
+from mahovik.proof.reference.screw import Phi, cross, f, spin, wrench_to_parent
+from mahovik.proof.reference.torque import flywheel_acceleration
 from physics.general import draw, rows
 from physics.motions import motion, rate, vec
 

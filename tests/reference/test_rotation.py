@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.model import MountingAngles, MountingAxes
 from mahovik.errors import StateError
-from mahovik.reference import evaluate
-from mahovik.reference.rotation import (
+from mahovik.proof.reference import evaluate
+from mahovik.proof.reference.rotation import (
     C1,
     C2,
     C3,
@@ -21,7 +22,6 @@ from mahovik.reference.rotation import (
     kinematic_matrix_rate,
     rotation_vector,
 )
-from mahovik.stand.model import MountingAngles, MountingAxes
 from physics.general import draw
 from physics.motions import SEQUENCES, cross, rate
 

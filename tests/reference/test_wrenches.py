@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.model import Damping, DampingTerm, Factor, Leg, MountingAngles, Suspension
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
-from mahovik.reference import evaluate, pieces
-from mahovik.reference.screw import wrench_to_parent
-from mahovik.reference.wrenches import body_wrench, damping_terms, linear_damping, quadratic_damping
-from mahovik.stand.model import Damping, DampingTerm, Factor, Leg, MountingAngles, Suspension
-from mahovik.stand.state import rest_state
+from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.screw import wrench_to_parent
+from mahovik.proof.reference.wrenches import body_wrench, damping_terms, linear_damping, quadratic_damping
 from physics.general import draw, isolated, rows, without_wrench
 from physics.motions import motion, rate, rotation, vec
 

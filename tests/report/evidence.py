@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from mahovik.core.stand import load
 from mahovik.errors import MahovikError
-from mahovik.report.evidence.collect import Collected, collect
-from mahovik.report.evidence.piece import Need, Outcome, Piece, Subject, Table, Tell, Verdict
-from mahovik.stand import load
+from mahovik.proof.evidence.collect import Collected, collect
+from mahovik.proof.evidence.piece import Need, Outcome, Piece, Subject, Table, Tell, Verdict
 from mahovik.stands import path
 
 DEMO3 = str(path("demo3"))

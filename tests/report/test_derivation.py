@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 from mahovik import __version__
-from mahovik.reference.evaluate import evaluate
-from mahovik.report.derivation.numbers import numbers
-from mahovik.report.derivation.page import html, latex, significant
-from mahovik.stand import Stand, State, load
-from mahovik.stand.identity import identities
-from mahovik.stand.random import Features, random_stand, random_state
+from mahovik.core.stand import Stand, State, load
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.random import Features, random_stand, random_state
+from mahovik.out.report.derivation.numbers import numbers
+from mahovik.out.report.derivation.page import html, latex, significant
+from mahovik.proof.reference.evaluate import evaluate
 from toolchain.tools import require
 
 STANDS = Path(__file__).resolve().parents[2] / "generator" / "mahovik" / "stands"

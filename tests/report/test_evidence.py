@@ -13,17 +13,17 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-import mahovik.report.evidence.pieces as all_pieces
+import mahovik.proof.evidence.pieces as all_pieces
 from mahovik import __version__
-from mahovik.cli import main
+from mahovik.core.stand import load
+from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
-from mahovik.report.evidence.collect import chosen, failures
-from mahovik.report.evidence.folder import check
-from mahovik.report.evidence.page import GENERAL, conclusion
-from mahovik.report.evidence.piece import Outcome, Subject, Tell, Verdict
-from mahovik.report.evidence.pieces import equations
-from mahovik.stand import load
-from mahovik.stand.identity import identities
+from mahovik.out.cli import main
+from mahovik.proof.evidence.collect import chosen, failures
+from mahovik.proof.evidence.folder import check
+from mahovik.proof.evidence.page import GENERAL, conclusion
+from mahovik.proof.evidence.piece import Outcome, Subject, Tell, Verdict
+from mahovik.proof.evidence.pieces import equations
 from mahovik.stands import path
 from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed, piece, refusing
 from toolchain.tools import require

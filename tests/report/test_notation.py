@@ -7,10 +7,10 @@ import xml.etree.ElementTree as ET
 import pytest
 import sympy as sp
 
-from mahovik.derive.document import Formula, Table, Text, sections
-from mahovik.report.derivation.expression import notation, symbol
-from mahovik.report.derivation.mathml import mathml
-from mahovik.report.derivation.notation import (
+from mahovik.core.derive.document import Formula, Table, Text, sections
+from mahovik.out.report.derivation.expression import notation, symbol
+from mahovik.out.report.derivation.mathml import mathml
+from mahovik.out.report.derivation.notation import (
     Fence,
     Fraction,
     FunctionName,
@@ -21,8 +21,8 @@ from mahovik.report.derivation.notation import (
     Row,
     Script,
 )
-from mahovik.report.derivation.parse import NotationError, parse
-from mahovik.report.derivation.tex import tex
+from mahovik.out.report.derivation.parse import NotationError, parse
+from mahovik.out.report.derivation.tex import tex
 
 EVERY = [
     section

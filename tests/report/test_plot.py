@@ -10,14 +10,14 @@ import pytest
 from click.testing import CliRunner, Result
 
 from mahovik import stands
-from mahovik.cli import main
-from mahovik.motion.programme import RunUpTable, Samples, save_programme
-from mahovik.motion.required.model import Bounds
-from mahovik.report.plot import following, run
-from mahovik.report.plot import response as orders
-from mahovik.report.plot.draw import draw
-from mahovik.report.plot.panel import Line, Mark, Panel, border
-from mahovik.report.plot.programme import RPM, panels
+from mahovik.core.motion.programme import RunUpTable, Samples, save_programme
+from mahovik.core.motion.required.model import Bounds
+from mahovik.out.cli import main
+from mahovik.out.report.plot import following, run
+from mahovik.out.report.plot import response as orders
+from mahovik.out.report.plot.draw import draw
+from mahovik.out.report.plot.panel import Line, Mark, Panel, border
+from mahovik.out.report.plot.programme import RPM, panels
 from verify.programme.programmes import shaker
 
 SPIN = next(path for path in stands.motions("shaker2") if "spin" in path.name)

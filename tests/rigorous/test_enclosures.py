@@ -11,18 +11,18 @@ from flint import arb, ctx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mahovik import reference, rigorous
+from mahovik.core.stand import Stand, State, load
+from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.errors import StateError
-from mahovik.rigorous.ball import column, elements, length, number
-from mahovik.rigorous.evaluate import BITS, MOST_BITS, enclose
-from mahovik.rigorous.rotation import elementary, of_quaternion, rotation_vector, turned
-from mahovik.stand import Stand, State, load
-from mahovik.stand.random import EVERYTHING, random_stand, random_state
+from mahovik.proof import reference, rigorous
+from mahovik.proof.rigorous.ball import column, elements, length, number
+from mahovik.proof.rigorous.evaluate import BITS, MOST_BITS, enclose
+from mahovik.proof.rigorous.rotation import elementary, of_quaternion, rotation_vector, turned
+from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.compare import difference
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.scales import scales
 from mahovik.stands import names, path
-from mahovik.verify.bounds import DOUBLE
-from mahovik.verify.compare import difference
-from mahovik.verify.draw import draw
-from mahovik.verify.scales import scales
 from rigorous.balls import flat, middles
 from strategies import stands, states
 

@@ -9,11 +9,11 @@ from tempfile import mkdtemp
 import cffi
 import numpy as np
 
-from mahovik.emit.declaration import prototype
-from mahovik.emit.expression import Expressions
-from mahovik.emit.names import Names
-from mahovik.emit.statement import Statements
-from mahovik.routines import atan2, sincos, square_root
+from mahovik.core.emit.declaration import prototype
+from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import Statements
+from mahovik.core.routines import atan2, sincos, square_root
 from toolchain.tools import require
 
 FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wfloat-equal", "-Wshadow", "-Werror")

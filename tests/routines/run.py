@@ -6,9 +6,9 @@ from functools import cache
 import mpmath as mp
 import numpy as np
 
-from mahovik.program.function import Program
-from mahovik.program.interpret import Interpreter
-from mahovik.routines import atan2, sincos, square_root
+from mahovik.core.program.function import Program
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.routines import atan2, sincos, square_root
 
 BITS = 200  # of the reference: arguments near multiples of pi/2 cancel about 60 + 24 of them
 

@@ -6,9 +6,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from mahovik.program.cost import cost
-from mahovik.program.types import DOUBLE, FLOAT
-from mahovik.routines import atan2
+from mahovik.core.program.cost import cost
+from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.routines import atan2
 from routines.run import BITS, call, error_in_last_places, exact, neighbours
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)

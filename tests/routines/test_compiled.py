@@ -6,7 +6,7 @@ References: NumPy's sqrt (an IEEE operation), double for float, and long double 
 import numpy as np
 import pytest
 
-from mahovik.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT
 from routines.compiled import run
 from routines.run import call, call_sincos
 

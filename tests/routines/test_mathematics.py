@@ -12,7 +12,7 @@ import pytest
 from flint import arb
 
 from docs.pages import ROOT, cells
-from mahovik.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from toolchain.tools import require
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)

@@ -7,8 +7,8 @@ from pathlib import Path
 import mpmath as mp
 import pytest
 
-from mahovik.routines import arc_tangent
-from mahovik.routines.sincos import POLYNOMIALS as SINCOS
+from mahovik.core.routines import arc_tangent
+from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
 
 TOOL = Path(__file__).parents[2] / "tools" / "minimax.py"
 

@@ -6,11 +6,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from mahovik.program.cost import cost
-from mahovik.program.types import DOUBLE, FLOAT
-from mahovik.routines import sincos
-from mahovik.routines.real_constants import PI
-from mahovik.routines.sincos import SMALL_TURNS, half_pi_parts
+from mahovik.core.program.cost import cost
+from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.routines import sincos
+from mahovik.core.routines.real_constants import PI
+from mahovik.core.routines.sincos import SMALL_TURNS, half_pi_parts
 from routines.run import (
     BITS,
     call_sincos,

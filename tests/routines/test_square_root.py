@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from mahovik.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT
 from routines.run import call, neighbours
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)

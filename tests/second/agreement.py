@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from mahovik import reference
 from mahovik.errors import StateError
-from mahovik.second import WANTS
-from mahovik.verify.compare import difference
-from mahovik.verify.scales import scales
+from mahovik.proof import reference
+from mahovik.proof.second import WANTS
+from mahovik.proof.verify.compare import difference
+from mahovik.proof.verify.scales import scales
 
 NOT_THERE = ("I0", "J0")  # of `generalized`: matrices of (11), that the second derivation does not form
 

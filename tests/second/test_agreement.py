@@ -6,11 +6,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mahovik import reference, stands
-from mahovik.second import WANTS, Second, evaluate
-from mahovik.stand import load
-from mahovik.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
-from mahovik.verify.draw import draw
+from mahovik import stands
+from mahovik.core.stand import load
+from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
+from mahovik.proof import reference
+from mahovik.proof.second import WANTS, Second, evaluate
+from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, expectations
 
 EXAMPLES = sorted(Path(stands.__file__).parent.glob("*.toml"))

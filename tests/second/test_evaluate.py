@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
-from mahovik.second import WANTS, Second, evaluate
-from mahovik.stand.random import EVERYTHING, random_stand, random_state
-from mahovik.stand.state import rest_state
+from mahovik.proof.second import WANTS, Second, evaluate
 from physics.general import draw
 
 

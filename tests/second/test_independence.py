@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-import mahovik.second
+import mahovik.proof.second
 
-FILES = sorted(Path(mahovik.second.__file__).parent.glob("**/*.py"))
+FILES = sorted(Path(mahovik.proof.second.__file__).parent.glob("**/*.py"))
 STANDARD = {"__future__", "collections", "dataclasses", "functools", "math", "typing"}
-ALLOWED = ("mahovik.errors", "mahovik.stand", "mahovik.second")
+ALLOWED = ("mahovik.errors", "mahovik.core.stand", "mahovik.proof.second")
 
 
 def imported(path):
@@ -30,7 +30,7 @@ def test_only_casadi_numpy_and_the_stand_are_imported(path):
         top = module.split(".")[0]
         ours = any(module == name or module.startswith(name + ".") for name in ALLOWED)
         assert ours or top in {"casadi", "numpy"} or top in STANDARD, module
-    assert "mahovik.stand.random" not in modules
+    assert "mahovik.core.stand.random" not in modules
 
 
 def test_nothing_is_imported_in_a_way_that_ast_does_not_see():

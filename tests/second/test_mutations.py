@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import mahovik.second
-from mahovik.stand.random import EVERYTHING, SEQUENCES, random_stand
-from mahovik.verify.draw import draw
+import mahovik.proof.second
+from mahovik.core.stand.random import EVERYTHING, SEQUENCES, random_stand
+from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, expectations
 
-SOURCE = Path(mahovik.second.__file__).parent
+SOURCE = Path(mahovik.proof.second.__file__).parent
 
 # file, what is there once, what is put in its place
 MUTATIONS = {
@@ -70,7 +70,7 @@ def worst(package):
 
 
 def test_without_a_mutation_there_is_no_difference():
-    assert worst(mahovik.second) <= AGREEMENT
+    assert worst(mahovik.proof.second) <= AGREEMENT
 
 
 @pytest.mark.parametrize("name", MUTATIONS)
@@ -79,7 +79,7 @@ def test_mutations_are_noticed(name, tmp_path, monkeypatch):
     package = "mutated_" + "".join(c if c.isalnum() else "_" for c in name)
     shutil.copytree(SOURCE, tmp_path / package, ignore=shutil.ignore_patterns("__pycache__"))
     for path in (tmp_path / package).glob("*.py"):
-        text = path.read_text(encoding="utf-8").replace("mahovik.second", package)
+        text = path.read_text(encoding="utf-8").replace("mahovik.proof.second", package)
         if path.stem == module:
             assert text.count(there) == 1, f"{there!r} is not there once"
             text = text.replace(there, instead)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.second import Second, evaluate
+from mahovik.proof.second import Second, evaluate
 from physics.general import draw, isolated, without_wrench
 from physics.motions import motion, rate, rotation, vec, with_rotation
 

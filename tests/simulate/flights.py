@@ -9,9 +9,9 @@ import cffi
 import numpy as np
 
 from emit.stands import stand as known_stand
-from mahovik.emit.generate import generate_all
-from mahovik.emit.recorder import recorder_files
-from mahovik.toolchain.compiler import BITS, WARNINGS, preprocess, run_compiler
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.toolchain.compiler import BITS, WARNINGS, preprocess, run_compiler
 
 
 class Recorder:

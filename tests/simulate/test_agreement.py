@@ -10,14 +10,15 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
-from mahovik import reference, stands
+from mahovik import stands
+from mahovik.core.motion import loads, steady
+from mahovik.core.stand import load, rest_state
+from mahovik.core.stand.model import Motor
+from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from mahovik.errors import UsageError
-from mahovik.motion import loads, steady
-from mahovik.simulate import Case, Run, simulate
-from mahovik.simulate import run as run_module
-from mahovik.stand import load, rest_state
-from mahovik.stand.model import Motor
-from mahovik.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.proof import reference
+from mahovik.use.simulate import Case, Run, simulate
+from mahovik.use.simulate import run as run_module
 
 LAWS = """
 schema = 1

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 from emit.stands import stand as known_stand
-from mahovik.emit.log_format import MAGIC, RESERVED, fnv1a
-from mahovik.emit.recorder import recorder_files
+from mahovik.core.emit.log_format import MAGIC, RESERVED, fnv1a
+from mahovik.core.emit.recorder import recorder_files
 from mahovik.errors import CheckError, UsageError
-from mahovik.simulate.flight_log import Damage, Start, Step, load, records
-from mahovik.simulate.replay import CMachine, InterpreterMachine, Outcome, check_stand, explain, replay
+from mahovik.use.simulate.flight_log import Damage, Start, Step, load, records
+from mahovik.use.simulate.replay import CMachine, InterpreterMachine, Outcome, check_stand, explain, replay
 from simulate.flights import Recorder
 
 CASES = [("bench8", "double"), ("demo3", "float"), ("everything6", "double"), ("everything0", "float")]

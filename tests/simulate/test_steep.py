@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from mahovik import stands
+from mahovik.core.motion import loads
+from mahovik.core.motion.laws import RunUp
+from mahovik.core.motion.motor import drive, steepness
+from mahovik.core.stand import Stand, load, rest_state
+from mahovik.core.stand.model import Motor
 from mahovik.errors import UsageError
-from mahovik.motion import loads
-from mahovik.motion.laws import RunUp
-from mahovik.motion.motor import drive, steepness
-from mahovik.simulate import Case, Run, simulate
-from mahovik.simulate.by_c import CMotion
-from mahovik.simulate.steepness import Steepness
-from mahovik.stand import Stand, load, rest_state
-from mahovik.stand.model import Motor
-from mahovik.study.rest import rest
+from mahovik.use.simulate import Case, Run, simulate
+from mahovik.use.simulate.by_c import CMotion
+from mahovik.use.simulate.steepness import Steepness
+from mahovik.use.study.rest import rest
 
 SHAKER = load(stands.path("shaker2"))
 

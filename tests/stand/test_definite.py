@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.stand.definite import _least
+from mahovik.core.stand.definite import _least
 
 
 @pytest.mark.parametrize("flywheels", [0, 1, 6, 7, 20, 200])

@@ -7,9 +7,9 @@ import json
 import numpy as np
 import pytest
 
+from mahovik.core.stand import load
+from mahovik.core.stand.summary import summarize
 from mahovik.errors import UsageError
-from mahovik.stand import load
-from mahovik.stand.summary import summarize
 from mahovik.stands import motions, names, path
 
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mahovik.stand import dumps, identities, load, loads, structure
-from mahovik.stand.model import Factor
+from mahovik.core.stand import dumps, identities, load, loads, structure
+from mahovik.core.stand.model import Factor
 from mahovik.stands import names, path
 from strategies import stands
 

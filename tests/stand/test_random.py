@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mahovik.stand import dumps, loads, rest_state, structure
-from mahovik.stand.random import BARE, EVERYTHING, EXTREMES, extreme_state, random_stand, random_state
+from mahovik.core.stand import dumps, loads, rest_state, structure
+from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, extreme_state, random_stand, random_state
 from strategies import stands, states
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from mahovik.stand import dumps, load, loads
-from mahovik.stand.model import (
+from mahovik.core.stand import dumps, load, loads
+from mahovik.core.stand.model import (
     Buoyancy,
     DampingTerm,
     Encoder,

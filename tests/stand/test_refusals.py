@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from mahovik.core.stand import loads
 from mahovik.errors import StandError
-from mahovik.stand import loads
 
 CARRIER = """
 [carrier]

@@ -7,8 +7,8 @@ import math
 
 import pytest
 
-from mahovik.stand import load, loads
-from mahovik.stand.summary import summarize
+from mahovik.core.stand import load, loads
+from mahovik.core.stand.summary import summarize
 from mahovik.stands import path
 
 BASE = 'schema = 1\nname = "a"\nangles = "{angles}"\ngravity = {gravity}\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n'

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.stand import loads
-from mahovik.stand.units import (
+from mahovik.core.stand import loads
+from mahovik.core.stand.units import (
     ANGLE,
     DYNAMIC_UNBALANCE,
     INERTIA,

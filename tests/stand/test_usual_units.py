@@ -8,8 +8,8 @@ from itertools import product
 
 import pytest
 
-from mahovik.stand.units import _POWER, _registry
-from mahovik.stand.usual_units import UNITS, usual
+from mahovik.core.stand.units import _POWER, _registry
+from mahovik.core.stand.usual_units import UNITS, usual
 from mahovik.stands import names, path
 
 FORMS = (
@@ -44,5 +44,5 @@ def test_the_rest_is_left_to_pint(unit: str) -> None:
 
 @pytest.mark.parametrize("name", names())
 def test_example_stands_need_no_pint(name: str) -> None:
-    code = "import sys; from mahovik.stand import load; load(sys.argv[1]); sys.exit('pint' in sys.modules)"
+    code = "import sys; from mahovik.core.stand import load; load(sys.argv[1]); sys.exit('pint' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code, path(name)], check=False).returncode == 0

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from mahovik.core.stand import load, loads
 from mahovik.errors import StandError
-from mahovik.stand import load, loads
 
 HEAD = 'schema = 1\nname = "s"\n'
 WHEEL = '[[flywheel]]\nname = "w1"\nmass = 1\ninertia = [0.02, 0.01, 0.01]\n'

@@ -10,24 +10,24 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.errors import StateError
-from mahovik.second import Second
-from mahovik.stand import load
-from mahovik.stand.model import Stand
-from mahovik.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
+from mahovik.proof.diagnose.diagnosis import Clinic, Diagnosis
+from mahovik.proof.diagnose.equations import Equations
+from mahovik.proof.diagnose.fault import Fault
+from mahovik.proof.diagnose.faults import DICTIONARY
+from mahovik.proof.diagnose.match import match, share
+from mahovik.proof.diagnose.predict import Faulty, Part
+from mahovik.proof.diagnose.sheet import sheet
+from mahovik.proof.diagnose.states import FIRST, separating_states
+from mahovik.proof.diagnose.words import as_object, sentences
+from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import WANTS, NumpyBackend
+from mahovik.proof.verify.harness import askable
+from mahovik.proof.verify.states import Request
 from mahovik.stands import path
-from mahovik.study.diagnose.diagnosis import Clinic, Diagnosis
-from mahovik.study.diagnose.equations import Equations
-from mahovik.study.diagnose.fault import Fault
-from mahovik.study.diagnose.faults import DICTIONARY
-from mahovik.study.diagnose.match import match, share
-from mahovik.study.diagnose.predict import Faulty, Part
-from mahovik.study.diagnose.sheet import sheet
-from mahovik.study.diagnose.states import FIRST, separating_states
-from mahovik.study.diagnose.words import as_object, sentences
-from mahovik.verify.backends import WANTS, NumpyBackend
-from mahovik.verify.harness import askable
-from mahovik.verify.states import Request
 
 BY_NAME = {fault.name: fault for fault in DICTIONARY}
 

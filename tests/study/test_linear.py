@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 from scipy.io import loadmat
 
+from mahovik.core.stand import load
+from mahovik.core.stand.random import Features, random_stand, random_state
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError, UsageError
-from mahovik.second.linear import linear
-from mahovik.stand import load
-from mahovik.stand.random import Features, random_stand, random_state
-from mahovik.stand.state import rest_state
+from mahovik.proof.second.linear import linear
 from mahovik.stands import path
-from mahovik.study.linear import linear_model
-from mahovik.study.linear.files import rendered
-from mahovik.study.rest import rest
+from mahovik.use.study.linear import linear_model
+from mahovik.use.study.linear.files import rendered
+from mahovik.use.study.rest import rest
 
 AGREEMENT = 1e-10
 """Of the largest number of its row; the largest seen in a hundred stands is 6e-12, where rows nearly cancel."""

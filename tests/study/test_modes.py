@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.stand import load, loads
-from mahovik.stand.state import rest_state
+from mahovik.core.stand import load, loads
+from mahovik.core.stand.state import rest_state
 from mahovik.stands import path
-from mahovik.study.linear import linear_model, modes
-from mahovik.study.rest import rest
+from mahovik.use.study.linear import linear_model, modes
+from mahovik.use.study.rest import rest
 
 SPRUNG = """
 schema = 1

@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 
 from cli.run import run
-from mahovik import reference
-from mahovik.stand import Stand, load
-from mahovik.stand.summary import summarize
-from mahovik.stand.write import dumps
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.summary import summarize
+from mahovik.core.stand.write import dumps
+from mahovik.proof import reference
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.draw import rounded
 from mahovik.stands import names, path
-from mahovik.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, balanced, shortfalls, states
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.draw import rounded
+from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, balanced, shortfalls, states
 
 SPEED = 300.0
 

@@ -9,16 +9,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from mahovik.core.stand import load
 from mahovik.errors import CheckError, UsageError
-from mahovik.stand import load
 from mahovik.stands import path
-from mahovik.study.linear import linear_model
-from mahovik.study.response import Scene, common_period, periodic_response
-from mahovik.study.response.asked import read_speeds
-from mahovik.study.response.collocation import derivative, odd_length, resampled
-from mahovik.study.response.files import csv_text, json_text
-from mahovik.study.response.motion import rms
-from mahovik.study.response.sweep import sweep
+from mahovik.use.study.linear import linear_model
+from mahovik.use.study.response import Scene, common_period, periodic_response
+from mahovik.use.study.response.asked import read_speeds
+from mahovik.use.study.response.collocation import derivative, odd_length, resampled
+from mahovik.use.study.response.files import csv_text, json_text
+from mahovik.use.study.response.motion import rms
+from mahovik.use.study.response.sweep import sweep
 
 RPM = math.pi / 30
 
@@ -114,8 +114,8 @@ def test_a_floating_stand_keeps_its_centre_of_mass():
     """sat4: no wrench is needed to hold its mean place, and its momentum is the same at all nodes, in E0: none."""
     from scipy.spatial.transform import Rotation
 
-    from mahovik import reference
-    from mahovik.reference.rotation import quaternion_rotation
+    from mahovik.proof import reference
+    from mahovik.proof.reference.rotation import quaternion_rotation
 
     stand = load(path("sat4"))
     found = periodic_response(stand, [628.0, 0.0, 314.0, 0.0])

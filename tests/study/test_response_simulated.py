@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik import motion
-from mahovik.simulate import Case, simulate
-from mahovik.stand import load
-from mahovik.stand.model import Point
-from mahovik.stand.random import Features, random_stand
+from mahovik.core import motion
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Point
+from mahovik.core.stand.random import Features, random_stand
 from mahovik.stands import path
-from mahovik.study.response import periodic_response
+from mahovik.use.simulate import Case, simulate
+from mahovik.use.study.response import periodic_response
 
 POSE_AND_V = ("x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz", "v_x [m/s]", "v_y [m/s]", "v_z [m/s]")
 POSE_AND_V += tuple(f"omega_{a} [rad/s]" for a in "xyz")
@@ -68,7 +68,7 @@ def test_a_floating_stand_comes_back_after_a_period():
 
 def resting_case(stand, speeds, until, every):
     """From rest, flywheels at speed at once."""
-    from mahovik.study.rest import rest
+    from mahovik.use.study.rest import rest
 
     return Case(stand, motion.steady(stand, speeds), rest(stand).state, until, every, 1e-4)
 

@@ -7,13 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik import reference, stands
+from mahovik import stands
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Leg
+from mahovik.core.stand.random import Features, random_stand
 from mahovik.errors import CheckError
-from mahovik.stand import load
-from mahovik.stand.model import Leg
-from mahovik.stand.random import Features, random_stand
-from mahovik.study.rest import rest
-from mahovik.verify.c_backend import CBackend
+from mahovik.proof import reference
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.use.study.rest import rest
 
 LIMIT = 1e-12  # the contract of `mahovik rest`, absolute
 

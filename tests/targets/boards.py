@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mahovik.toolchain.targets import TARGETS, Target
+from mahovik.core.toolchain.targets import TARGETS, Target
 from toolchain.tools import require
 
 EMBEDDED = ("m3", "m4", "m7", "m33", "m55", "rv32imac", "rv32imafc", "rv32gc", "rv64imac", "rv64gc")

@@ -6,12 +6,12 @@ from functools import cache
 
 import pytest
 
-from mahovik.emit.delivery import firmware
-from mahovik.export import target as project
-from mahovik.stand import load
-from mahovik.stand.model import Stand
+from mahovik.core.emit.delivery import firmware
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.out.export import target as project
+from mahovik.proof.verify import targets
 from mahovik.stands import path
-from mahovik.verify import targets
 
 
 @cache

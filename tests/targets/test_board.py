@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from mahovik.core.toolchain import targets as targets_module
+from mahovik.core.toolchain.board import build, run, version
+from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import ToolchainError
-from mahovik.toolchain import targets as targets_module
-from mahovik.toolchain.board import build, run, version
-from mahovik.toolchain.targets import TARGETS
 from targets.boards import EMBEDDED, QUICK, target
 
 HELLO = """

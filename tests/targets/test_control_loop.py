@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from mahovik.stand import load
+from mahovik.core.stand import load
+from mahovik.core.toolchain.board import build, run
+from mahovik.core.toolchain.loop import BENCH8, Counts, control_loop, read_counts
 from mahovik.stands import path
-from mahovik.toolchain.board import build, run
-from mahovik.toolchain.loop import BENCH8, Counts, control_loop, read_counts
 from targets.boards import target
 
 TICKS = 1000

@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
+from mahovik.core.stand import load
 from mahovik.errors import UsageError
-from mahovik.stand import load
-from mahovik.study.cost.check import compare
-from mahovik.study.cost.measure import Costs, FunctionCost, TargetCost, asked, measure
-from mahovik.study.cost.page import accepted, as_json, page
+from mahovik.proof.cost.check import compare
+from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, asked, measure
+from mahovik.proof.cost.page import accepted, as_json, page
 from targets.boards import target
 from toolchain.tools import require
 

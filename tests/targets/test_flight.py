@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from mahovik.simulate.flight_log import Start, load, records
-from mahovik.simulate.replay import CMachine, Outcome, replay
-from mahovik.stand import load as load_stand
+from mahovik.core.stand import load as load_stand
+from mahovik.core.toolchain.board import build, run
+from mahovik.core.toolchain.flight import flight
 from mahovik.stands import path
-from mahovik.toolchain.board import build, run
-from mahovik.toolchain.flight import flight
+from mahovik.use.simulate.flight_log import Start, load, records
+from mahovik.use.simulate.replay import CMachine, Outcome, replay
 from targets.boards import target
 
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from mahovik.core.toolchain.board import compile_one
+from mahovik.core.toolchain.footprint import STACK_FLAGS, Footprint, footprint
 from mahovik.errors import ToolchainError
-from mahovik.toolchain.board import compile_one
-from mahovik.toolchain.footprint import STACK_FLAGS, Footprint, footprint
 from targets.boards import target
 
 CHAIN = """

@@ -9,12 +9,12 @@ import pytest
 
 from export.programmes import stand
 from export.servos import exported
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.board import build, run
 from mahovik.errors import UsageError
-from mahovik.export.pil import Run, processor_in_the_loop, read_run
-from mahovik.stand import load
-from mahovik.stand.model import Stand
+from mahovik.out.export.pil import Run, processor_in_the_loop, read_run
 from mahovik.stands import path
-from mahovik.toolchain.board import build, run
 from targets.boards import target
 
 BOARDS = [("m4", "float"), ("rv64gc", "double"), ("m55", "double")]

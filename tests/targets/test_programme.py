@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from export.programmes import exported, stand_files
-from mahovik.toolchain.board import build, run
+from mahovik.core.toolchain.board import build, run
 from targets.boards import EMBEDDED, target
 
 MAIN = """#include "board.h"

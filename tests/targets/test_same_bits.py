@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3, refused, run
+from mahovik.core.stand import load
+from mahovik.core.toolchain import board
+from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
-from mahovik.stand import load
-from mahovik.toolchain import board
-from mahovik.toolchain.targets import TARGETS
-from mahovik.verify.targets import QUICK, TargetRow, TargetsReport, asked, verify_targets
-from mahovik.verify.targets_report import as_json, as_junit
+from mahovik.proof.verify.targets import QUICK, TargetRow, TargetsReport, asked, verify_targets
+from mahovik.proof.verify.targets_report import as_json, as_junit
 from targets.boards import target
 
 

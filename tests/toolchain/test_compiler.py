@@ -6,10 +6,10 @@ import stat
 import pytest
 
 from emit.stands import generated, stand, write
+from mahovik.core.toolchain.compiler import CANDIDATES, build_shared, find_compiler, preprocess
+from mahovik.core.toolchain.library import Library
 from mahovik.errors import ToolchainError
-from mahovik.toolchain.compiler import CANDIDATES, build_shared, find_compiler, preprocess
-from mahovik.toolchain.library import Library
-from mahovik.verify.c_backend import CBackend
+from mahovik.proof.verify.c_backend import CBackend
 from toolchain.tools import require
 
 GOOD = "int answer(void);\nint answer(void) { return 42; }\n"

@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from emit.stands import stand, write
-from mahovik.emit.delivery import delivery
-from mahovik.emit.eva import CLAIMED, drivers
-from mahovik.emit.generate import generate_all
+from mahovik.core.emit.delivery import delivery
+from mahovik.core.emit.eva import CLAIMED, drivers
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.toolchain.eva import Proof, parsed, prove
 from mahovik.errors import ToolchainError
-from mahovik.toolchain.eva import Proof, parsed, prove
 from toolchain.tools import require
 
 FAULTS = {

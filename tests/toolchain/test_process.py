@@ -10,8 +10,8 @@ from subprocess import CompletedProcess
 
 import pytest
 
+from mahovik.core.toolchain import process
 from mahovik.errors import ToolchainError
-from mahovik.toolchain import process
 
 PATIENT = (sys.executable, "-c", "import time; time.sleep(60)")
 BRIEF = (sys.executable, "-c", "import time; time.sleep(1); print('done')")

@@ -5,9 +5,9 @@ from collections import Counter
 import pytest
 
 from emit.stands import stand, write
-from mahovik.emit.delivery import delivery
+from mahovik.core.emit.delivery import delivery
+from mahovik.core.toolchain.static_checks import DEVIATIONS, KNOWN, Finding, counted, findings, warned
 from mahovik.stands import names
-from mahovik.toolchain.static_checks import DEVIATIONS, KNOWN, Finding, counted, findings, warned
 from toolchain.tools import require
 
 

@@ -22,16 +22,16 @@ from typing import Any
 import pytest
 
 from emit import stands as examples
-from mahovik.emit.expression import Expressions
-from mahovik.emit.generate import Generated
-from mahovik.emit.names import Names
-from mahovik.emit.statement import Statements
-from mahovik.lower.values import Values
-from mahovik.program.function import Function, Program
-from mahovik.program.types import DOUBLE
-from mahovik.verify.c_backend import InterpreterBackend, with_all_inputs
-from mahovik.verify.draw import draw
-from mahovik.verify.harness import judge
+from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.generate import Generated
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import Statements
+from mahovik.core.lower.values import Values
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.types import DOUBLE
+from mahovik.proof.verify.c_backend import InterpreterBackend, with_all_inputs
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import judge
 from traceability.equations import ROOT, subjects
 from traceability.lines import functions, names
 from traceability.mutants import MUTANTS, chosen, mutant, planted, sites

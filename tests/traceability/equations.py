@@ -10,10 +10,10 @@ import re
 from pathlib import Path
 from typing import Any
 
-from mahovik.derive import accumulate, attitude, carrier, drive, flywheel, motion, point, sensitivity, wrench
-from mahovik.derive.document import generalized as document
-from mahovik.program.function import Function
-from mahovik.reference import (
+from mahovik.core.derive import accumulate, attitude, carrier, drive, flywheel, motion, point, sensitivity, wrench
+from mahovik.core.derive.document import generalized as document
+from mahovik.core.program.function import Function
+from mahovik.proof.reference import (
     coupled,
     forward,
     generalized,
@@ -26,9 +26,9 @@ from mahovik.reference import (
     torque,
     wrenches,
 )
-from mahovik.reference import rotation as reference_rotation
-from mahovik.second import problems
-from mahovik.second import system as second_system
+from mahovik.proof.reference import rotation as reference_rotation
+from mahovik.proof.second import problems
+from mahovik.proof.second import system as second_system
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -148,7 +148,7 @@ def numbers(text: str) -> list[str]:
 
 
 def called(thing: Any) -> str:
-    """`derive/carrier.py momentum` of a function or module of the package."""
+    """`core/derive/carrier.py momentum` of a function or module of the package."""
     module = thing if inspect.ismodule(thing) else inspect.getmodule(thing)
     assert module is not None
     path = module.__name__.removeprefix("mahovik.").replace(".", "/")

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from emit.stands import generated
 from mahovik import stands
-from mahovik.emit.spans import spans as emitted
-from mahovik.program.function import Function
+from mahovik.core.emit.spans import spans as emitted
+from mahovik.core.program.function import Function
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 FIRST = "bench8"

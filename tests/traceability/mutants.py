@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from mahovik.program.expression import (
+from mahovik.core.program.expression import (
     Binary,
     BitCast,
     Call,
@@ -20,9 +20,9 @@ from mahovik.program.expression import (
     Place,
     Select,
 )
-from mahovik.program.function import Function
-from mahovik.program.statement import Block, Let, Loop, Return, Set, Statement, When
-from mahovik.program.types import Kind
+from mahovik.core.program.function import Function
+from mahovik.core.program.statement import Block, Let, Loop, Return, Set, Statement, When
+from mahovik.core.program.types import Kind
 
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
 

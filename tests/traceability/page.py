@@ -6,7 +6,7 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from mahovik.program.function import Function
+from mahovik.core.program.function import Function
 from traceability.equations import DERIVED, EQUATIONS, OTHERS, REFERENCE, ROOT, SECOND, called, subjects
 from traceability.lines import spans
 from traceability.mutants import MUTANTS, chosen

@@ -9,20 +9,20 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.emit.generate import Generated
-from mahovik.lower.layout import Layout
-from mahovik.lower.program import lower_layout
-from mahovik.lower.values import Values
-from mahovik.program.expression import Const, Expr, Negate
-from mahovik.program.function import Function, Program
-from mahovik.program.statement import Loop, Set, Statement, When
-from mahovik.program.types import DOUBLE
-from mahovik.stand.model import Sequence, Stand
-from mahovik.stand.random import EVERYTHING, random_stand
-from mahovik.stand.structure import structure
-from mahovik.verify.c_backend import InterpreterBackend
-from mahovik.verify.draw import draw
-from mahovik.verify.harness import judge
+from mahovik.core.emit.generate import Generated
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.program import lower_layout
+from mahovik.core.lower.values import Values
+from mahovik.core.program.expression import Const, Expr, Negate
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.statement import Loop, Set, Statement, When
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.model import Sequence, Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.core.stand.structure import structure
+from mahovik.proof.verify.c_backend import InterpreterBackend
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import judge
 
 
 @cache

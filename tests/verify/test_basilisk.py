@@ -14,25 +14,25 @@ import numpy as np
 import pytest
 
 from cli.run import DEMO3, run
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.core.stand.random_state import random_state
 from mahovik.errors import UsageError
-from mahovik.stand import Stand, load
-from mahovik.stand.random import BARE, random_stand
-from mahovik.stand.random_state import random_state
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.judges import compare
+from mahovik.proof.verify.judges.basilisk_wheel import hub, unlike, wheels, with_its_wheels
+from mahovik.proof.verify.judges.compare import QUANTITIES, motion_of, verify_by, verify_judges
+from mahovik.proof.verify.judges.rigid import missing, stripped
+from mahovik.proof.verify.report import Report, conclusion
 from mahovik.stands import path
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.judges import compare
-from mahovik.verify.judges.basilisk_wheel import hub, unlike, wheels, with_its_wheels
-from mahovik.verify.judges.compare import QUANTITIES, motion_of, verify_by, verify_judges
-from mahovik.verify.judges.rigid import missing, stripped
-from mahovik.verify.report import Report, conclusion
 
 if importlib.util.find_spec("Basilisk") is None:
     if os.environ.get("CI"):
         raise ImportError("no Basilisk: pip install bsk")
     pytest.skip("no Basilisk: pip install bsk", allow_module_level=True)
 
-from mahovik.verify.judges import basilisk_judge
-from mahovik.verify.judges.basilisk_judge import BasiliskJudge
+from mahovik.proof.verify.judges import basilisk_judge
+from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge
 
 FEATURES = replace(BARE, instruments=2)
 RAW = {name: stripped(load(path(name))) for name in ("bench8", "remus6", "sat4")} | {
@@ -189,7 +189,7 @@ def test_what_it_has_not_is_named() -> None:
 
 
 def test_without_it_the_others_judge(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delitem(sys.modules, "mahovik.verify.judges.basilisk_judge", raising=False)
+    monkeypatch.delitem(sys.modules, "mahovik.proof.verify.judges.basilisk_judge", raising=False)
     monkeypatch.setitem(sys.modules, "Basilisk", None)
     found = verify_judges(load(path("demo3")), count=2, until=UNTIL)
     assert found.passed, conclusion(found)

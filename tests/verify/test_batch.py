@@ -9,9 +9,9 @@ import pytest
 
 from cli.run import DEMO3, run
 from emit.stands import generated, stand, write
-from mahovik.emit.batch import batch_files
-from mahovik.emit.generate import generate_all
-from mahovik.verify.batch import QUANTITY, batch_row
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.generate import generate_all
+from mahovik.proof.verify.batch import QUANTITY, batch_row
 
 
 @pytest.fixture(scope="module")

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik import reference
-from mahovik.stand import State, load, rest_state
+from mahovik.core.stand import State, load, rest_state
+from mahovik.proof import reference
+from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.evaluate import encode, results
 from mahovik.stands import path
-from mahovik.verify.backends import NumpyBackend
-from mahovik.verify.evaluate import encode, results
 
 AUV = load(path("auv6"))
 

@@ -10,19 +10,19 @@ import pytest
 from hypothesis import given, settings
 
 from cli.run import DEMO3, refused, run
-from mahovik.emit.generate import generate
-from mahovik.lower.thresholds import THRESHOLDS
-from mahovik.program.types import FLOAT as SINGLE
-from mahovik.second import Second
-from mahovik.stand import Stand, load
+from mahovik.core.emit.generate import generate
+from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.program.types import FLOAT as SINGLE
+from mahovik.core.stand import Stand, load
+from mahovik.proof.second import Second
+from mahovik.proof.verify.bounds import DOUBLE, FLOAT
+from mahovik.proof.verify.campaign import random_stands
+from mahovik.proof.verify.compare import Judge, Row
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import verify_c
+from mahovik.proof.verify.report import Report, conclusion
+from mahovik.proof.verify.states import MAX_PHASE
 from mahovik.stands import path
-from mahovik.verify.bounds import DOUBLE, FLOAT
-from mahovik.verify.campaign import random_stands
-from mahovik.verify.compare import Judge, Row
-from mahovik.verify.draw import draw
-from mahovik.verify.harness import verify_c
-from mahovik.verify.report import Report, conclusion
-from mahovik.verify.states import MAX_PHASE
 from strategies import stands
 from verify.build import everything
 

@@ -13,19 +13,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.emit.generate import generate
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import Stand, State, load, rest_state
 from mahovik.errors import CheckError, StateError, ToolchainError, UsageError
-from mahovik.stand import Stand, State, load, rest_state
+from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.compare import Row, difference, same_bits
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.evaluate import state_line
+from mahovik.proof.verify.harness import judge, verify_c
+from mahovik.proof.verify.program_backend import PROGRAM_WANTS
+from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
+from mahovik.proof.verify.states import read_line
 from mahovik.stands import path
-from mahovik.verify.backends import NumpyBackend
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.compare import Row, difference, same_bits
-from mahovik.verify.draw import draw
-from mahovik.verify.evaluate import state_line
-from mahovik.verify.harness import judge, verify_c
-from mahovik.verify.program_backend import PROGRAM_WANTS
-from mahovik.verify.report import as_json, as_junit, conclusion, worst_lines
-from mahovik.verify.states import read_line
 from verify.build import everything
 
 DEMO = load(path("demo3"))

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, refused, run
-from mahovik.stand import Stand, load
-from mahovik.stand.random import BARE, random_stand
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.judges import compare
+from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, load_judges, near, verify_judges
+from mahovik.proof.verify.judges.rigid import missing, stripped, tree
+from mahovik.proof.verify.report import conclusion
 from mahovik.stands import path
-from mahovik.verify.draw import draw
-from mahovik.verify.judges import compare
-from mahovik.verify.judges.compare import JUDGES, MOTION, QUANTITIES, load_judges, near, verify_judges
-from mahovik.verify.judges.rigid import missing, stripped, tree
-from mahovik.verify.report import conclusion
 
 DEMO = load(path("demo3"))
 FEATURES = replace(BARE, gravity=True, instruments=2, points=2, wrench_inputs=True)
@@ -89,7 +89,7 @@ def test_a_judge_that_is_not_installed_is_one_line_with_the_command(monkeypatch:
             raise ModuleNotFoundError("No module named 'pinocchio'", name="pinocchio")
         return real(name, *given, **more)
 
-    monkeypatch.delitem(sys.modules, "mahovik.verify.judges.pinocchio_judge", raising=False)
+    monkeypatch.delitem(sys.modules, "mahovik.proof.verify.judges.pinocchio_judge", raising=False)
     monkeypatch.setattr(builtins, "__import__", without)
     (line,) = refused("verify", DEMO3, "--judges").splitlines()
     assert "pip install pin mujoco" in line
@@ -123,7 +123,7 @@ def test_a_wrong_model_is_caught_by_both(change: str, monkeypatch: pytest.Monkey
         new = old @ turn if change == "axes" else old * (1 + 1e-9)
         return (*others, replace(last, **{name: new}))
 
-    from mahovik.verify.judges import mujoco_judge, pinocchio_judge
+    from mahovik.proof.verify.judges import mujoco_judge, pinocchio_judge
 
     for module in (mujoco_judge, pinocchio_judge):
         monkeypatch.setattr(module, "tree", wrong)

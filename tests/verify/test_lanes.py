@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.emit.generate import LANES
-from mahovik.stand import load
-from mahovik.stand.random import BARE, random_stand
+from mahovik.core.emit.generate import LANES
+from mahovik.core.stand import load
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import judge, verify_c
 from mahovik.stands import names, path
-from mahovik.verify.bounds import DOUBLE
-from mahovik.verify.c_backend import CBackend
-from mahovik.verify.draw import draw
-from mahovik.verify.harness import judge, verify_c
 
 
 @pytest.mark.slow

@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from mahovik.derive import accumulate, attitude, carrier, carrying, flywheel, wrench
-from mahovik.derive.symbols import matrix, vector
-from mahovik.lower import forward, laws, values, wrenches
-from mahovik.lower.thresholds import THRESHOLDS
-from mahovik.stand.model import MountingAngles, Stand
+from mahovik.core.derive import accumulate, attitude, carrier, carrying, flywheel, wrench
+from mahovik.core.derive.symbols import matrix, vector
+from mahovik.core.lower import forward, laws, values, wrenches
+from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.stand.model import MountingAngles, Stand
 from verify.build import everything, failing, generated
 
 Patch = Callable[[pytest.MonkeyPatch], None]

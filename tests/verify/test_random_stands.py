@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from mahovik.stand import Stand, load
+from mahovik.core.stand import Stand, load
+from mahovik.proof.verify.campaign import WHAT_MATTERS, random_stands, verify_random
+from mahovik.proof.verify.report import conclusion
 from mahovik.stands import names, path
-from mahovik.verify.campaign import WHAT_MATTERS, random_stands, verify_random
-from mahovik.verify.report import conclusion
 
 STANDS = (*random_stands(WHAT_MATTERS), *(load(path(name)) for name in names()))
 STATES = 13  # at rest, four of the extreme kinds, ordinary ones with and without run-time wrenches

@@ -16,21 +16,21 @@ from flint import arb, ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik import rigorous
-from mahovik.emit.generate import generate
+from mahovik.core.emit.generate import generate
+from mahovik.core.stand import Stand, State, load
+from mahovik.core.stand.model import MountingAxes
+from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import StateError
-from mahovik.stand import Stand, State, load
-from mahovik.stand.model import MountingAxes
-from mahovik.stand.random import EVERYTHING, random_stand
+from mahovik.proof import rigorous
+from mahovik.proof.verify.bounds import DOUBLE, FLOAT
+from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.rounding.error import MISSING, error, narrow, ulp, units
+from mahovik.proof.verify.rounding.exact_program import ExactProgram
+from mahovik.proof.verify.rounding.limits import ULPS
+from mahovik.proof.verify.rounding.measure import RoundingReport, Ruler, measure_rounding
+from mahovik.proof.verify.rounding.report import conclusion, ulp_text
 from mahovik.stands import names, path
-from mahovik.verify.bounds import DOUBLE, FLOAT
-from mahovik.verify.c_backend import CBackend, with_all_inputs
-from mahovik.verify.draw import draw
-from mahovik.verify.rounding.error import MISSING, error, narrow, ulp, units
-from mahovik.verify.rounding.exact_program import ExactProgram
-from mahovik.verify.rounding.limits import ULPS
-from mahovik.verify.rounding.measure import RoundingReport, Ruler, measure_rounding
-from mahovik.verify.rounding.report import conclusion, ulp_text
 from rigorous.balls import flat
 from verify.build import generated
 

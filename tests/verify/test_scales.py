@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from mahovik import reference
+from mahovik.core.stand import Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.errors import StateError
-from mahovik.stand import Stand
-from mahovik.stand.random import EVERYTHING, random_stand, random_state
-from mahovik.verify.draw import draw
-from mahovik.verify.harness import askable
-from mahovik.verify.scales import WANT_SCALES, scales
+from mahovik.proof import reference
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import askable
+from mahovik.proof.verify.scales import WANT_SCALES, scales
 from strategies import stands
 
 ROUNDING = 1 + 1e-9  # of the scale's own sums; the bound itself is exact

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.core.stand import load
+from mahovik.core.stand.random import EXTREMES, extreme_state
 from mahovik.errors import StateError
-from mahovik.stand import load
-from mahovik.stand.random import EXTREMES, extreme_state
+from mahovik.proof.verify.evaluate import state_line
+from mahovik.proof.verify.states import Request, read_line
 from mahovik.stands import path
-from mahovik.verify.evaluate import state_line
-from mahovik.verify.states import Request, read_line
 
 AUV = load(path("auv6"))
 N = len(AUV.flywheels)

@@ -11,18 +11,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik import reference
+from mahovik.core.stand import State, load
 from mahovik.errors import StateError
-from mahovik.second import Second
-from mahovik.stand import State, load
+from mahovik.proof import reference
+from mahovik.proof.second import Second
+from mahovik.proof.verify import compare
+from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.compare import Row, Three
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import judge, report
+from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
+from mahovik.proof.verify.states import read_line
 from mahovik.stands import path
-from mahovik.verify import compare
-from mahovik.verify.backends import NumpyBackend
-from mahovik.verify.compare import Row, Three
-from mahovik.verify.draw import draw
-from mahovik.verify.harness import judge, report
-from mahovik.verify.report import as_json, as_junit, conclusion, worst_lines
-from mahovik.verify.states import read_line
 
 DEMO = load(path("demo3"))
 

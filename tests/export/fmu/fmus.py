@@ -18,14 +18,14 @@ from fmpy.fmi2 import FMU2Model, FMU2Slave, defaultCallbacks, fmi2CallbackFuncti
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 from mahovik import stands
-from mahovik.emit.generate import Generated, generate_all
-from mahovik.export.fmu import Fmu, export_fmu
-from mahovik.lower.fmu.variables import Inputs, Kind
-from mahovik.stand import read
-from mahovik.stand.model import Stand
-from mahovik.stand.random import EVERYTHING, random_stand
-from mahovik.stand.state import State, rest_state
-from mahovik.study.rest import rest
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.lower.fmu.variables import Inputs, Kind
+from mahovik.core.stand import read
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.core.stand.state import State, rest_state
+from mahovik.out.export.fmu import Fmu, export_fmu
+from mahovik.use.study.rest import rest
 
 _FOLDER = Path(tempfile.mkdtemp(prefix="mahovik-fmus-"))
 atexit.register(shutil.rmtree, _FOLDER, ignore_errors=True)

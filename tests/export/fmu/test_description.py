@@ -13,10 +13,10 @@ from fmpy.validation import validate_fmu
 
 from export.fmu import fmus
 from export.fmu.fmus import COMBINATIONS, STANDS
-from mahovik.export.fmu import export_fmu
-from mahovik.lower.fmu import units
-from mahovik.lower.fmu.variables import Inputs, Kind
-from mahovik.stand.state import rest_state
+from mahovik.core.lower.fmu import units
+from mahovik.core.lower.fmu.variables import Inputs, Kind
+from mahovik.core.stand.state import rest_state
+from mahovik.out.export.fmu import export_fmu
 
 QUICK = [("bench8", *COMBINATIONS[4]), ("driven", *COMBINATIONS[2]), ("driven", *COMBINATIONS[5])]
 QUICK += [("rigid", *COMBINATIONS[2])]

@@ -9,9 +9,9 @@ import pytest
 
 from export.fmu import fmus
 from export.fmu.fmus import Instance
-from mahovik.motion import loads
-from mahovik.simulate import Case, simulate
-from mahovik.stand.state import rest_state
+from mahovik.core.motion import loads
+from mahovik.core.stand.state import rest_state
+from mahovik.use.simulate import Case, simulate
 
 SEEN = ("carrier.position[1]", "carrier.attitude[2]", "carrier.V[6]", "w1.phi", "w2.phi_dot", "energy")
 DRIVEN = {"w1.tau": 0.03, "w2.tau": -0.02, "carrier.V[1]": 0.2, "w1.phi_dot": 50.0, "carrier.wrench[3]": 2.0}

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from export.fmu import fmus
-from mahovik.lower.fmu.variables import Inputs
-from mahovik.motion import loads
-from mahovik.simulate import Case, simulate
-from mahovik.stand.model import Stand
-from mahovik.stand.state import State
+from mahovik.core.lower.fmu.variables import Inputs
+from mahovik.core.motion import loads
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.use.simulate import Case, simulate
 
 UNTIL, EVERY, DT = 0.1, 0.0125, 1e-3
 SPEEDS, TORQUE, ACCELERATION, WRENCH = 40.0, 0.02, 30.0, (3.0, -2.0, 1.0, 0.2, 0.1, -0.3)

@@ -12,12 +12,12 @@ from fmpy.build import build_platform_binary
 
 from export.fmu import fmus
 from export.fmu.fmus import COMBINATIONS, STANDS
-from mahovik.emit.fmu import HEADERS
-from mahovik.export.fmu import export_fmu
-from mahovik.lower.fmu.variables import Inputs, Kind
-from mahovik.stand.state import rest_state
-from mahovik.toolchain.compiler import WARNINGS
-from mahovik.toolchain.module import STRICT
+from mahovik.core.emit.fmu import HEADERS
+from mahovik.core.lower.fmu.variables import Inputs, Kind
+from mahovik.core.stand.state import rest_state
+from mahovik.core.toolchain.compiler import WARNINGS
+from mahovik.core.toolchain.module import STRICT
+from mahovik.out.export.fmu import export_fmu
 from toolchain.tools import require
 
 

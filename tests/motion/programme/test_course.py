@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from mahovik.motion.programme import Fourier, Programme, RunUpTable, Samples
+from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Samples
 
 COEFFICIENTS = arrays(np.float64, (3, 2), elements=st.floats(-1.0, 1.0))
 T = 0.1

@@ -13,8 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from mahovik.errors import ProgrammeError, UsageError
-from mahovik.motion.programme import (
+from mahovik.core.motion.programme import (
     Fourier,
     Programme,
     RunUpTable,
@@ -24,6 +23,7 @@ from mahovik.motion.programme import (
     read_programme,
     save_programme,
 )
+from mahovik.errors import ProgrammeError, UsageError
 
 NAMES = ("left", "right")
 FINITE = st.floats(allow_nan=False, allow_infinity=False)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from mahovik.motion.required.course import Harmonics, Sampled
+from mahovik.core.motion.required.course import Harmonics, Sampled
 
 AMPLITUDES = arrays(np.float64, (3, 6), elements=st.floats(-1.0, 1.0))
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from mahovik import stands
+from mahovik.core.motion.required import load_motion, read_motion
+from mahovik.core.stand import load as load_stand
 from mahovik.errors import MotionError
-from mahovik.motion.required import load_motion, read_motion
-from mahovik.stand import load as load_stand
 
 SHAKER = load_stand(stands.path("shaker2"))
 SIX = [0.0] * 6

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from mahovik import stands
+from mahovik.core.motion.required import load_motion
+from mahovik.core.stand import load
 from mahovik.errors import MotionError
-from mahovik.motion.required import load_motion
-from mahovik.stand import load
 
 STAND = load(stands.path("bench8"))
 EXACT = load_motion(stands.motions("bench8")[0], STAND)

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from mahovik import stands
+from mahovik.core.motion.servo import Servo, Trim, load_servo, read_servo
+from mahovik.core.motion.servo.read import TRIM_KEYS
+from mahovik.core.stand import load
 from mahovik.errors import ServoError
-from mahovik.motion.servo import Servo, Trim, load_servo, read_servo
-from mahovik.motion.servo.read import TRIM_KEYS
-from mahovik.stand import load
 
 SHAKER, SAT4, REMUS = (load(stands.path(name)) for name in ("shaker2", "sat4", "remus6"))
 LEAST = 'schema = 1\nsample_period = "1 ms"\nbandwidth = "50 Hz"\n'

@@ -6,16 +6,16 @@ from importlib import import_module
 import numpy as np
 import pytest
 
-from mahovik.report.stand.gather import gather
-from mahovik.report.stand.run import Run
-from mahovik.simulate.columns import names
-from mahovik.stand import load
-from mahovik.stand.random import BARE, Features, random_stand
+from mahovik.core.stand import load
+from mahovik.core.stand.random import BARE, Features, random_stand
+from mahovik.out.report.stand.gather import gather
+from mahovik.out.report.stand.run import Run
 from mahovik.stands import path
+from mahovik.use.simulate.columns import names
 
 from .chromium import Opened, launched
 
-assembled = import_module("mahovik.report.stand.page")  # its name is that of its function, too
+assembled = import_module("mahovik.out.report.stand.page")  # its name is that of its function, too
 
 
 def made_run(stand, rows=400, span=0.4, amplitude=3e-5):

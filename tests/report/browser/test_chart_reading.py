@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mahovik.emit.templates import template
-from mahovik.report.plot.panel import Line, Panel
-from mahovik.report.stand.chart import charts
+from mahovik.core.emit.templates import template
+from mahovik.out.report.plot.panel import Line, Panel
+from mahovik.out.report.stand.chart import charts
 
 from .chromium import Opened
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mahovik.report.stand.projection import Projection
+from mahovik.out.report.stand.projection import Projection
 
 INSIDE = """([d, points]) => {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");

@@ -7,15 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from mahovik import reference, stands
-from mahovik.motion.read import loads
-from mahovik.report.stand.material import Material
-from mahovik.report.stand.run import Run
-from mahovik.simulate.case import Case
-from mahovik.simulate.run import simulate
-from mahovik.stand import Stand, load
-from mahovik.stand.random_state import random_state
-from mahovik.stand.state import State, rest_state
+from mahovik import stands
+from mahovik.core.motion.read import loads
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.state import State, rest_state
+from mahovik.out.report.stand.material import Material
+from mahovik.out.report.stand.run import Run
+from mahovik.proof import reference
+from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.run import simulate
 
 
 def example(name: str) -> Stand:

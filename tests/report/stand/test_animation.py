@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from mahovik.motion.required import load_motion
-from mahovik.report.stand.animated import Motion, motion_of, thinned
-from mahovik.report.stand.animation import BYTES, magnifications, reference, relative, section
-from mahovik.report.stand.gather import gather
-from mahovik.report.stand.run import Run
-from mahovik.stand import load
+from mahovik.core.motion.required import load_motion
+from mahovik.core.stand import load
+from mahovik.out.report.stand.animated import Motion, motion_of, thinned
+from mahovik.out.report.stand.animation import BYTES, magnifications, reference, relative, section
+from mahovik.out.report.stand.gather import gather
+from mahovik.out.report.stand.run import Run
 from mahovik.stands import path
 
 

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.report.stand import campbell as section
-from mahovik.stand import Stand
-from mahovik.stand.model import Leg
-from mahovik.study.campbell import NODES, _averaged, campbell, mean_equations, natural_at
-from mahovik.study.linear import linear_model
-from mahovik.study.response.scene import Scene
+from mahovik.core.stand import Stand
+from mahovik.core.stand.model import Leg
+from mahovik.out.report.stand import campbell as section
+from mahovik.use.study.campbell import NODES, _averaged, campbell, mean_equations, natural_at
+from mahovik.use.study.linear import linear_model
+from mahovik.use.study.response.scene import Scene
 from report.stand.runs import example, material
 
 

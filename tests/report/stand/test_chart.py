@@ -11,15 +11,15 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from mahovik.emit.templates import template
-from mahovik.report.plot.panel import Line, Mark, Panel, border, family
-from mahovik.report.plot.prefix import prefixed
-from mahovik.report.stand.chart import charts
-from mahovik.report.stand.chart.axis import Axis, axis
-from mahovik.report.stand.chart.figure import figure
-from mahovik.report.stand.chart.many import MOST, NAMED, condensed
-from mahovik.report.stand.chart.outline import ACROSS, BINS, DOWN, envelope, path
-from mahovik.report.stand.rows import some_rows
+from mahovik.core.emit.templates import template
+from mahovik.out.report.plot.panel import Line, Mark, Panel, border, family
+from mahovik.out.report.plot.prefix import prefixed
+from mahovik.out.report.stand.chart import charts
+from mahovik.out.report.stand.chart.axis import Axis, axis
+from mahovik.out.report.stand.chart.figure import figure
+from mahovik.out.report.stand.chart.many import MOST, NAMED, condensed
+from mahovik.out.report.stand.chart.outline import ACROSS, BINS, DOWN, envelope, path
+from mahovik.out.report.stand.rows import some_rows
 
 
 def points(data: str) -> list[np.ndarray]:

@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given, settings
 from pytest import approx
 
-from mahovik.report.stand.drawing import basis, draw, section
-from mahovik.report.stand.gather import gather
-from mahovik.report.stand.labels import Box, Places
-from mahovik.report.stand.shape import shape_of
-from mahovik.stand import load
-from mahovik.stand.random import Features, random_stand
+from mahovik.core.stand import load
+from mahovik.core.stand.random import Features, random_stand
+from mahovik.out.report.stand.drawing import basis, draw, section
+from mahovik.out.report.stand.gather import gather
+from mahovik.out.report.stand.labels import Box, Places
+from mahovik.out.report.stand.shape import shape_of
 from mahovik.stands import names, path
 from strategies import stands
 

@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik import reference
-from mahovik.report.stand import reach as section
-from mahovik.stand import Stand, loads
-from mahovik.stand.state import rest_state
-from mahovik.study.reach import reach
+from mahovik.core.stand import Stand, loads
+from mahovik.core.stand.state import rest_state
+from mahovik.out.report.stand import reach as section
+from mahovik.proof import reference
+from mahovik.use.study.reach import reach
 from report.stand.runs import example, material
 
 ONE = """

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik import reference
-from mahovik.report.stand import histories, programme, singular
-from mahovik.report.stand.chart.figure import figure
-from mahovik.report.stand.run import Run
-from mahovik.stand import Stand
+from mahovik.core.stand import Stand
+from mahovik.out.report.stand import histories, programme, singular
+from mahovik.out.report.stand.chart.figure import figure
+from mahovik.out.report.stand.run import Run
+from mahovik.proof import reference
 from report.stand.runs import example, material, right_states, run_of, run_through, spun_up
 from verify.programme.programmes import shaker
 
@@ -38,8 +38,8 @@ def test_singular_values_are_those_of_the_reference(name: str) -> None:
 
 
 def singular_values_of(stand: Stand, phi: np.ndarray) -> np.ndarray:
-    from mahovik.plan.figures import singular_values
-    from mahovik.plan.residual import Mechanics
+    from mahovik.use.plan.figures import singular_values
+    from mahovik.use.plan.residual import Mechanics
 
     return singular_values(Mechanics.of(stand), phi)[0]
 

@@ -9,16 +9,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik import reference
-from mahovik.report.stand import bodies, matrices
-from mahovik.report.stand.markup import figure, figures, table
-from mahovik.report.stand.material import Material
-from mahovik.report.stand.matrix import SHADES, Side, matrix, shade
-from mahovik.report.stand.state import WORDS, chosen_state, state_shown
-from mahovik.stand import load
-from mahovik.stand.model import Stand
-from mahovik.stand.state import State
-from mahovik.stand.summary import summarize
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.core.stand.summary import summarize
+from mahovik.out.report.stand import bodies, matrices
+from mahovik.out.report.stand.markup import figure, figures, table
+from mahovik.out.report.stand.material import Material
+from mahovik.out.report.stand.matrix import SHADES, Side, matrix, shade
+from mahovik.out.report.stand.state import WORDS, chosen_state, state_shown
+from mahovik.proof import reference
 from mahovik.stands import names, path
 from report.stand.reports import read, words
 from report.stand.runs import run_through

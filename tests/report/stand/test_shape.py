@@ -6,9 +6,9 @@ import numpy as np
 from hypothesis import assume, given, settings
 from pytest import approx
 
-from mahovik.report.stand.shape import ellipsoid, shape_of
-from mahovik.stand import load
-from mahovik.stand.physical import inertia_about_center
+from mahovik.core.stand import load
+from mahovik.core.stand.physical import inertia_about_center
+from mahovik.out.report.stand.shape import ellipsoid, shape_of
 from mahovik.stands import path
 from strategies import stands
 
@@ -46,7 +46,7 @@ def test_discs_stand_where_the_file_says():
 
 def test_a_body_on_an_instrument_is_placed_through_it():
     """The centre of a flywheel of remus6's nose, by the rotations of the reference."""
-    from mahovik.reference.rotation import fixed_rotation, flywheel_mounting
+    from mahovik.proof.reference.rotation import fixed_rotation, flywheel_mounting
 
     stand = load(path("remus6"))
     nose, w6 = stand.instruments[0], stand.flywheels[-1]

@@ -7,7 +7,7 @@ from itertools import product
 
 import pytest
 
-from mahovik.emit.templates import template
+from mahovik.core.emit.templates import template
 
 SHEET = template("report.css.j2").render()
 TEXT = ("ink", "muted", "accent", "good", "bad", "warn")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.study.quiet.lines import apart, best_phases, together
-from mahovik.study.quiet.phases import cancelled, power
+from mahovik.use.study.quiet.lines import apart, best_phases, together
+from mahovik.use.study.quiet.phases import cancelled, power
 
 
 @pytest.mark.parametrize("m", [2, 3, 5])

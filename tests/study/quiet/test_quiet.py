@@ -11,24 +11,24 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik import reference
+from mahovik.core.motion import loads
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError, UsageError
-from mahovik.motion import loads
-from mahovik.reference.momentum import momentum
-from mahovik.stand import load
-from mahovik.stand.model import Stand
-from mahovik.stand.state import rest_state
+from mahovik.proof import reference
+from mahovik.proof.reference.momentum import momentum
 from mahovik.stands import path
-from mahovik.study.quiet import Quieted, Wish, quiet
-from mahovik.study.quiet.amplitude import Amplitudes
-from mahovik.study.quiet.files import regime_text, result
-from mahovik.study.quiet.lines import together
-from mahovik.study.quiet.search import Found, Search
-from mahovik.study.quiet.simulated import Sampling, beginning, expected, simulated
-from mahovik.study.quiet.wheels import Wheels
-from mahovik.study.response.motion import rms
-from mahovik.study.response.periodic import periodic_response
-from mahovik.study.rest import rest
+from mahovik.use.study.quiet import Quieted, Wish, quiet
+from mahovik.use.study.quiet.amplitude import Amplitudes
+from mahovik.use.study.quiet.files import regime_text, result
+from mahovik.use.study.quiet.lines import together
+from mahovik.use.study.quiet.search import Found, Search
+from mahovik.use.study.quiet.simulated import Sampling, beginning, expected, simulated
+from mahovik.use.study.quiet.wheels import Wheels
+from mahovik.use.study.response.motion import rms
+from mahovik.use.study.response.periodic import periodic_response
+from mahovik.use.study.rest import rest
 
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
@@ -130,7 +130,7 @@ def test_more_freedom_is_never_louder(sat4: Stand) -> None:
 
 def test_modes_of_the_suspension_are_avoided(sat4: Stand) -> None:
     """A stand on springs: no order within the margin of a natural frequency."""
-    from mahovik.stand.model import Suspension
+    from mahovik.core.stand.model import Suspension
 
     k = 60.0 * (2 * math.pi * 40.0) ** 2
     stiff = tuple(tuple(k * (1.0 if i < 3 else 0.04) * (i == j) for j in range(6)) for i in range(6))

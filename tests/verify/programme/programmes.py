@@ -11,13 +11,13 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from mahovik import stands
-from mahovik.motion.programme import Fourier, Programme, RunUpTable, Samples
-from mahovik.motion.required import RequiredMotion, load_motion, read_motion
-from mahovik.stand import Stand, load, loads
-from mahovik.stand.identity import identities
-from mahovik.verify.programme import Finding, verify_programme
-from mahovik.verify.programme.along import instants
-from mahovik.verify.programme.scale import scale_of
+from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Samples
+from mahovik.core.motion.required import RequiredMotion, load_motion, read_motion
+from mahovik.core.stand import Stand, load, loads
+from mahovik.core.stand.identity import identities
+from mahovik.proof.verify.programme import Finding, verify_programme
+from mahovik.proof.verify.programme.along import instants
+from mahovik.proof.verify.programme.scale import scale_of
 
 Case = tuple[Stand, RequiredMotion, Programme]
 

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.motion.required.course import Harmonics
-from mahovik.reference.rotation import attitude
-from mahovik.reference.screw import cross
-from mahovik.stand import load
-from mahovik.stand.model import Sequence
-from mahovik.stand.random import SEQUENCES
-from mahovik.verify.programme.along import twist, twist_rate
+from mahovik.core.motion.required.course import Harmonics
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Sequence
+from mahovik.core.stand.random import SEQUENCES
+from mahovik.proof.reference.rotation import attitude
+from mahovik.proof.reference.screw import cross
+from mahovik.proof.verify.programme.along import twist, twist_rate
 
 STAND = load(stands.path("demo3"))
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from mahovik.verify import programme
+from mahovik.proof.verify import programme
 from test_architecture import imported, name_of, target
 
 MODULES = sorted(Path(programme.__file__).parent.glob("*.py"))
@@ -14,5 +14,5 @@ MODULES = sorted(Path(programme.__file__).parent.glob("*.py"))
 
 @pytest.mark.parametrize("path", MODULES, ids=name_of)
 def test_it_imports_the_reference_only(path: Path) -> None:
-    own = [name for name in imported(path) if not name.startswith("mahovik.verify.programme")]
+    own = [name for name in imported(path) if not name.startswith("mahovik.proof.verify.programme")]
     assert {target(name) for name in own} <= {"", "mahovik", "reference", "motion", "stand", "errors", "numpy", "scipy"}

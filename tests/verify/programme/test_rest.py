@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from mahovik import stands
+from mahovik.core.stand import Stand, load
 from mahovik.errors import StateError
-from mahovik.reference.array import Array
-from mahovik.stand import Stand, load
-from mahovik.study.rest import rest
-from mahovik.verify.programme.along import pieces_at
-from mahovik.verify.programme.rest import rest_near
-from mahovik.verify.programme.simulation import rate
+from mahovik.proof.reference.array import Array
+from mahovik.proof.verify.programme.along import pieces_at
+from mahovik.proof.verify.programme.rest import rest_near
+from mahovik.proof.verify.programme.simulation import rate
+from mahovik.use.study.rest import rest
 
 
 def found(stand: Stand, phi: Array, q: Array) -> tuple[Array, Array, Array]:

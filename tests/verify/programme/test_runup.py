@@ -8,11 +8,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import RunUpTable, Samples
-from mahovik.motion.required import Bounds
-from mahovik.verify.programme import Finding, runup, verify_programme
-from mahovik.verify.programme.finding import tolerance_for
-from mahovik.verify.programme.scale import Scale, scale_of
+from mahovik.core.motion.programme import RunUpTable, Samples
+from mahovik.core.motion.required import Bounds
+from mahovik.proof.verify.programme import Finding, runup, verify_programme
+from mahovik.proof.verify.programme.finding import tolerance_for
+from mahovik.proof.verify.programme.scale import Scale, scale_of
 from verify.programme.programmes import twins, twins_run_up
 
 

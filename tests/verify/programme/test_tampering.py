@@ -9,13 +9,13 @@ from functools import cache
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import Angles, Fourier, Programme
-from mahovik.motion.required import Bounds
-from mahovik.stand import load
+from mahovik.core.motion.programme import Angles, Fourier, Programme
+from mahovik.core.motion.required import Bounds
+from mahovik.core.stand import load
+from mahovik.proof.verify.programme import identity, limits, residual, simulation, table, verify_programme
+from mahovik.proof.verify.programme.finding import tolerance_for
+from mahovik.proof.verify.programme.scale import Scale, scale_of
 from mahovik.stands import path
-from mahovik.verify.programme import identity, limits, residual, simulation, table, verify_programme
-from mahovik.verify.programme.finding import tolerance_for
-from mahovik.verify.programme.scale import Scale, scale_of
 from verify.programme.programmes import failed, fourier, offended, shaker, tabled
 
 

@@ -9,13 +9,13 @@ from functools import cache
 import numpy as np
 import pytest
 
-from mahovik.motion.programme import Fourier
-from mahovik.motion.required import Bounds, read_motion
-from mahovik.stand import load
+from mahovik.core.motion.programme import Fourier
+from mahovik.core.motion.required import Bounds, read_motion
+from mahovik.core.stand import load
+from mahovik.proof.verify.programme import Finding, limits, table, verify_programme
+from mahovik.proof.verify.programme.finding import tolerance_for
+from mahovik.proof.verify.programme.scale import scale_of
 from mahovik.stands import path
-from mahovik.verify.programme import Finding, limits, table, verify_programme
-from mahovik.verify.programme.finding import tolerance_for
-from mahovik.verify.programme.scale import scale_of
 from verify.programme.programmes import Case, failed, fourier, item, shaker, solved, tabled, twins, twins_run_up
 
 
@@ -114,7 +114,7 @@ def test_a_finite_programme_of_a_periodic_motion_is_not_tried() -> None:
 def test_demo3_turns_as_required() -> None:
     """Three balanced wheels of other speeds, with harmonics: momentum is exchanged, exactly."""
     from mahovik import stands
-    from mahovik.motion.required import load_motion
+    from mahovik.core.motion.required import load_motion
 
     stand = load(path("demo3"))
     (file,) = stands.motions("demo3")

@@ -1,0 +1,46 @@
+"""The steps that carry a generic body's inertia from its frame to E1, in the symbols of programs.
+
+m, b, J: mass, first moment and inertia about the body's origin; O, R: that origin and the body's axes in E1.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mahovik.core.derive import flywheel
+from mahovik.core.derive.screw import elementary
+from mahovik.core.derive.symbols import matrix, symmetric, vector
+
+
+def harmonics() -> dict[str, flywheel.Inertia]:
+    """Harmonics of Theta(phi) of a generic flywheel, in mounting axes about Os."""
+    return flywheel.spun_inertia(flywheel.generic())
+
+
+def rotated_tensor() -> tuple[sp.Matrix, sp.Matrix]:
+    """R J as 9 numbers, and R J R^T as six from symbols RJ."""
+    return flywheel.rotated_tensor(symmetric("J"), matrix("R"))
+
+
+def shifted_inertia() -> tuple[sp.Matrix, sp.Matrix]:
+    """(mu, six of J) of T Theta T^T: the same body about O1, the latter by the symbols mu."""
+    return flywheel.shifted_inertia(sp.Symbol("m"), vector("b"), symmetric("J"), vector("O"))
+
+
+def spin_momentum() -> sp.Matrix:
+    """Moment of I_s about O1 for the spin axis `axis` in E1."""
+    return flywheel.spin_momentum(vector("b"), symmetric("J"), vector("O"))
+
+
+def central_to_origin() -> sp.Matrix:
+    """Inertia about the body's origin from J about its centre of mass rc: J - <b><rc>."""
+    return flywheel.central_to_origin(sp.Symbol("m"), vector("b"), symmetric("J"))
+
+
+def mounting_axes() -> tuple[sp.Matrix, sp.Matrix]:
+    """First and second column of C3(psi) C2(theta) C1(phi), in c_psi, s_psi, ..."""
+    psi, theta, phi = symbols = sp.symbols("psi theta phi")
+    C = elementary(3, psi) * elementary(2, theta) * elementary(1, phi)
+    for angle in symbols:
+        C = C.subs({sp.cos(angle): sp.Symbol(f"c_{angle}"), sp.sin(angle): sp.Symbol(f"s_{angle}")})
+    return C[:, 0], C[:, 1]

@@ -1,0 +1,28 @@
+"""Motion of a point fixed on the carrier: what a sensor there reads."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mahovik.core.derive.screw import cross
+from mahovik.core.derive.symbols import matrix, vector
+
+
+def specific_force(weight: bool) -> sp.Matrix:
+    """v* + omega x (v + omega x O) + omega* x O - g in E1: acceleration less gravity.
+
+    `velocity` = v + omega x O stands for itself. What an accelerometer reads, before it is turned to its own axes.
+    """
+    omega, omega_dot = vector("omega"), vector("omega_dot")
+    found = vector("v_dot") + cross(omega) * vector("velocity") + cross(omega_dot) * vector("O")
+    return found - vector("g") if weight else found
+
+
+def position_in_E0() -> sp.Matrix:
+    """r + C O."""
+    return vector("r") + matrix("C") * vector("O")
+
+
+def attitude_in_E0() -> sp.Matrix:
+    """C R: axes of the sensor in E0, 9 numbers."""
+    return matrix("C") * matrix("R")

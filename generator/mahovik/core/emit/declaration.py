@@ -1,0 +1,124 @@
+"""Structs, prototypes and their comments: the contract a firmware engineer reads."""
+
+from __future__ import annotations
+
+from mahovik.core.emit.layout import hanging, paragraph, wrapped
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import dimensions
+from mahovik.core.program.cost import cost
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Field, Struct
+
+
+def struct_lines(struct: Struct, names: Names) -> list[str]:
+    """A struct definition with a comment a member."""
+    head = [f"/* {struct.purpose} */", f"typedef struct {names.type(struct)} {{"]
+    declarations = [_member(f, names) for f in struct.fields]
+    width = max(len(d) for d in declarations)
+    lines = []
+    for declaration, f in zip(declarations, struct.fields, strict=True):
+        comment = "; ".join(part for part in (f.unit, f.comment) if part)
+        if not comment:
+            lines.append(f"    {declaration}")
+            continue
+        lead = f"    {declaration:<{width}}  "
+        lines += paragraph(comment, f"{lead}/* ", " " * len(lead) + " * ")
+        lines[-1] += " */"
+    return [*head, *lines, f"}} {names.type(struct)};"]
+
+
+def _member(f: Field, names: Names) -> str:
+    return f"{names.type(f.type)} {f.name}{''.join(dimensions(names, f.shape))};"
+
+
+def prototype(function: Function, names: Names, apart: frozenset[tuple[str, str]] = frozenset()) -> str:
+    """Storage, return type, name and arguments, wrapped under the opening parenthesis.
+
+    `apart`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
+    """
+    returns = names.type(function.returns) if function.returns is not None else "void"
+    head = f"{'' if function.public else 'static '}{returns} {names.function(function.name)}("
+    arguments = [_argument(a, names, (function.name, a.name) in apart) for a in function.arguments] or ["void"]
+    return "\n".join(hanging(head, arguments))
+
+
+def _argument(a: Argument, names: Names, apart: bool) -> str:
+    const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
+    star = ("*restrict " if apart else "*") if a.variable.pointer else ""
+    sizes = "".join(dimensions(names, a.shape))
+    if apart and sizes:
+        sizes = f"[restrict {sizes.removeprefix('[')}"
+    return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
+
+
+def contract(function: Function, names: Names) -> list[str]:
+    """The comment above a public prototype: purpose, equation, arguments, statuses, cost."""
+    lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
+    width = max((len(_shaped(a)) for a in function.arguments), default=0)
+    for a in function.arguments:
+        direction = {"in": "", "out": "out: ", "inout": "in and out: "}[a.direction]
+        meaning = direction + "; ".join(part for part in (a.unit, a.purpose) if part)
+        lead = f" *   {_shaped(a):<{width}}  "
+        lines += paragraph(meaning, lead, " *   " + " " * (width + 2))
+    for note in function.notes:
+        lines += paragraph(note, " * ", " * ")
+    if function.statuses:
+        statuses = list(function.statuses)
+        if pointed(function) and "BAD_ARGUMENT" not in statuses:
+            statuses.append("BAD_ARGUMENT")
+        text = f"Returns {', '.join(statuses)}."
+        if any(a.direction != "in" for a in function.arguments):
+            text += " Nothing is written when the status is negative."
+        lines += paragraph(text, " * ", " * ")
+    lines += paragraph(counted(function), " * ", " * ")
+    lines[-1] += " */"
+    return lines
+
+
+def null_check(function: Function, names: Names) -> list[str]:
+    """The first lines of a public function: no pointer may be null."""
+    pointers = pointed(function)
+    if not pointers:
+        return []
+    condition = " || ".join(f"{a.name} == NULL" for a in pointers)
+    return wrapped(f"if ({condition}) {{ return {names.constant('BAD_ARGUMENT')}; }}", "    ")
+
+
+def pointed(function: Function) -> list[Argument]:
+    """Arguments of a public function that are addresses."""
+    return [a for a in function.arguments if a.variable.pointer or a.shape] if function.public else []
+
+
+def summary(function: Function) -> list[str]:
+    """The comment above an internal function."""
+    lines = paragraph(titled(function), "/* ", " * ")
+    for note in function.notes:
+        lines += paragraph(note, " * ", " * ")
+    lines[-1] += " */"
+    return lines
+
+
+def titled(function: Function) -> str:
+    """Purpose with the equation's number."""
+    purpose = function.purpose.rstrip(".")
+    if purpose[1:2].islower():
+        purpose = purpose[0].lower() + purpose[1:]
+    if function.equation:
+        purpose += f", {function.equation}"
+    return purpose if purpose.endswith("?") else f"{purpose}."
+
+
+def counted(function: Function) -> str:
+    """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
+    found = cost(function)
+    if not found.total:
+        return "No operation on reals."
+    divisions = {0: "no division", 1: "1 of them a division"}.get(
+        found.divisions, f"{found.divisions} of them divisions"
+    )
+    noun = "operation" if found.total == 1 else "operations"
+    return f"At most {found.total} {noun} on reals, {divisions}."
+
+
+def _shaped(a: Argument) -> str:
+    return a.name + "".join(f"[{int(n)}]" for n in a.shape)

@@ -1,0 +1,48 @@
+"""What `generate` delivers: a folder that stands alone, as file name to text."""
+
+from __future__ import annotations
+
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.eva import eva_files, provable
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.emit.readme import readme
+from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.emit.selftest import selftest
+from mahovik.core.lower.golden import golden
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+
+
+def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
+    """The self-test of generated C: `<stand>_selftest.c`, to be compiled beside its header and source."""
+    vectors = golden(generated.program, generated.values)
+    text = selftest(generated.program, vectors, identities(stand), generated.layout.lanes, generated.fast)
+    return {f"{stand.name}_selftest.c": text}
+
+
+def firmware(stand: Stand, precision_name: str = "double", lanes: int = 1) -> dict[str, str]:
+    """Of these files those that are compiled for a board, and the README. Raises UsageError, StandError."""
+    return _firmware(stand, generate_all(stand, precision_name, lanes))
+
+
+def delivery(
+    stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False, batch: bool = False
+) -> dict[str, str]:
+    """All files of the folder but its manifest; `batch`: with the functions for many states.
+
+    `fast`: without the recorder, whose logs want equal bits. Drivers of Frama-C are there where `provable` says so.
+    Raises UsageError, StandError.
+    """
+    generated = generate_all(stand, precision_name, lanes, fast)
+    proofs = eva_files(generated.program, identities(stand)) if provable(generated) else {}
+    return {**_firmware(stand, generated, batch), **proofs}
+
+
+def _firmware(stand: Stand, generated: Generated, batch: bool = False) -> dict[str, str]:
+    return {
+        **generated.files,
+        **selftest_files(stand, generated),
+        **({} if generated.fast else recorder_files(stand, generated)),
+        **(batch_files(stand, generated) if batch else {}),
+        "README.md": readme(stand, generated, batch),
+    }

@@ -1,0 +1,285 @@
+"""The fuzz harness of a stand's C: bytes of libFuzzer become arguments of every public function.
+
+It is printed from the signatures of the program, so a new public function is fuzzed without anybody's doing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mahovik import __version__
+from mahovik.core.emit.declaration import pointed
+from mahovik.core.emit.layout import wrapped
+from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.places import STEP, Results, closed, length, loops
+from mahovik.core.emit.statement import dimensions
+from mahovik.core.emit.templates import template
+from mahovik.core.lower import drawn
+from mahovik.core.lower.drawn import Input, Rule
+from mahovik.core.lower.limits import BOUND_OF, limits
+from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.types import Kind, NamedCount, Struct
+from mahovik.core.stand.identity import Identities
+
+UNREAD = {
+    "attitude": "the attitude of its state",
+    "target": "what its state holds before",
+    "inverse": "infinity, which is no limit at all",
+    "inverse_fast": "near and limits",
+    "inverse_fast_at": "near and limits",
+}
+"""Functions that may succeed though a real among their arguments is NaN or infinite, and what it is: see the header."""
+
+_CONSTANTS = {"table": "table", "mount_table": "mounting", "parameters": "parameters", "inverse_options": "options"}
+"""Where the harness keeps structs that are not drawn member by member."""
+
+
+def fuzz_harness(program: Program, identities: Identities) -> str:
+    """Text of `<stand>_fuzz.c`. Raises ValueError for a public function without status: the harness asks for it."""
+    return _Harness(program).text(identities)
+
+
+class _Harness:
+    """Collects the parts that the template puts in order."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._names = Names(program.name)
+        self._results = Results(self._names)
+        self._public = [f for f in program.functions if f.public]
+        self._structs = {s.name: s for s in program.structs}
+        self._inputs = drawn.inputs(program)
+        self._plan = drawn.plan(program)
+        self._limits = limits(program.precision)
+
+    def text(self, identities: Identities) -> str:
+        """The whole file."""
+        precision = self._program.precision
+        table = self._structs["table"]
+        parts: dict[str, Any] = {
+            "members": [f"static {self._declared(a, _given(a.name))};" for a in self._inputs],
+            "takes": [self._results.struct(s) for s in self._results.structs(self._public)],
+            "draws": [{"name": a.name, "lines": list(self._drawn(a))} for a in self._inputs],
+            "vary": self._vary(self._structs["parameters"], _given("parameters")),
+            "functions": [self._function(f) for f in self._public],
+            "recorders": [self._recorder(f) for f in self._public if f.name in ("step", "step_driven")],
+        }
+        code = "\n".join(str(part) for part in parts.values())
+        return template("fuzz.c.j2").render(
+            **parts,
+            name=self._program.name,
+            NAME=self._program.name.upper(),
+            version=__version__,
+            structure=identities.structure,
+            physics=identities.physics,
+            width=precision.width,
+            bytes=precision.width // 8,
+            real=self._real,
+            epsilon=self._real(precision.epsilon),
+            smallest=self._real(precision.smallest),
+            subnormal=self._real(precision.smallest * precision.epsilon),
+            bounds=[self._names.constant(n) for n in self._limits if n != "LARGEST"],
+            largest=self._names.constant("LARGEST"),
+            stream=self._largest("stream") if table.field("stream") else "",
+            options=self._options() if "inverse_options" in self._structs else [],
+            mounting="mount_table" in self._structs,
+            takes_ints="take_ints(" in code,
+            varies_ints="vary_ints(" in code,
+            draws_flags="draw_flags(" in code,
+            draws_turns="draw_turns(" in code,
+            draws_int="draw_int(" in code,
+        )
+
+    def _real(self, value: float) -> str:
+        return real_literal(value, self._program.precision)
+
+    def _declared(self, a: Argument, name: str) -> str:
+        return f"{self._names.type(a.type)} {name}{''.join(dimensions(self._names, a.shape))}"
+
+    def _largest(self, name: str) -> str:
+        """The bound of an input as C has it."""
+        bound = BOUND_OF.get(name)
+        return self._names.constant(bound) if bound else self._real(1.0)
+
+    # ---- drawing inputs ----
+
+    def _drawn(self, a: Argument) -> Iterator[str]:
+        """Lines that draw one argument."""
+        for each in self._plan:
+            if each.path[0] == a.name:
+                yield from self._draw(each, _given(".".join(each.path)))
+
+    def _draw(self, each: Input, place: str) -> Iterator[str]:
+        match each.rule:
+            case Rule.ATTITUDE:
+                yield f"{STEP}draw_attitude(from, {place});"
+            case Rule.TURNS:
+                yield f"{STEP}draw_turns(from, {place}, {_given(drawn.COSINE)}, {self._size(each.shape)});"
+            case Rule.INTEGER:
+                yield f"{STEP}{place} = draw_int(from, {each.lowest}, {each.span}u);"
+            case Rule.ORDER:
+                yield f"{STEP}{place} = draw_order(from);"
+            case Rule.STEP:
+                yield f"{STEP}{place} = draw_step(from);"
+            case Rule.REALS | Rule.FLAGS | Rule.FACTOR:
+                outer = each.shape[:-1]
+                loop, element, inner = loops(place, len(outer), [length(self._names, n) for n in outer], STEP)
+                yield from loop
+                address = element if each.shape else f"&{element}"
+                size = self._size(each.shape)
+                if each.rule is Rule.FLAGS:
+                    yield f"{inner}draw_flags(from, {address}, {size});"
+                else:
+                    yield f"{inner}draw_reals(from, {address}, {size}, {self._largest(each.name)});"
+                yield from closed(len(loop), STEP)
+
+    def _size(self, shape: tuple[int | NamedCount, ...]) -> str:
+        return length(self._names, shape[-1]) if shape else "1"
+
+    def _options(self) -> list[str]:
+        """Lines that draw options, each member by its bound."""
+        return [
+            f"{STEP}vary_option(from, {'' if f.shape else '&'}{_given('options')}.{f.name}, {self._size(f.shape)}, "
+            f"{self._largest(f.name)});"
+            for f in self._structs["inverse_options"].fields
+        ]
+
+    def _vary(self, struct: Struct, place: str, depth: int = 0) -> list[str]:
+        """Lines that vary every number of the parameters."""
+        found: list[str] = []
+        for f in struct.fields:
+            inner_shape = f.shape if isinstance(f.type, Struct) else f.shape[:-1]
+            counts = [length(self._names, n) for n in inner_shape]
+            whole = f"{place}.{f.name}"
+            if not isinstance(f.type, Struct) and len(f.shape) == 2:
+                # a matrix, such as added mass, is symmetric: scaled as a whole, then element by element
+                found.append(f"{STEP * (depth + 1)}scale(from, &{whole}[0][0], sizeof {whole} / sizeof {whole}[0][0]);")
+            loop, element, inner = loops(whole, len(counts), counts, STEP * (depth + 1), depth)
+            if isinstance(f.type, Struct):
+                body = self._vary(f.type, element, depth + len(loop))
+            else:
+                what = "ints" if f.type is Kind.INT else "reals"
+                address = element if f.shape else f"&{element}"
+                body = [f"{inner}vary_{what}(from, {address}, {self._size(f.shape)});"]
+            found += [*loop, *body, *closed(len(loop), STEP * (depth + 1))]
+        return found
+
+    # ---- calls ----
+
+    def _function(self, f: Function) -> dict[str, Any]:
+        """How one function is called twice and judged."""
+        if f.returns is not Kind.STATUS:
+            raise ValueError(f"{f.name}: the fuzz harness judges functions that return a status")
+        pointers = pointed(f)
+        results = [a for a in f.arguments if a.direction != "in"]
+        state = next((a.name for a in results if a.direction == "out" and self._is_state(f, a)), "")
+        return {
+            "name": f.name,
+            "declared": [f"static {self._declared(a, self._result(f, a))};" for a in results],
+            "draws": self._draws(f),
+            "kept": sum(a.direction == "inout" and a.name in {i.name for i in self._inputs} for a in f.arguments),
+            "pointers": len(pointers),
+            "begins": [line for a in results for line in self._begin(f, a)],
+            "call": wrapped(self._call(f, pointers), STEP * 2),
+            "untouched": [line for a in results for line in self._untouched(f, a)],
+            "taken": [
+                line for a in results for line in self._results.taken(self._result(f, a), a.type, a.shape, STEP * 3)
+            ],
+            "refusals": self._mask(f, negative=True, more=("BAD_ARGUMENT",) if pointers else ()),
+            "bits": self._mask(f, negative=False),
+            "may_ignore": UNREAD.get(f.name, ""),
+            "overlap": wrapped(self._overlapping(f, state), STEP * 2) if state else [],
+            "state": self._result(f, next(a for a in results if a.name == state)) if state else "",
+        }
+
+    def _is_state(self, f: Function, a: Argument) -> bool:
+        """A result that may be the state itself: of step and step_driven, as their contract says."""
+        return a.name == "next" and any(b.direction == "in" and b.type is a.type for b in f.arguments)
+
+    def _result(self, f: Function, a: Argument) -> str:
+        return f"{f.name}_{a.name}"
+
+    def _place(self, f: Function, a: Argument) -> str:
+        if a.direction != "in":
+            return self._result(f, a)
+        return self._source(a)
+
+    def _source(self, a: Argument) -> str:
+        kind = a.type.name if isinstance(a.type, Struct) else ""
+        return _given(_CONSTANTS.get(kind, a.name))
+
+    def _draws(self, f: Function) -> list[str]:
+        """Names of what is drawn for a function, constants first: what prepare refuses is not used."""
+        kinds = {a.type.name for a in f.arguments if isinstance(a.type, Struct) and a.direction != "out"}
+        found = []
+        if "parameters" in kinds:
+            found.append("parameters")
+        elif kinds & {"table", "mount_table"}:
+            found.append("tables")
+        if "inverse_options" in kinds:
+            found.append("options")
+        names = {a.name for a in self._inputs}
+        named = [a for a in f.arguments if a.direction != "out" and a.name in names and a.name != drawn.COSINE]
+        return found + [a.name for a in sorted(named, key=lambda a: a.direction != "inout")]
+
+    def _begin(self, f: Function, a: Argument) -> Iterator[str]:
+        """Lines that fill a result before a call."""
+        place = self._result(f, a)
+        if a.direction == "inout":
+            yield f"{STEP * 2}memcpy(&{place}, &{self._source(a)}, sizeof {place});"
+        else:
+            yield f"{STEP * 2}memset(&{place}, fill[round], sizeof {place});"
+
+    def _untouched(self, f: Function, a: Argument) -> Iterator[str]:
+        place = self._result(f, a)
+        if a.direction == "inout":
+            yield f"{STEP * 3}expect(memcmp(&{place}, &{self._source(a)}, sizeof {place}) == 0, WRITTEN);"
+        else:
+            yield f"{STEP * 3}expect(filled(&{place}, sizeof {place}, fill[round]), WRITTEN);"
+
+    def _call(self, f: Function, pointers: list[Argument]) -> str:
+        given = []
+        for a in f.arguments:
+            place = self._place(f, a)
+            address = f"&{place}" if a.variable.pointer else place
+            given.append(f"null == {pointers.index(a) + 1}u ? NULL : {address}" if a in pointers else address)
+        return f"const status got = {self._names.function(f.name)}({', '.join(given)});"
+
+    def _overlapping(self, f: Function, state: str) -> str:
+        given = []
+        for a in f.arguments:
+            place = self._result(f, a) if a.name in (state, "x") else self._place(f, a)
+            if a.name == "x":
+                place = f"{f.name}_{state}"
+            given.append(f"&{place}" if a.variable.pointer else place)
+        return f"const status got = {self._names.function(f.name)}({', '.join(given)});"
+
+    def _mask(self, f: Function, negative: bool, more: tuple[str, ...] = ()) -> str:
+        """Statuses that a function documents: a bit each of the negative ones, the positive ones together."""
+        values = sorted({STATUS_VALUES[s] for s in (*f.statuses, *more)})
+        if negative:
+            return " | ".join(f"1u << {-v}" for v in values if v < 0) or "0u"
+        return " | ".join(f"{v}u" for v in values if v > 0) or "0u"
+
+    def _recorder(self, f: Function) -> dict[str, Any]:
+        """The recorder's step beside step itself."""
+        taken = [a for a in f.arguments if a.name != "next"]
+        given = [
+            ("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("stand", "x")
+        ]
+        before = self._names.function(f.name)
+        after = self._names.function(f"recorder_{f.name}")
+        rest = ", ".join(given)
+        return {
+            "name": f.name,
+            "draws": self._draws(f),
+            "plain": wrapped(f"const status expected = {before}(&in_table, &in_x, {rest}, &plain);", STEP),
+            "logged": wrapped(f"const status got = {after}(&log, &in_table, &logged, {rest});", STEP * 2),
+        }
+
+
+def _given(name: str) -> str:
+    """What an argument is called in the harness: no name of the program, nor of the harness, begins like that."""
+    return f"in_{name}"

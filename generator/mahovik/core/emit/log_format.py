@@ -1,0 +1,109 @@
+"""What a flight log is made of: the numbers that the emitted recorder writes and `mahovik replay` reads.
+
+The records themselves are described in the emitted header, templates/recorder.h.j2.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from mahovik.core.lower.layout import Layout
+from mahovik.core.program.types import Field, Kind, Struct
+
+MAGIC = b"\x89MHVK\r\n\x1a"
+"""Begins every start record. Its odd bytes show what a transfer as text has done to a log."""
+
+FORMAT = 1
+STEP = 0x53
+"""First byte of the record of a step."""
+
+CHANGING = {
+    "SETTINGS": (1 << 5, "dt and order, when they change"),
+    "STREAM": (1 << 6, "the table's stream, when it changes"),
+    "DRIVEN": (1 << 7, "by step_driven: phi_ddot instead of tau"),
+    "LOCKS": (1 << 8, "any flywheel is locked: a bit each"),
+    "WRENCH": (1 << 9, "any run-time wrench is not zero"),
+}
+"""Flags of a step; those of the members of the state are 1 << place."""
+
+_MEMBERS = ("POSITION", "ATTITUDE", "V", "PHI", "PHI_DOT")
+
+RESERVED = frozenset(
+    (
+        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORDER_TABLE", "RECORD_BYTES", "RECORD_MEMBERS"),
+        *(
+            "RECORD_STEP",
+            "RECORD_REAL_BYTES",
+            "RECORD_TABLE_BYTES",
+            "RECORD_LOCKS_A_BYTE",
+            "RECORD_BASIS",
+            "RECORD_PRIME",
+        ),
+        *(f"RECORD_{name}" for name in (*_MEMBERS, *CHANGING)),
+    )
+)
+"""Names of the recorder's header and source, that no flywheel may have."""
+
+_BASIS, _PRIME, _MASK = 0x811C9DC5, 0x01000193, 0xFFFFFFFF
+
+
+def fnv1a(data: bytes) -> int:
+    """32-bit FNV-1a hash of bytes."""
+    value = _BASIS
+    for byte in data:
+        value = ((value ^ byte) * _PRIME) & _MASK
+    return value
+
+
+def state_hash(members: Sequence[bytes]) -> int:
+    """Hash of a state from the bytes of its members: over their hashes, a word at a time."""
+    value = _BASIS
+    for member in members:
+        value = ((value ^ fnv1a(member)) * _PRIME) & _MASK
+    return value
+
+
+def logged(layout: Layout) -> tuple[Field, ...]:
+    """Members of the table that a start record holds: all but the stream, which every step may change."""
+    return tuple(f for f in layout.table.fields if f.name != "stream")
+
+
+def table_bytes(layout: Layout, table: Mapping[str, Any]) -> bytes:
+    """A table, given as plain data, as a start record holds it."""
+    formats = _formats(layout)
+
+    def visit(type_: Kind | Struct, shape: Sequence[Any], value: Any) -> Iterator[bytes]:
+        if shape:
+            for element in value:
+                yield from visit(type_, shape[1:], element)
+        elif isinstance(type_, Struct):
+            for f in type_.fields:
+                yield from visit(f.type, f.shape, value[f.name])
+        else:
+            yield struct.pack(formats[type_], value)
+
+    return b"".join(chunk for f in logged(layout) for chunk in visit(f.type, f.shape, table[f.name]))
+
+
+def table_from_bytes(layout: Layout, data: bytes, beside: Mapping[str, Any]) -> dict[str, Any]:
+    """The table of a start record as plain data; what it does not hold is that of `beside`. Raises struct.error."""
+    formats, at = _formats(layout), 0
+
+    def visit(type_: Kind | Struct, shape: Sequence[Any]) -> Any:
+        nonlocal at
+        if shape:
+            return [visit(type_, shape[1:]) for _ in range(int(shape[0]))]
+        if isinstance(type_, Struct):
+            return {f.name: visit(f.type, f.shape) for f in type_.fields}
+        (value,) = struct.unpack_from(formats[type_], data, at)
+        at += struct.calcsize(formats[type_])
+        return value
+
+    return {**beside, **{f.name: visit(f.type, f.shape) for f in logged(layout)}}
+
+
+def _formats(layout: Layout) -> dict[Kind, str]:
+    """How numbers are packed: little-endian."""
+    return {Kind.REAL: "<d" if layout.precision.width == 64 else "<f", Kind.INT: "<i"}

@@ -1,0 +1,53 @@
+"""manifest.json of a delivered folder: what it was made of, and the SHA-256 of every file. No dates."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from mahovik import __version__
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+
+NAME = "manifest.json"
+"""What it is called."""
+
+FORMAT = 1
+"""Raised where the meaning of a key changes."""
+
+
+def digest(content: str | bytes) -> str:
+    """SHA-256 of a file's content, in hexadecimal."""
+    return hashlib.sha256(content.encode("utf-8") if isinstance(content, str) else content).hexdigest()
+
+
+def manifest(
+    stand: Stand, real: str, files: Mapping[str, str], project: str = "", lanes: int = 1, fast: bool = False
+) -> str:
+    """Text of the manifest of files, name to content; `project`: the target whose exported project they are."""
+    more = {"lanes": lanes, **({"fast": True} if fast else {}), **({"project": project} if project else {})}
+    return manifest_with(stand, real, files, more)
+
+
+def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mapping[str, Any]) -> str:
+    """The same of any files of a stand, with what else is to be told of them."""
+    found = identities(stand)
+    return as_text(
+        {
+            "format": FORMAT,
+            "generator": f"mahovik {__version__}",
+            "stand": stand.name,
+            "structure": found.structure,
+            "physics": found.physics,
+            "real": real,
+            **more,
+            "files": {name: digest(files[name]) for name in sorted(files)},
+        }
+    )
+
+
+def as_text(content: Mapping[str, Any]) -> str:
+    """A manifest's content as it is written."""
+    return json.dumps(content, indent=2) + "\n"

@@ -1,0 +1,66 @@
+"""README.md of a delivered folder: what it is, how to call it, what was verified and how to repeat that."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik import __version__
+from mahovik.core.emit.declaration import titled
+from mahovik.core.emit.eva import provable
+from mahovik.core.emit.generate import Generated, described
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import dimensions
+from mahovik.core.emit.status import statuses
+from mahovik.core.emit.templates import template
+from mahovik.core.program.cost import cost
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Struct
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+
+
+def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
+    """Text of README.md; `batch`: of a folder with the functions for many states."""
+    program = generated.program
+    names = Names(program.name)
+    found = identities(stand)
+    lanes = generated.layout.lanes
+    forward = program.function("forward")
+    zeroed = [a for a in forward.arguments if a.direction == "in" and not isinstance(a.type, Struct)]
+    return template("delivery.md.j2").render(
+        name=stand.name,
+        NAME=stand.name.upper(),
+        bodies=described(stand),
+        real=program.precision.name,
+        option="" if program.precision.name == "double" else f" --real {program.precision.name}",
+        made_by=f"{f' --lanes {lanes}' if lanes > 1 or generated.fast else ''}{' --fast' if generated.fast else ''}",
+        lanes=lanes,
+        wide=lanes > 1,
+        fast=generated.fast,
+        batch=batch,
+        proofs=provable(generated),
+        generator=f"mahovik {__version__}",
+        structure=found.structure,
+        physics=found.physics,
+        flywheel=stand.flywheels[0].name if stand.flywheels else "",
+        declarations=[_zeroed(a, names) for a in zeroed],
+        call=_call(forward, names),
+        functions=[_row(f) for f in program.functions if f.public],
+        statuses=statuses(names, generated.layout),
+    )
+
+
+def _zeroed(a: Argument, names: Names) -> str:
+    unit = f"  /* {a.unit} */" if a.unit else ""
+    return f"const {names.type(a.type)} {a.name}{''.join(dimensions(names, a.shape))} = {{ 0 }};{unit}"
+
+
+def _call(function: Function, names: Names) -> str:
+    sources = {"stand": f"&{names.function('default')}", "x": "&x"}
+    arguments = ", ".join(sources.get(a.name, a.name) for a in function.arguments)
+    return f"{names.function(function.name)}({arguments})"
+
+
+def _row(function: Function) -> dict[str, Any]:
+    purpose = titled(function).replace("|", "\\|")
+    return {"name": function.name, "purpose": purpose, "operations": cost(function).total}

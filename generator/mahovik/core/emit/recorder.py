@@ -1,0 +1,150 @@
+"""C of the flight recorder: a stand's steps, logged so that `mahovik replay` can repeat them bit for bit.
+
+What a log holds stands in the emitted header; `use/simulate/flight_log.py` reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mahovik import __version__
+from mahovik.core.emit.declaration import prototype
+from mahovik.core.emit.generate import Generated
+from mahovik.core.emit.layout import wrapped
+from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, fnv1a, logged, table_bytes
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import dimensions
+from mahovik.core.emit.templates import template
+from mahovik.core.lower.layout import Layout
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+
+
+def source_hash(files: dict[str, str], name: str) -> int:
+    """Which text of header and source flew: their hash."""
+    return fnv1a((files[f"{name}.h"] + files[f"{name}.c"]).encode("utf-8"))
+
+
+def recorder_files(stand: Stand, generated: Generated) -> dict[str, str]:
+    """Header and source of the recorder, to stand beside the C of `generated`: text by file name."""
+    values = _values(stand, generated)
+    return {f"{stand.name}_recorder.{kind}": template(f"recorder.{kind}.j2").render(**values) for kind in ("h", "c")}
+
+
+def _values(stand: Stand, generated: Generated) -> dict[str, Any]:
+    """What the templates print."""
+    layout, program, name = generated.layout, generated.program, stand.name
+    names = Names(name)
+    found = identities(stand)
+    width = program.precision.width
+    size, count, wrenches = width // 8, len(layout.structure.flywheels), len(layout.inputs)
+    members = [(f.name, dimensions(names, f.shape)[0].strip("[]")) for f in layout.state.fields]
+    table = table_bytes(layout, generated.values.table)
+    fixed = 7 + 9 + count * size
+    changing = (
+        size
+        + 4
+        + sum(int(f.shape[0]) for f in layout.state.fields) * size
+        + 3 * size * layout.stream
+        + (count + 7) // 8
+    )
+    flags = [(member.upper(), 1 << place, f"{member} was written") for place, (member, _) in enumerate(members)]
+    flags += [(flag, bit, meaning) for flag, (bit, meaning) in CHANGING.items()]
+    return {
+        "name": name,
+        "NAME": name.upper(),
+        "version": __version__,
+        "structure": found.structure,
+        "physics": found.physics,
+        "lanes": layout.lanes,
+        "width": width,
+        "real_bytes": size,
+        "source": f"{source_hash(generated.files, name):08x}",
+        "table_hash": f"{fnv1a(table):08x}",
+        "table_bytes": len(table),
+        "longest": fixed + changing + 6 * wrenches * size,
+        "shortest": fixed,
+        "format": FORMAT,
+        "magic": [f"0x{byte:02x}" for byte in MAGIC],
+        "step": f"0x{STEP:02x}",
+        "flags": flags,
+        "members": members,
+        "flywheels": names.constant("N") if count else 0,
+        "wrenches": names.constant("WRENCHES") if wrenches else 0,
+        "stream": layout.stream,
+        "name_bytes": [f"0x{byte:02x}" for byte in name.encode("ascii")],
+        "put_functions": list(_put_functions(layout, names)),
+        "start_prototype": prototype(_start(layout), names),
+        "functions": [_step(f, names) for f in program.functions if f.name in ("step", "step_driven")],
+    }
+
+
+def _recorder() -> Argument:
+    return Argument("log", Struct("recorder", "A log in progress.", ()), (), "inout")
+
+
+def _start(layout: Layout) -> Function:
+    arguments = (_recorder(), Argument("stand", layout.table), Argument("x", layout.state))
+    return Function("recorder_start", "", arguments, (), returns=Kind.STATUS, public=True)
+
+
+def _step(f: Function, names: Names) -> dict[str, Any]:
+    """A step function with a log: its own result takes the place of its state."""
+    state = next(a for a in f.arguments if a.name == "x")
+    arguments = [a for a in f.arguments if a.name != "next"]
+    arguments[arguments.index(state)] = Argument("x", state.type, (), "inout")
+    taken = [a.name for a in arguments]
+    pointers = [a.name for a in arguments if a.shape or a.variable.pointer]
+    condition = " || ".join(f"{p} == NULL" for p in ["log", *pointers])
+    text = f"if ({condition} || log->write == NULL) {{ return {names.constant('BAD_ARGUMENT')}; }}"
+    logging = Function(f"recorder_{f.name}", "", (_recorder(), *arguments), (), returns=Kind.STATUS, public=True)
+    return {
+        "name": f.name,
+        "prototype": prototype(logging, names),
+        "null_check": wrapped(text, "    "),
+        "drive": next((n for n in ("tau", "phi_ddot") if n in taken), ""),
+        "driven": "phi_ddot" in taken,
+        "locked": "locked" in taken,
+        "passed": [*taken, "x"],
+    }
+
+
+def _put_functions(layout: Layout, names: Names) -> Iterator[dict[str, Any]]:
+    """One function a struct of the table, inner ones first."""
+    table = Struct(layout.table.name, layout.table.purpose, logged(layout))
+    done: set[str] = set()
+
+    def visit(struct_: Struct) -> Iterator[dict[str, Any]]:
+        if struct_.name in done:
+            return
+        done.add(struct_.name)
+        for f in struct_.fields:
+            if isinstance(f.type, Struct):
+                yield from visit(f.type)
+        yield {"struct": struct_.name, "lines": [line for f in struct_.fields for line in _put(f, names)]}
+
+    return visit(table)
+
+
+def _put(f: Field, names: Names) -> list[str]:
+    """Statements that write one member; all dimensions but the last of reals are loops."""
+    whole = f.type is Kind.REAL and bool(f.shape)
+    lengths = [d.strip("[]") for d in dimensions(names, f.shape)]
+    loops = lengths[:-1] if whole else lengths
+    place = f"from->{f.name}" + "".join(f"[{index}]" for index in "ijk"[: len(loops)])
+    if isinstance(f.type, Struct):
+        call = f"{names.function(f'record_put_{f.type.name}')}(page, &{place});"
+    elif f.type is Kind.REAL:
+        values, count = (place, lengths[-1]) if whole else (f"&{place}", "1")
+        call = f"{names.function('record_put_reals')}(page, {values}, {count});"
+    else:
+        call = f"{names.function('record_put')}(page, ({names.function('record_word')}){place}, 4);"
+    lines = []
+    for depth, count in enumerate(loops):
+        index = "ijk"[depth]
+        lines.append(f"{'    ' * (depth + 1)}for (int {index} = 0; {index} < {count}; ++{index}) {{")
+    lines.append("    " * (len(loops) + 1) + call)
+    return lines + ["    " * (depth + 1) + "}" for depth in reversed(range(len(loops)))]

@@ -1,0 +1,85 @@
+"""The functions of derive/ by module, their results as formulas: from the cache where they are there.
+
+`carrier.momentum(True)` is `mahovik.core.derive.carrier.momentum(True)` in the order of formula/ordered. Arguments are
+names and flags, so that a call is a key of the cache. Without `use_cache` everything is derived anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
+
+from mahovik.core.formula.cache import Cache
+from mahovik.core.formula.tree import as_json, from_json
+
+
+class Derived:
+    """A module of derive/: its functions return formulas, and matrices, tuples, dicts and records of these."""
+
+    def __init__(self, module: str) -> None:
+        self._module = module
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return partial(_recalled, self._module, name)
+
+
+accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = map(
+    Derived, ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "sensitivity", "wrench")
+)
+
+
+@dataclass
+class _State:
+    """The cache of this process, if it has one, and what has been taken from it or derived since."""
+
+    cache: Cache | None = None
+    known: dict[str, Any] = field(default_factory=dict)
+
+
+_state = _State()
+
+
+def use_cache(warn: Callable[[str], None]) -> None:
+    """From now on formulas come from the cache on disk; `warn` is told in a line where that is damaged."""
+    _state.cache = Cache(warn)
+    _state.known.clear()
+
+
+def without_cache() -> None:
+    """From now on everything is derived; nothing is written."""
+    _state.cache = None
+
+
+def leave_cache() -> None:
+    """Writes what was derived since `use_cache`; from now on everything is derived."""
+    found, _state.cache = _state.cache, None
+    if found is not None:
+        found.save()
+
+
+def _recalled(module: str, name: str, *arguments: str | bool) -> Any:
+    """One call of derive/: known, from the cache, or derived."""
+    store, known = _state.cache, _state.known
+    if store is None:
+        return _derived(module, name, arguments)
+    key = f"{module}.{name}({', '.join(map(repr, arguments))})"
+    if key not in known:
+        kept = store.get(key)
+        if kept is None:
+            known[key] = _derived(module, name, arguments)
+            store.add(key, as_json(known[key]))
+        else:
+            known[key] = from_json(kept)
+    return known[key]
+
+
+def _derived(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
+    from mahovik.core import derive
+    from mahovik.core.derive import accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench  # noqa: F401  read from the package
+    from mahovik.core.formula.ordered import ordered
+
+    return ordered(getattr(getattr(derive, module), name)(*arguments))

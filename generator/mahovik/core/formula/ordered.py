@@ -1,0 +1,91 @@
+"""SymPy expressions as formulas, with an order of operations of our own.
+
+SymPy sorts sums and products by rules that may change with its version; here terms are ordered by the names in
+them, positive ones first, so that the same derivation always gives the same operations, hence the same bits.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import fields, is_dataclass
+from functools import lru_cache
+from types import SimpleNamespace
+from typing import Any
+
+import sympy as sp
+
+from mahovik.core.formula.tree import Formula, Matrix
+
+
+def ordered(value: Any) -> Any:
+    """What a function of derive/ returns, as formulas: of matrices, tuples, dicts and data classes each element."""
+    if isinstance(value, sp.MatrixBase):
+        rows, columns = value.shape
+        return Matrix(rows, columns, tuple(_formula(x) for x in value))
+    if isinstance(value, tuple):
+        return tuple(ordered(each) for each in value)
+    if isinstance(value, dict):
+        return {name: ordered(each) for name, each in value.items()}
+    if is_dataclass(value):
+        return SimpleNamespace(**{f.name: ordered(getattr(value, f.name)) for f in fields(value)})
+    return _formula(sp.sympify(value))
+
+
+@lru_cache(maxsize=4096)
+def _formula(e: sp.Expr) -> Formula:
+    """One expression. Raises TypeError for what has no form in a program."""
+    if e.is_Symbol:
+        return str(e.name)
+    if e.is_Number:
+        return float(e)
+    if e.is_Add:
+        return _sum(e)
+    if e.is_Mul:
+        return _product(e)
+    if e.is_Pow and e.exp.is_Integer and e.exp > 1:
+        return _chain([_formula(e.base)] * int(e.exp))
+    raise TypeError(f"{e} has no form in a program")
+
+
+def _sum(e: sp.Add) -> Formula:
+    terms = sorted(e.args, key=lambda t: (_negative(t), _key(t)))
+    total = _formula(terms[0])
+    for term in terms[1:]:
+        total = ("-", total, _formula(-term)) if _negative(term) else ("+", total, _formula(term))
+    return total
+
+
+def _product(e: sp.Mul) -> Formula:
+    coefficient, rest = e.as_coeff_Mul()
+    factors = [_formula(a) for a in sorted(sp.Mul.make_args(rest), key=_key)]
+    if coefficient == -1:
+        return _chain([("-", factors[0]), *factors[1:]])
+    if coefficient == 1:
+        return _chain(factors)
+    return _chain([float(coefficient), *factors])
+
+
+def _chain(factors: Sequence[Formula]) -> Formula:
+    product = factors[0]
+    for factor in factors[1:]:
+        product = ("*", product, factor)
+    return product
+
+
+def _negative(term: sp.Expr) -> bool:
+    return bool(term.as_coeff_Mul()[0] < 0)
+
+
+_LAST = frozenset(("c", "s", "c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds", "two_c2", "two_s2"))
+"""Weights of a row's columns: a column is named before its weight."""
+
+
+@lru_cache(maxsize=4096)
+def _key(e: sp.Expr) -> tuple[object, ...]:
+    """Names in natural order ([2] before [10]), then the text: the same in every run and version."""
+    text = str(e)
+    if text in _LAST:
+        return (["~"], text)
+    text = re.sub(r"\d+", lambda m: m[0].zfill(4), text.replace("-", ""))
+    return (sorted(re.findall(r"[a-zA-Z_]\w*(?:\[\d+\])?", text)), text)

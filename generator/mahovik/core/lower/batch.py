@@ -1,0 +1,55 @@
+"""The functions of a stand for many states side by side, made of those for one: no formula is written again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.inline import Inliner
+from mahovik.core.program.refusal import without_returns
+from mahovik.core.program.walk import reachable
+from mahovik.core.program.wide import Wide
+from mahovik.core.program.widen import RESERVED, Widener
+
+BATCHED = ("forward", "coupled", "torque", "step")
+"""Functions that have a batch, where the stand has them."""
+
+ALIKE = ("stand", "locked", "dt", "order")
+"""Arguments that are the same for all states."""
+
+
+@dataclass(frozen=True)
+class Batch:
+    """One function for n states: `narrow` as for one state, `wide` for a block; `each`: a table a state."""
+
+    narrow: Function
+    wide: Function
+    each: bool
+
+
+@dataclass(frozen=True)
+class Batches:
+    """The wide program: its functions in order, lanes of a block, and what makes the batches."""
+
+    program: Program
+    batches: tuple[Batch, ...]
+    widener: Widener
+
+    @property
+    def lanes(self) -> int:
+        return self.widener.wide.lanes
+
+
+def batches(program: Program) -> Batches:
+    """Wide forms of the functions of a program that have a batch."""
+    entries = [f for f in program.functions if f.name in BATCHED]
+    needed = reachable(tuple(replace(f, public=f in entries) for f in program.functions))
+    inliner = Inliner(without_returns(tuple(program.function(f.name) for f in needed)), RESERVED)
+    widener = Widener(Wide(program.precision))
+    found = []
+    for each in (False, True):
+        for narrow in sorted(entries, key=lambda f: BATCHED.index(f.name)):
+            varying = [a.name for a in narrow.arguments if a.name not in ALIKE or (each and a.name == "stand")]
+            found.append(Batch(narrow, widener.function(inliner[narrow.name], varying), each))
+    wide = Program(program.name, program.precision, (), (), widener.functions)
+    return Batches(wide, tuple(found), widener)

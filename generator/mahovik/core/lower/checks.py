@@ -1,0 +1,133 @@
+"""Checks of inputs: finite, and inside the ranges of stand.md. Nothing is computed from an input before it passed."""
+
+from __future__ import annotations
+
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, bits_of, both, real, unequal, word
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind
+
+
+def _arguments() -> tuple[Argument, Argument, Argument]:
+    values, limit = Argument("values", Kind.REAL, (0,)), Argument("limit", Kind.REAL)
+    return values, Argument("count", Kind.INT), limit
+
+
+def excess(lib: Library) -> Function:
+    """Top bit set where an element is above a limit in magnitude, infinite or NaN.
+
+    Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of two
+    is negative where the first is smaller. No branch and no comparison: loops over it vectorise.
+    """
+    values, count, limit = _arguments()
+    top = 1 << (lib.layout.precision.width - 1)
+    body = Body()
+    largest = body.let("largest", bits_of(limit.place))
+    over = body.local("over", (), Kind.WORD)
+    body.set(over, word(0))
+    with body.loop("i", count.place) as i:
+        body.set(over, over | (largest - (bits_of(values.place[i]) & word(top - 1))))
+    body.ret(over)
+    return Function(
+        "excess",
+        "Top bit set where a value is above the limit in magnitude, infinite or NaN: limit - |value| on the bits.",
+        (values, count, limit),
+        body.statements,
+        returns=Kind.WORD,
+    )
+
+
+def within(lib: Library) -> Function:
+    """Every element finite and of magnitude at most a limit. A NaN fails every comparison, so it cannot pass."""
+    values, count, limit = _arguments()
+    largest = lib.limits["LARGEST"].expression
+    body = Body()
+    with body.loop("i", count.place) as i:
+        value = values.place[i]
+        with body.when(Not(both(value >= -limit.place, value <= limit.place))):
+            with body.when(both(value >= -largest, value <= largest)):
+                body.ret(Status("RANGE"))
+            body.ret(Status("NOT_FINITE"))
+    body.ret(Status("OK"))
+    return Function(
+        "within",
+        "Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison.",
+        (values, count, limit),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE"),
+    )
+
+
+def check_within(lib: Library, body: Body, *parts: tuple[Place, Operand, Expr]) -> None:
+    """Returns the status of the first bad one of (values, count, limit).
+
+    By blocks, where vectors are about, all are tried at once first.
+    """
+    if lib.layout.lanes == 1:
+        for part in parts:
+            lib.check(body, "within", *part)
+        return
+    over = call(lib["excess"], *parts[0])
+    for part in parts[1:]:
+        over = over | call(lib["excess"], *part)
+    top = lib.layout.precision.width - 1
+    with body.when(unequal(over >> top, word(0)), "which one, and why"):
+        for part in parts:
+            lib.check(body, "within", *part)
+
+
+def check_turns(lib: Library) -> Function:
+    """Sines and cosines from encoders: finite, and of unit length within 1e-3."""
+    sine, cosine = lib.given_turns()
+    body = Body()
+    lib.begin(body)
+    for given in (sine, cosine):
+        lib.check(body, "within", given.place, lib.layout.count, real(2))
+    with body.loop("s", lib.layout.count) as s:
+        norm = body.let("norm2", sine.place[s] * sine.place[s] + cosine.place[s] * cosine.place[s])
+        unit = both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
+        lib.guard(body, Not(unit), "RANGE")
+    body.ret(Status("OK"))
+    return Function(
+        "check_turns",
+        "Are sines and cosines finite, and s^2 + c^2 that of a length within 1e-3 of 1?",
+        (sine, cosine),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE"),
+    )
+
+
+def check_state(lib: Library) -> Function:
+    """Ranges of a whole state; the quaternion within 1e-3 of unit length."""
+    x = lib.state_argument()
+    state = x.place
+    body = Body()
+    lib.begin(body)
+    limit = {name: found.expression for name, found in lib.limits.items()}
+    parts: list[tuple[Place, Operand, Expr]] = [
+        (state.position, 3, limit["MAX_POSITION"]),
+        (state.attitude, 4, real(2)),
+        (state.V, 6, limit["MAX_SPEED"]),
+        (state.V, 3, limit["MAX_VELOCITY"]),
+    ]
+    if lib.layout.flywheels:
+        parts.append((state.phi, lib.layout.count, limit["MAX_PHASE"]))
+        parts.append((state.phi_dot, lib.layout.count, limit["MAX_SPEED"]))
+    check_within(lib, body, *parts)
+    q = state.attitude
+    norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
+    unit = both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
+    lib.guard(body, Not(unit), "RANGE")
+    body.ret(Status("OK"))
+    return Function(
+        "check_state",
+        "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?",
+        (x,),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_FINITE", "RANGE"),
+    )

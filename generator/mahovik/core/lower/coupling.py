@@ -1,0 +1,151 @@
+"""How each flywheel's drive torque depends on the motion: its column of I and its bias, one by one or by blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from mahovik.core.formula.derived import accumulate as derived_rows
+from mahovik.core.formula.derived import drive as derived
+from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower import lanes
+from mahovik.core.lower.flywheels import COLUMNS, turn_of
+from mahovik.core.lower.forward import Scene
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.solve import parts_of_twist
+from mahovik.core.lower.symbolic import assign, translate
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Expr, Place
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind
+
+_DOUBLE = {"two_c2": "twice the cosine and sine of the double phase", "two_s2": ""}
+
+_PURPOSE = "the drive torque that it takes at V* = 0, phi'' = 0."
+
+
+def _couple(
+    lib: Library,
+    body: Body,
+    turn: dict[str, Expr],
+    columns: Mapping[str, Any],
+    alike: Mapping[str, Any],
+    column: Sequence[Place],
+    bias: Place,
+) -> None:
+    """column = I_s, bias = the torque at V* = 0, phi'' = 0, of a row of these columns at s, c of `turn`."""
+    binding = dict(turn)
+    for name in ("two_c2", "two_s2"):
+        binding[name] = body.let(name, translate(derived_rows.weights()[name], binding), _DOUBLE[name])
+    everything: dict[str, Any] = {**binding, **columns}
+    assign(body, column, derived_rows.columns().I, everything)
+    mu_p, J_p = derived.phase_derivatives()
+    assert list(mu_p) == list(derived_rows.columns().I[:3])
+    body.note("dJ / dphi")
+    slope = [body.let(f"J_p{i + 1}", translate(value, everything)) for i, value in enumerate(J_p)]
+    everything |= {"J_p": slope, "mu_p": list(column)[:3], **alike}
+    if lib.layout.flywheel_buoyancy:
+        body.note("derivative of the displaced first moment")
+        slopes = (columns["displaced_s"][i] * turn["c"] - columns["displaced_c"][i] * turn["s"] for i in range(3))
+        everything["displaced_p"] = [body.let(f"displaced_p{i + 1}", slope) for i, slope in enumerate(slopes)]
+    body.set(bias, translate(derived.bias_torque(lib.layout.flywheel_buoyancy), everything))
+
+
+def _alike_arguments() -> tuple[Argument, ...]:
+    """What the carrier's motion does to all flywheels alike."""
+    return (
+        Argument("swing", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, less gravity"),
+        Argument("spun", Kind.REAL, (6,), unit="rad2/s2", purpose="products of omega"),
+        Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1"),
+    )
+
+
+def _columns(lib: Library) -> tuple[str, ...]:
+    return (*COLUMNS, *(("displaced_c", "displaced_s") if lib.layout.flywheel_buoyancy else ()))
+
+
+def couple(lib: Library) -> Function:
+    """I_s and the bias torque of one flywheel."""
+    row = Argument("row", lib.layout.row)
+    s = Argument("s", Kind.REAL, purpose="sin phi")
+    c = Argument("c", Kind.REAL, purpose="cos phi")
+    alike = _alike_arguments()
+    out = Argument("out", lib.layout.coupling, (), "out")
+    body = Body()
+    columns = {name: row.place.member(name) for name in _columns(lib)}
+    turn: dict[str, Expr] = {"s": s.place, "c": c.place}
+    _couple(lib, body, turn, columns, {a.name: a.place for a in alike}, list(out.place.I), out.place.bias)
+    return Function(
+        "couple",
+        f"Column of I of one flywheel, and {_PURPOSE}",
+        (row, s, c, *alike, out),
+        body.statements,
+        equation="(9)",
+    )
+
+
+def couple_block(lib: Library) -> Function:
+    """I_s and the bias torques of a block."""
+    block, first = Argument("block", lib.layout.block), lanes.first_argument()
+    sine, cosine = lanes.room_argument(lib, "sine", "of the phases"), lanes.room_argument(lib, "cosine")
+    alike = _alike_arguments()
+    out = Argument("out", lib.layout.lane_coupling, (), "out")
+    body = Body()
+    with body.loop("k", lib.layout.lane_count) as k:
+        turn: dict[str, Expr] = {
+            "s": body.let("s", sine.place[first.place + k]),
+            "c": body.let("c", cosine.place[first.place + k]),
+        }
+        columns = lanes.lane_columns(block.place, k, _columns(lib))
+        bound = {a.name: a.place for a in alike}
+        _couple(lib, body, turn, columns, bound, lanes.lane(out.place.I, k), out.place.bias[k])
+    return Function(
+        "couple_block",
+        f"Columns of I of a block of flywheels, and {_PURPOSE}",
+        (block, first, sine, cosine, *alike, out),
+        body.statements,
+        equation="(9)",
+    )
+
+
+@dataclass(frozen=True)
+class Carried:
+    """What the carrier's motion does to all flywheels alike: swing = omega x v - g (3), spun: products of omega (6)."""
+
+    swing: Place
+    spun: Place
+
+
+def carried(lib: Library, body: Body, seen: Scene) -> Carried:
+    """Both, into locals."""
+    swing = body.local(
+        "swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v"
+    )
+    bound = parts_of_twist(seen.V) | ({"g": seen.g} if seen.g is not None else {})
+    assign(body, list(swing), derived.swing(lib.layout.weight), bound)
+    spun = body.local("spun", (6,), comment="J . spun = -omega . J omega / 2 for any J")
+    assign(body, list(spun), derived.spin_products(), bound)
+    return Carried(swing, spun)
+
+
+def couple_flywheel(lib: Library, body: Body, stand: Place, s: Place, seen: Scene, by: Carried, out: Place) -> None:
+    """I_s and the bias torque of flywheel s into `out`."""
+    row = lanes.row_of(lib, body, stand, s)
+    named = {"row": row, **turn_of(seen.turns, s), "swing": by.swing, "spun": by.spun, "g": seen.g, "out": out}
+    body.call(lib["couple"], *lib.passed("couple", **named))
+
+
+def couple_blocks(
+    lib: Library, body: Body, stand: Place, b: Place, first: Expr, seen: Scene, by: Carried, out: Place
+) -> None:
+    """Those of block b."""
+    sine, cosine = seen.turns
+    named: dict[str, Any] = {"block": stand.block[b], "first": first, "sine": sine, "cosine": cosine}
+    named |= {"swing": by.swing, "spun": by.spun, "g": seen.g, "out": out}
+    body.call(lib["couple_block"], *lib.passed("couple_block", **named))
+
+
+def along(column: Sequence[Expr], V_dot: Place) -> Expr:
+    """I_s . V*."""
+    return translate(derived_wrench.row_times("column", "V_dot"), {"column": column, "V_dot": V_dot})

@@ -1,0 +1,142 @@
+"""What (12) asks of the flywheels at a state, scaled: shared by inverse and inverse_fast.
+
+K = G G^T, W = G^-1 I D^-1, r = G^-1 b with b = F - K V* - M V - J phi' and D^2 = Theta_ff. The singular values of W are
+those of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik.core.formula.derived import accumulate as derived_rows
+from mahovik.core.formula.derived import carrier as derived_carrier
+from mahovik.core.lower.flywheels import columns_of, let_turn, places_of
+from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, relative_rate, scene, sum_up
+from mahovik.core.lower.lanes import entry, row_of
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.matrices import fill
+from mahovik.core.lower.solve import carrier_binding
+from mahovik.core.lower.symbolic import assign
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Expr, Not, Place, Status, both, real
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind
+
+
+def factor(lib: Library) -> Function:
+    """Cholesky factor of K."""
+    work = Argument(
+        "work", lib.layout.inverse_work, (), "inout", purpose="in: G holds K; out: lower triangle G, K = G G^T"
+    )
+    G = work.place.G
+    body = Body()
+    lib.begin(body)
+    with body.loop("j", 6) as j:
+        pivot = body.local("pivot")
+        body.set(pivot, G[j][j])
+        with body.loop("k", j) as k:
+            body.add(pivot, -(G[j][k] * G[j][k]))
+        lib.guard(body, Not(pivot > 0), "NOT_POSITIVE_DEFINITE")
+        root = body.let("root", call(lib["sqrt"], pivot))
+        body.set(G[j][j], root)
+        with body.loop("i", 6, start=j + 1) as i:
+            rest = body.local("rest")
+            body.set(rest, G[i][j])
+            with body.loop("k", j) as k:
+                body.add(rest, -(G[i][k] * G[j][k]))
+            body.set(G[i][j], rest / root)
+    body.ret(Status("OK"))
+    return Function(
+        "factor",
+        "Cholesky factor of the mass matrix, in place: K = G G^T.",
+        (work,),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def demand(lib: Library) -> Function:
+    """Everything of (12) at a state: K factored, I, b, W, r."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
+    turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
+    work = Argument("work", layout.inverse_work, (), "out")
+    w = work.place
+    body = Body()
+    lib.begin(body)
+    seen = scene(lib, body, stand.place, x.place, turns=places_of(turns))
+    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
+    sum_up(lib, body, stand.place, x.place, seen, None)
+    column = body.local("column", (6,), comment="I_s")
+    with body.loop("s", layout.count) as s:
+        turn = let_turn(body, seen.turns, s)
+        row = row_of(lib, body, stand.place, s)
+        assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
+        with body.loop("i", 6) as i:
+            body.set(w.I[i][s], column[i])
+    F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
+    Z = body.local("Z", (6,), comment="momentum screw (2)")
+    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    K_rows: dict[str, Any] = carrier_binding(lib, stand.place, seen.sums)
+    fill(body, w.G, derived_carrier.mass_matrix(layout.added_mass), K_rows)
+    body.note("b = F - K V*: what the flywheels must give")
+    with body.loop("i", 6) as i:
+        total: Expr = F[i]
+        for j in range(6):
+            total = total - w.G[i][j] * moving[j]
+        body.set(w.b[i], total)
+        body.set(w.r[i], total)
+    lib.check(body, "factor", w)
+    with body.loop("s", layout.count) as s:
+        body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, stand.place, s, "spin")))
+        with body.loop("i", 6) as i:
+            body.set(w.W[i][s], w.I[i][s] * w.scale[s])
+    body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution")
+    with body.loop("i", 6) as i:
+        with body.loop("k", i) as k:
+            with body.loop("s", layout.count) as s:
+                body.add(w.W[i][s], -(w.G[i][k] * w.W[k][s]))
+            body.add(w.r[i], -(w.G[i][k] * w.r[k]))
+        inverse = body.let("inverse", 1 / w.G[i][i])
+        with body.loop("s", layout.count) as s:
+            body.set(w.W[i][s], w.W[i][s] * inverse)
+        body.set(w.r[i], w.r[i] * inverse)
+    body.ret(Status("OK"))
+    return Function(
+        "demand",
+        "What (12) asks of the flywheels at a state: I, b, and both scaled to W, r.",
+        (stand, x, *turns, V_dot, *wrench, work),
+        body.statements,
+        equation="(12)",
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def check_demand(
+    lib: Library,
+    body: Body,
+    stand: Argument,
+    x: Argument,
+    V_dot: Argument,
+    options: Place,
+    shares: tuple[str, ...],
+    wrench: tuple[Argument, ...],
+    turns: tuple[Argument, ...] = (),
+) -> None:
+    """Inputs of both variants, and of the options the weights and `shares`, numbers of 0 to 1."""
+    check_inputs(lib, body, stand, x, (), wrench, turns)
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_WEIGHT"].expression)
+    given = body.local("shares", (len(shares),))
+    for k, name in enumerate(shares):
+        body.set(given[k], options.member(name))
+    lib.check(body, "within", given, len(shares), lib.limits["LARGEST"].expression)
+    for share in given:
+        lib.guard(body, Not(both(share >= 0, share <= 1)), "BAD_ARGUMENT")
+    with body.loop("s", lib.layout.count) as s:
+        lib.guard(body, Not(options.weight[s] >= real(lib.thresholds.weight)), "BAD_ARGUMENT")

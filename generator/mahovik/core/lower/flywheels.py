@@ -1,0 +1,216 @@
+"""What the flywheels add at their phases: the one loop over rows that all functions share."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from mahovik.core.formula.derived import accumulate as derived
+from mahovik.core.lower import lanes
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.symbolic import add_each, assign, translate
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Expr, Place, real
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import FLOAT, Kind
+
+_COMMENTS = {
+    "c2": "of the double phase",
+    "s2": "",
+    "dc": "rates: d(cos phi)/dt",
+    "ds": "",
+    "dc2": "",
+    "ds2": "",
+    "ddc": "second rates",
+    "dds": "",
+}
+
+
+def let_weights(body: Body, given: dict[str, Expr], names: Sequence[str]) -> dict[str, Expr]:
+    """Named temporaries c2 ... dds from c, s, phi_dot, phi_ddot in `given`; returns `given` and them."""
+    expressions = derived.weights()
+    bound = dict(given)
+    for name in names:
+        bound[name] = body.let(name, translate(expressions[name], bound), _COMMENTS[name])
+    return bound
+
+
+def sine_and_cosine(lib: Library, body: Body, phase: Expr, suffix: str = "") -> dict[str, Expr]:
+    """Local s, c (with a suffix) of a phase."""
+    s = body.local(f"s{suffix}")
+    c = body.local(f"c{suffix}")
+    body.call(lib["sincos"], phase, s, c)
+    return {"s": s, "c": c}
+
+
+Turns = tuple[Place, ...]
+"""Sines and cosines of all phases, two arrays; empty where there are no flywheels."""
+
+
+def places_of(arguments: Sequence[Argument]) -> Turns:
+    """The places of arguments."""
+    return tuple(a.place for a in arguments)
+
+
+def turns_of(lib: Library, body: Body, x: Place) -> Turns:
+    """Sines and cosines of the phases of a state as locals: all of them first, as none waits for another."""
+    if not lib.layout.flywheels:
+        return ()
+    sine = body.local("sine", (lib.layout.room,))
+    cosine = body.local("cosine", (lib.layout.room,))
+    body.call(lib["sincos_each"], x.phi, sine, cosine)
+    return sine, cosine
+
+
+def turn_of(turns: Turns, s: Expr) -> dict[str, Expr]:
+    """s, c of flywheel s."""
+    sine, cosine = turns
+    return {"s": sine[s], "c": cosine[s]}
+
+
+def let_turn(body: Body, turns: Turns, s: Expr, suffix: str = "_phi") -> dict[str, Expr]:
+    """s, c of flywheel s as named temporaries (with a suffix)."""
+    return {name: body.let(f"{name}{suffix}", place) for name, place in turn_of(turns, s).items()}
+
+
+def named_turns(turns: Turns) -> dict[str, Place]:
+    """Sines and cosines by the names of the arguments that take them."""
+    return dict(zip(("sine", "cosine"), turns, strict=True)) if turns else {}
+
+
+AT_NOTES = ("Of given sines and cosines, used as they are: the phases of x are checked, but not used.",)
+"""What the functions say that take sines and cosines."""
+
+
+COLUMNS = ("mu_c", "mu_s", "J_c", "J_s", "J_2c", "J_2s", "t_0", "t_c", "t_s")
+"""The columns of a row, which the derivation uses by these names."""
+
+
+def columns_of(row: Place) -> dict[str, Place]:
+    """The columns of a row by name."""
+    return {name: row.member(name) for name in COLUMNS}
+
+
+def start_sums(lib: Library) -> Function:
+    """The sums without flywheels' harmonics: constants of the table."""
+    stand = lib.table_argument()
+    sums = Argument("sum", lib.layout.sums, (), "out")
+    body = Body()
+    body.copy_array(sums.place.mu, stand.place.first_moment)
+    body.copy_array(sums.place.J, stand.place.inertia)
+    for name in ("mu_dot", "J_dot", "h_rel", "a_rel", "g_rel"):
+        for element in sums.place.member(name):
+            body.set(element, real(0))
+    return Function(
+        "start_sums",
+        "Sums of carrier, instruments and the constant part of the flywheels.",
+        (stand, sums),
+        body.statements,
+        equation="(2)",
+    )
+
+
+_NOTES = {
+    "mu": "first moment and its rate",
+    "J": "inertia",
+    "J_dot": "its rate: K_dot of (6)",
+    "h_rel": "moment part of I phi' (its force part is mu_dot)",
+    "a_rel": "I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5)",
+}
+
+
+def _add_row(
+    body: Body,
+    given: dict[str, Expr],
+    columns: Mapping[str, Any],
+    sums: Mapping[str, list[Place]],
+    short: Place | None = None,
+) -> None:
+    """sums += what a row of these columns gives for s, c, phi_dot, phi_ddot; `short`: the sums, for J in a loop."""
+    binding: dict[str, Any] = {**let_weights(body, given, tuple(_COMMENTS)), **columns}
+    parts = derived.sums()
+    for name in ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel"):
+        if name in _NOTES and not (short is not None and name == "J_dot"):
+            body.note(_NOTES[name])
+        if short is not None and name in ("J", "J_dot"):
+            if name == "J":
+                add_each(body, {short.J: parts.J, short.J_dot: parts.J_dot}, binding)
+            continue
+        assign(body, sums[name], getattr(parts, name), binding, add=True)
+
+
+def add_flywheel(lib: Library) -> Function:
+    """One row at its phase."""
+    row = Argument("row", lib.layout.row)
+    sine = Argument("s", Kind.REAL, purpose="sin phi")
+    cosine = Argument("c", Kind.REAL, purpose="cos phi")
+    phi_dot = Argument("phi_dot", Kind.REAL, unit="rad/s")
+    phi_ddot = Argument("phi_ddot", Kind.REAL, unit="rad/s2")
+    sums = Argument("sum", lib.layout.sums, (), "inout")
+    body = Body()
+    given: dict[str, Expr] = {"s": sine.place, "c": cosine.place}
+    given |= {"phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
+    targets = {f.name: list(sums.place.member(f.name)) for f in lib.layout.sums.fields}
+    # In float J goes in a loop: a third of the code, which small processors lack; desktop ones are slower with it.
+    short = sums.place if lib.layout.precision is FLOAT else None
+    _add_row(body, given, columns_of(row.place), targets, short)
+    return Function(
+        "add_flywheel",
+        "Adds what one flywheel's row gives at its phase to the sums.",
+        (row, sine, cosine, phi_dot, phi_ddot, sums),
+        body.statements,
+        equation="(2), (5), (6)",
+    )
+
+
+def add_block(lib: Library) -> Function:
+    """The rows of a block, one a lane."""
+    block = Argument("block", lib.layout.block)
+    first = lanes.first_argument()
+    inputs = [
+        lanes.room_argument(lib, "sine", "of the phases"),
+        lanes.room_argument(lib, "cosine"),
+        lanes.room_argument(lib, "phi_dot", unit="rad/s"),
+        lanes.room_argument(lib, "phi_ddot", unit="rad/s2"),
+    ]
+    sums = Argument("lane", lib.layout.lane_sums, (), "inout")
+    body = Body()
+    with body.loop("k", lib.layout.lane_count) as k:
+        names = ("s", "c", "w", "a")
+        s, c, w, a = (body.let(n, x.place[first.place + k]) for n, x in zip(names, inputs, strict=True))
+        targets = {f.name: lanes.lane(sums.place.member(f.name), k) for f in lib.layout.sums.fields}
+        given: dict[str, Expr] = {"s": s, "c": c, "phi_dot": w, "phi_ddot": a}
+        _add_row(body, given, lanes.lane_columns(block.place, k, COLUMNS), targets)
+    return Function(
+        "add_block",
+        "Adds what the rows of a block give at their phases, each to the sums of its lane; w = phi', a = phi''.",
+        (block, first, *inputs, sums),
+        body.statements,
+        equation="(2), (5), (6)",
+    )
+
+
+def sum_up(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums: Place, phi_ddot: Place | None) -> None:
+    """Sums over all bodies; without phi_ddot those of constant speeds."""
+    layout = lib.layout
+    body.call(lib["start_sums"], stand, sums)
+    if not layout.flywheels:
+        return
+    if layout.lanes == 1:
+        with body.loop("s", layout.count) as s:
+            acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
+            turn = turn_of(turns, s)
+            body.call(lib["add_flywheel"], stand.flywheel[s], turn["s"], turn["c"], x.phi_dot[s], acceleration, sums)
+        return
+    speeds = lanes.roomy(lib, body, x.phi_dot, "speeds")
+    if phi_ddot is None:
+        accelerations = body.local("accelerations", (layout.room,), comment="none")
+        with body.loop("s", layout.room) as s:
+            body.set(accelerations[s], real(0))
+    else:
+        accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
+    parts = body.local("lane", (), layout.lane_sums, "of the flywheels, lane by lane")
+    body.call(lib["clear_lanes"], parts)
+    with lanes.blocks(lib, body) as (b, first):
+        body.call(lib["add_block"], stand.block[b], first, *turns, speeds, accelerations, parts)
+    body.call(lib["add_lanes"], parts, sums)

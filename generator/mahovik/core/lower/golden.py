@@ -1,0 +1,223 @@
+"""Golden vectors of the self-test: chosen inputs, and what the interpreter of the program answers to them."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice
+from math import floor, log2, prod
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.lower.drawn import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
+from mahovik.core.lower.values import Values
+from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.interpret import Interpreter, filled_value
+from mahovik.core.program.types import Kind, Precision, Struct
+
+LISTED = 32
+"""Numbers of an answer that are listed; the rest is in its hash alone, so that the file stays small."""
+
+LARGEST_ANSWER = 1 << 17
+"""Numbers of an answer; what gives more is not in the self-test: N^2 numbers of 1,000 flywheels fill no board's memory,
+and the interpreter would take minutes to know them."""
+
+SWEPT = 1
+"""States of the sweep whose hash is known beforehand: one shows that the target draws what Python draws."""
+
+FAR = 1_000_000
+"""ulp; the self-test says of a distance above it only that it is `more than` that: such numbers are not neighbours."""
+
+ACCEPTED = 65536
+"""Units of a fast self-test: half the last place of the largest number of an answer. Solving for flywheels of bad
+condition (`inverse_fast`) makes a thousand of them out of rounding; what is wrong is farther off."""
+
+CASES = ("ordinary", "fast flywheels, large phases", "out of range")
+"""What the golden inputs are."""
+
+_FNV_OFFSET, _FNV_PRIME = 2166136261, 16777619
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a function answers to one case: status, hash of status and all outputs, first outputs that are reals."""
+
+    status: int
+    hash: int
+    listed: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Golden:
+    """Golden inputs, and by function the answers to them and the hash of a sweep of SWEPT states."""
+
+    plan: tuple[Input, ...]
+    inputs: tuple[dict[str, Any], ...]
+    answers: dict[str, tuple[Answer, ...]]
+    sweep: dict[str, int]
+
+
+def fnv1a(data: bytes, start: int = _FNV_OFFSET) -> int:
+    """The 32-bit hash FNV-1a; `start` goes on from an earlier one."""
+    found = start
+    for byte in data:
+        found = (found ^ byte) * _FNV_PRIME & 0xFFFFFFFF
+    return found
+
+
+def golden(program: Program, values: Values) -> Golden:
+    """Golden vectors of a stand's program."""
+    player = _Player(program, values)
+    planned, public = player.plan, player.functions
+    cases = tuple(_cases(planned, program.precision))
+    answers: dict[str, list[Answer]] = {f.name: [] for f in public}
+    for case in cases:
+        given = player.arguments(case)
+        for f in public:
+            status, written = player.play(f, given)
+            answers[f.name].append(
+                Answer(
+                    status, fnv1a(_bytes(status, written, program.precision)), tuple(islice(_reals(written), LISTED))
+                )
+            )
+    return Golden(planned, cases, {name: tuple(found) for name, found in answers.items()}, player.sweep(SWEPT))
+
+
+def tested(program: Program) -> tuple[Function, ...]:
+    """The public functions that are in the self-test: those with answers of at most LARGEST_ANSWER numbers."""
+
+    def size(type_: Kind | Struct, shape: tuple[Any, ...]) -> int:
+        one = sum(size(f.type, f.shape) for f in type_.fields) if isinstance(type_, Struct) else 1
+        return one * prod(int(n) for n in shape)
+
+    return tuple(
+        f
+        for f in program.functions
+        if f.public and sum(size(a.type, a.shape) for a in f.arguments if a.direction != "in") <= LARGEST_ANSWER
+    )
+
+
+def sweep_hashes(program: Program, values: Values, states: int) -> dict[str, int]:
+    """Hashes of a sweep by function, from the interpreter: some hundredths of a second a state."""
+    return _Player(program, values).sweep(states)
+
+
+def _cases(planned: tuple[Input, ...], precision: Precision) -> Iterator[dict[str, Any]]:
+    """The golden inputs, in the order of CASES, by a generator of their own."""
+    generator = Generator(0x9E3779B9)
+    largest_phase = 2.0 ** floor(log2(precision.max_phase))
+    # each order of the time step once, whatever is drawn
+    yield draw(planned, generator, precision) | {"order": 4}
+    large = {"phi": largest_phase / 16.0, "phi_dot": 64.0, "V": 4.0, "V_dot": 4.0}
+    yield draw(planned, generator, precision, large) | {"order": 2}
+    beyond = dict.fromkeys(("angles", "phi", "position", "zero"), 2.0**40) | {"attitude": 2.0, "sine": 2.0}
+    beyond |= {"dt": 0.0, "per_turn": 0.0, MASS_FACTOR: -1.0}
+    yield draw(planned, generator, precision, beyond)
+
+
+class _Player:
+    """Calls the functions of a program with drawn inputs."""
+
+    def __init__(self, program: Program, values: Values) -> None:
+        self.plan = plan(program)
+        self.functions = tested(program)
+        self._program = program
+        self._values = values
+        self._interpreter: Interpreter = values.interpreter
+        self._constants = {
+            "table": values.table,
+            "mount_table": values.mounting,
+            "inverse_options": values.options,
+        }
+        structs = {s.name: s for s in program.structs}
+        # filled once: the interpreter takes a record as it is, and functions do not write into what is "in"
+        self._filled = {
+            name: self._interpreter.filled(structs[name], value)
+            for name, value in self._constants.items()
+            if value is not None
+        }
+
+    def sweep(self, states: int) -> dict[str, int]:
+        """Hashes by function over so many states."""
+        precision = self._program.precision
+        generator = Generator()
+        hashes = {f.name: _FNV_OFFSET for f in self.functions}
+        for state in range(states):
+            given = self.arguments(draw(self.plan, generator, precision, sweep_factors(state)))
+            for f in self.functions:
+                hashes[f.name] = fnv1a(_bytes(*self.play(f, given), precision), hashes[f.name])
+        return hashes
+
+    def arguments(self, drawn: Mapping[str, Any]) -> dict[str, Any]:
+        """Drawn inputs by argument name, and parameters with their masses multiplied, under the struct's name."""
+        factor = self._program.precision.scalar(drawn[MASS_FACTOR])
+        structs = {s.name: s for s in self._program.structs}
+        parameters = _scaled(structs["parameters"], self._values.parameters, factor, self._program.precision)
+        return {**drawn, "parameters": parameters}
+
+    def play(self, function: Function, given: Mapping[str, Any]) -> tuple[int, list[tuple[Argument, Any]]]:
+        """Status and outputs; after a refusal those alone that are inputs as well."""
+        taken = {a.name: self._taken(a, given) for a in function.arguments if a.direction != "out"}
+        value, outputs = self._interpreter.run(function.name, taken)
+        status = int(value) if function.returns is Kind.STATUS else STATUS_VALUES["OK"]
+        written = [
+            (a, outputs[a.name])
+            for a in function.arguments
+            if a.direction == "inout" or (a.direction == "out" and status >= 0)
+        ]
+        if function.returns is Kind.REAL:
+            written.append((Argument("value", Kind.REAL), value))
+        return status, written
+
+    def _taken(self, a: Argument, given: Mapping[str, Any]) -> Any:
+        if isinstance(a.type, Struct) and a.type.name in self._constants:
+            kept = a.direction == "in"
+            return self._filled[a.type.name] if kept else self._constants[a.type.name]
+        return given["parameters"] if isinstance(a.type, Struct) and a.type.name == "parameters" else given[a.name]
+
+
+def _scaled(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: Precision) -> dict[str, Any]:
+    """Parameters with every mass and inertia multiplied."""
+
+    def scaled(type_: Kind | Struct, shape: tuple[Any, ...], given: Any, name: str) -> Any:
+        if shape:
+            return [scaled(type_, shape[1:], each, name) for each in given]
+        if isinstance(type_, Struct):
+            return {f.name: scaled(f.type, f.shape, given[f.name], f.name) for f in type_.fields}
+        number = filled_value(type_, (), given, precision)
+        return number * factor if name in SCALED else number
+
+    return {f.name: scaled(f.type, f.shape, value[f.name], f.name) for f in struct_.fields}
+
+
+def _bytes(status: int, written: list[tuple[Argument, Any]], precision: Precision) -> bytes:
+    """Bits of a status and of outputs, the lowest byte first: what is hashed."""
+    real = f"<f{precision.width // 8}"
+
+    def packed(type_: Kind | Struct, shape: tuple[Any, ...], value: Any) -> bytes:
+        if not isinstance(type_, Struct):
+            return np.array(value, dtype=real if type_ is Kind.REAL else "<i4").tobytes()
+        if shape:
+            return b"".join([packed(type_, shape[1:], each) for each in value])
+        return b"".join([packed(f.type, f.shape, value[f.name]) for f in type_.fields])
+
+    return struct.pack("<i", status) + b"".join(packed(a.type, a.shape, value) for a, value in written)
+
+
+def _reals(written: list[tuple[Argument, Any]]) -> Iterator[Any]:
+    """The reals of outputs in the order in which they are hashed."""
+
+    def visit(type_: Kind | Struct, shape: tuple[Any, ...], value: Any) -> Iterator[Any]:
+        if shape:
+            for each in value:
+                yield from visit(type_, shape[1:], each)
+        elif isinstance(type_, Struct):
+            for f in type_.fields:
+                yield from visit(f.type, f.shape, value[f.name])
+        elif type_ is Kind.REAL:
+            yield value
+
+    for a, value in written:
+        yield from visit(a.type, a.shape, value)

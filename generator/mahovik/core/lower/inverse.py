@@ -1,0 +1,169 @@
+"""inverse (12): flywheel accelerations for a wanted motion of the carrier, with diagnostics.
+
+W y = r of `demand` by singular values: least |r - W y| first, then least weighted norm of phi'' = D^-1 y within the
+limits (`allocate`). Singular values, rank and what they say are those of the stand, whatever the weights.
+"""
+
+from __future__ import annotations
+
+from mahovik.core.lower.demand import check_demand
+from mahovik.core.lower.flywheels import turns_of
+from mahovik.core.lower.forward import STATE_STATUSES
+from mahovik.core.lower.library import Library
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, either, integer, real, select
+from mahovik.core.program.function import STATUS_VALUES, Argument, Function
+from mahovik.core.program.types import Kind
+
+_POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT")
+
+
+def inverse(lib: Library) -> Function:
+    """phi'' for a wanted V*, with diagnostics."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
+    options = Argument(
+        "options", layout.inverse_options, purpose="weights, limits, damping; default_options has those of the stand"
+    )
+    wrench = lib.wrench_arguments()
+    out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and how good it is")
+    o, p = out.place, options.place
+    body = Body()
+    check_demand(lib, body, stand, x, V_dot, p, ("near", "damping"), wrench)
+    with body.loop("s", layout.count) as s:
+        lib.guard(body, Not(either(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
+        lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
+    work = body.local("work", (), layout.inverse_work)
+    inputs = [w.place for w in wrench]
+    turns = turns_of(lib, body, x.place)
+    lib.check(body, "demand", stand.place, x.place, *turns, V_dot.place, *inputs, work)
+    wanted = body.local("wanted")
+    body.set(wanted, real(0))
+    with body.loop("i", 6) as i:
+        body.add(wanted, work.r[i] * work.r[i])
+    body.call(lib["orthogonalise"], work)
+    _sort(body, work)
+    flags = body.local("flags", (), Kind.INT)
+    rank = body.local("rank", (), Kind.INT)
+    damped = body.local("damping")
+    body.set(flags, integer(0))
+    _rank(lib, body, p, work, rank, damped, flags)
+    body.call(lib["allocate"], work, p, rank, o.phi_ddot, o.limited)
+    with body.loop("s", layout.count) as s, body.when(o.limited[s] > 0):
+        body.set(flags, _flag(flags, "LIMITED"))
+    with body.when(rank < min(6, int(layout.count))):
+        body.set(flags, _flag(flags, "RANK_DEFICIENT"))
+    _residual(lib, body, o, work, wanted, flags)
+    _hardest(lib, body, o, work, rank)
+    body.set(o.rank, rank)
+    body.set(o.damped_by, damped)
+    with body.loop("i", min(6, int(layout.count))) as i:
+        body.set(o.sigma[i], work.sigma[i])
+    body.ret(Convert(flags, Kind.STATUS))
+    return Function(
+        "inverse",
+        "Flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'. "
+        "Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give is "
+        "shared among the others.",
+        (stand, x, V_dot, options, *wrench, out),
+        body.statements,
+        equation="(12)",
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", *_POSITIVE),
+        notes=("Positive statuses are bits that may come together.",),
+        public=True,
+    )
+
+
+def _flag(flags: Place, name: str) -> Expr:
+    """flags with the bit of a status."""
+    return flags | Const(STATUS_VALUES[name], Kind.INT, name)
+
+
+def _sort(body: Body, work: Place) -> None:
+    """Descending singular values: the order of the rows, by exchanging neighbours a fixed number of times."""
+    body.note("descending singular values, by exchanging neighbours")
+    with body.loop("pass", 5), body.loop("i", 5) as i, body.when(work.sigma[i] < work.sigma[i + 1]):
+        for member in ("sigma", "r"):
+            values = work.member(member)
+            kept = body.let(f"kept_{member}", values[i])
+            body.set(values[i], values[i + 1])
+            body.set(values[i + 1], kept)
+        for member, length, by_column in (("W", work.W.shape[1], False), ("U", 6, True)):
+            m = work.member(member)
+            with body.loop("j", length) as j:
+                one, two = (m[j][i], m[j][i + 1]) if by_column else (m[i][j], m[i + 1][j])
+                kept = body.let("kept", one)
+                body.set(one, two)
+                body.set(two, kept)
+
+
+def _rank(lib: Library, body: Body, p: Place, work: Place, rank: Place, damped: Place, flags: Place) -> None:
+    """Rows that count, and less asked of those that are near singular: r sigma^2 / (sigma^2 + lambda^2)."""
+    first = work.sigma[0]
+    body.set(rank, integer(0))
+    body.set(damped, real(0))
+    with body.loop("i", 6) as i, body.when(work.sigma[i] > lib.thresholds.rank * first):
+        body.set(rank, rank + 1)
+        ratio = body.let("ratio", work.sigma[i] / first)
+        with body.when(ratio < p.near):
+            body.set(flags, _flag(flags, "NEAR_SINGULAR"))
+            with body.when(p.damping > 0):
+                body.set(flags, _flag(flags, "DAMPED"))
+                share = body.let("lambda", p.damping * first * (1 - ratio / p.near))
+                square = body.let("square", work.sigma[i] * work.sigma[i])
+                body.set(work.r[i], work.r[i] * (square / (square + share * share)))
+                body.set(damped, select(share > damped, share, damped))
+
+
+def _residual(lib: Library, body: Body, o: Place, work: Place, wanted: Place, flags: Place) -> None:
+    """b - I phi'', and its scaled size against the demand."""
+    left = body.local("left")
+    z = body.local("z", (6,), comment="G^-1 residual")
+    body.set(left, real(0))
+    with body.loop("i", 6) as i:
+        body.set(o.residual[i], work.b[i])
+        with body.loop("s", lib.layout.count) as s:
+            body.add(o.residual[i], -(work.I[i][s] * o.phi_ddot[s]))
+    with body.loop("i", 6) as i:
+        body.set(z[i], o.residual[i])
+        with body.loop("k", i) as k:
+            body.add(z[i], -(work.G[i][k] * z[k]))
+        body.set(z[i], z[i] / work.G[i][i])
+        body.add(left, z[i] * z[i])
+    tolerance = lib.thresholds.unreachable
+    with body.when(left > tolerance * tolerance * wanted):
+        body.set(flags, _flag(flags, "UNREACHABLE"))
+
+
+def _hardest(lib: Library, body: Body, o: Place, work: Place, rank: Place) -> None:
+    """The part of the demand in rows that do not count, or the row of the least singular value, as a wrench."""
+    body.note("out of reach: the demand's part in rows that do not count; without such rows the last of the others")
+    part = body.local("part", (6,))
+    with body.loop("i", 6) as i:
+        body.set(part[i], select(i < rank, real(0), work.r[i]))
+    largest = body.local("largest")
+    body.set(largest, real(0))
+    with body.loop("i", 6) as i:
+        size = body.let("size", select(part[i] < 0, -part[i], part[i]))
+        body.set(largest, select(size > largest, size, largest))
+    with body.when(Not(largest > 0)):
+        body.set(part[5], real(1))
+        body.set(largest, real(1))
+    square = body.local("square")
+    body.set(square, real(0))
+    with body.loop("i", 6) as i:
+        body.set(part[i], part[i] / largest)
+        body.add(square, part[i] * part[i])
+    length = body.let("length", call(lib["sqrt"], square))
+    u = body.local("u", (6,), comment="U part: of unit size in the norm of K^-1; as a wrench G u")
+    with body.loop("k", 6) as k:
+        body.set(u[k], real(0))
+        with body.loop("i", 6) as i:
+            body.add(u[k], work.U[k][i] * part[i])
+        body.set(u[k], u[k] / length)
+    with body.loop("i", 6) as i:
+        body.set(o.hardest[i], real(0))
+        with body.loop("k", i + 1) as k:
+            body.add(o.hardest[i], work.G[i][k] * u[k])

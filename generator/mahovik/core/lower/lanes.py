@@ -1,0 +1,144 @@
+"""Flywheels side by side: blocks of rows whose innermost loops run over lanes, which compilers turn into vectors.
+
+The number of lanes is fixed at generation, each lane has sums of its own, and they are added in a fixed tree: any
+compiler and processor, with vectors or without, gets the same bits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+from mahovik.core.lower.library import Library
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Expr, Place, integer, real
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind, Struct
+
+
+def first_argument() -> Argument:
+    """Number of the first flywheel of a block."""
+    return Argument("first", Kind.INT, purpose="number of the block's first flywheel")
+
+
+def room_argument(lib: Library, name: str, purpose: str = "", direction: str = "in", unit: str = "") -> Argument:
+    """An array with a place for every lane of every block."""
+    return Argument(name, Kind.REAL, (lib.layout.room,), direction, unit, purpose)
+
+
+def lane(place: Place, k: Expr) -> list[Place]:
+    """The elements of an array of a block in lane k."""
+    return [element[k] for element in place]
+
+
+def lane_columns(block: Place, k: Expr, names: Sequence[str]) -> dict[str, list[Place]]:
+    """Columns of a block's rows in lane k."""
+    return {name: lane(block.member(name), k) for name in names}
+
+
+@contextmanager
+def blocks(lib: Library, body: Body) -> Iterator[tuple[Place, Expr]]:
+    """A loop over blocks: number of the block, number of its first flywheel."""
+    with body.loop("b", lib.layout.blocks) as b:
+        yield b, b * integer(lib.layout.lane_count)
+
+
+def clear(lib: Library, name: str, struct: Struct) -> Function:
+    """All sums of all lanes to zero."""
+    sums = Argument("lane", struct, (), "out")
+    body = Body()
+    for field in struct.fields:
+        with body.loop("i", field.shape[0]) as i, body.loop("k", lib.layout.lane_count) as k:
+            body.set(sums.place.member(field.name)[i][k], real(0))
+    return Function(name, "Sums of the lanes to zero.", (sums,), body.statements)
+
+
+def tree(parts: Sequence[Expr]) -> Expr:
+    """The sum of the lanes: the upper half is added to the lower half until one is left."""
+    while len(parts) > 1:
+        half = len(parts) // 2
+        parts = [low + high for low, high in zip(parts[:half], parts[half:], strict=True)]
+    return parts[0]
+
+
+def add_lanes(lib: Library) -> Function:
+    """Sums of the lanes added to those of the fixed bodies."""
+    layout = lib.layout
+    parts = Argument("lane", layout.lane_sums)
+    sums = Argument("sum", layout.sums, (), "inout")
+    body = Body()
+    for field in layout.sums.fields:
+        with body.loop("i", field.shape[0]) as i:
+            body.add(sums.place.member(field.name)[i], tree(list(parts.place.member(field.name)[i])))
+    return Function("add_lanes", "Adds the sums of the lanes, in a fixed tree.", (parts, sums), body.statements)
+
+
+def spread(lib: Library) -> Function:
+    """An array of the flywheels with zeros beyond the last."""
+    values = Argument("values", Kind.REAL, (lib.layout.count,))
+    out = room_argument(lib, "out", direction="out")
+    body = Body()
+    with body.loop("s", lib.layout.count) as s:
+        body.set(out.place[s], values.place[s])
+    with body.loop("s", lib.layout.room, start=lib.layout.count) as s:
+        body.set(out.place[s], real(0))
+    purpose = "Copies values of the flywheels; zeros up to whole blocks."
+    return Function("spread", purpose, (values, out), body.statements)
+
+
+def roomy(lib: Library, body: Body, values: Place, name: str) -> Place:
+    """`values` themselves where they fill whole blocks, else a copy with zeros behind."""
+    if int(lib.layout.room) == int(lib.layout.count):
+        return values
+    copy = body.local(name, (lib.layout.room,))
+    body.call(lib["spread"], values, copy)
+    return copy
+
+
+def take_row(lib: Library) -> Function:
+    """The row of one flywheel out of its block."""
+    stand, s = lib.table_argument(), Argument("s", Kind.INT, purpose="its number")
+    row = Argument("row", lib.layout.row, (), "out")
+    body = Body()
+    for target, source in _members(lib, stand.place, s.place, row.place):
+        body.set(target, source)
+    return Function("take_row", "The row of one flywheel out of its block.", (stand, s, row), body.statements)
+
+
+def put_row(lib: Library) -> Function:
+    """The row of one flywheel into its block."""
+    stand, s = Argument("stand", lib.layout.table, (), "inout"), Argument("s", Kind.INT, purpose="its number")
+    row = Argument("row", lib.layout.row)
+    body = Body()
+    for source, target in _members(lib, stand.place, s.place, row.place):
+        body.set(target, source)
+    return Function("put_row", "The row of one flywheel into its block.", (stand, s, row), body.statements)
+
+
+def _members(lib: Library, stand: Place, s: Expr, row: Place) -> Iterator[tuple[Place, Place]]:
+    """Elements of a row, and the same of its block."""
+    lanes = integer(lib.layout.lane_count)
+    block, k = stand.block[s / lanes], s % lanes
+    for field in lib.layout.row.fields:
+        column, wide = row.member(field.name), block.member(field.name)
+        if field.shape:
+            yield from zip(column, lane(wide, k), strict=True)
+        else:
+            yield column, wide[k]
+
+
+def row_of(lib: Library, body: Body, stand: Place, s: Expr) -> Place:
+    """The row of flywheel s: in the table, or a copy out of its block."""
+    if lib.layout.lanes == 1:
+        return stand.flywheel[s]
+    row = body.local("row", (), lib.layout.row)
+    body.call(lib["take_row"], stand, s, row)
+    return row
+
+
+def entry(lib: Library, stand: Place, s: Expr, name: str) -> Place:
+    """A single number of flywheel s in the table, such as spin_inv."""
+    if lib.layout.lanes == 1:
+        return stand.flywheel[s].member(name)
+    lanes = integer(lib.layout.lane_count)
+    return stand.block[s / lanes].member(name)[s % lanes]

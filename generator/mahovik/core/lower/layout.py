@@ -1,0 +1,212 @@
+"""The structs of a stand's program. What a stand has not is not there."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+
+from mahovik.core.lower.table import Tables
+from mahovik.core.program.types import Field, Kind, Struct
+
+REAL, INT = Kind.REAL, Kind.INT
+
+
+class Layout(Tables):
+    """All structs: those of `Tables`, sums and other scratch, and results."""
+
+    @cached_property
+    def sums(self) -> Struct:
+        fields = (
+            Field("mu", REAL, (3,), "kg m", "first moment of all bodies about O1"),
+            Field("mu_dot", REAL, (3,), "kg m/s", "its rate in E1"),
+            Field("J", REAL, (6,), "kg m2", "inertia about O1"),
+            Field("J_dot", REAL, (6,), "kg m2/s", "its rate in E1"),
+            Field("h_rel", REAL, (3,), "kg m2/s", "moment part of sum I phi'"),
+            Field("a_rel", REAL, (3,), "N", "d/dt of the force part of sum I phi'"),
+            Field("g_rel", REAL, (3,), "N m", "d/dt of its moment part"),
+        )
+        return Struct("sums", "Sums over all bodies at one state.", fields)
+
+    @cached_property
+    def coupling(self) -> Struct:
+        fields = (
+            Field("I", REAL, (6,), "kg m, kg m2", "column of I (9)"),
+            Field("bias", REAL, (), "N m", "drive torque at V* = 0, phi'' = 0"),
+        )
+        return Struct(
+            "coupling", "How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias.", fields
+        )
+
+    def _lanes_of(self, struct: Struct, name: str, purpose: str) -> Struct:
+        """The same members, of each lane."""
+        fields = tuple(replace(f, shape=(*f.shape, self.lane_count)) for f in struct.fields)
+        return Struct(name, purpose, fields)
+
+    @cached_property
+    def lane_sums(self) -> Struct:
+        return self._lanes_of(self.sums, "lane_sums", "What the flywheels of each lane add to the sums.")
+
+    @cached_property
+    def lane_coupling(self) -> Struct:
+        return self._lanes_of(self.coupling, "lane_coupling", "The couplings of a block of flywheels.")
+
+    @cached_property
+    def lane_schur(self) -> Struct:
+        elimination = Struct("", "", (*self.schur.fields, Field("F", REAL, (6,), "N, N m", "of I rate")))
+        return self._lanes_of(elimination, "lane_schur", "What eliminating the flywheels of each lane takes away.")
+
+    @cached_property
+    def mount(self) -> Struct:
+        fields = [
+            Field("mass", REAL, (), "kg", ""),
+            Field("first_moment", REAL, (3,), "kg m", "m rc, in Es"),
+            Field("inertia", REAL, (6,), "kg m2", "about Os in Es, 11 22 33 12 13 23"),
+            Field("origin", REAL, (3,), "m", "Os in E1"),
+            Field("axes", REAL, (9,), "", "of Es in E1 at phi = 0, row by row"),
+        ]
+        if self.flywheel_buoyancy:
+            fields.append(Field("displaced_mass", REAL, (), "kg", "of fluid"))
+            fields.append(Field("displaced_moment", REAL, (3,), "kg m", "its first moment, in Es"))
+        return Struct("mount", "One flywheel and how it sits: for mounts only.", tuple(fields))
+
+    @cached_property
+    def mount_table(self) -> Struct:
+        fields = (Field("flywheel", self.mount, (self.count,)),)
+        return Struct("mount_table", "What mounts needs beside the table. Made by prepare_mounts.", fields)
+
+    @cached_property
+    def schur(self) -> Struct:
+        fields = (
+            Field("A", REAL, (6,), "kg", "force by v*: 11 22 33 12 13 23"),
+            Field("B", REAL, (9,), "kg m", "moment by v*, row by row"),
+            Field("D", REAL, (6,), "kg m2", "moment by omega*: 11 22 33 12 13 23"),
+        )
+        return Struct("schur", "K with free flywheels eliminated: K - sum I I^T / Theta_ff.", fields)
+
+    @cached_property
+    def inverse_options(self) -> Struct:
+        fields = (
+            Field(
+                "weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default"
+            ),
+            Field("limit", REAL, (self.count,), "rad/s2", "magnitude of each phi''; greater than 0, infinity for none"),
+            Field("near", REAL, (), "", "NEAR_SINGULAR below this part of the largest singular value, 0..1"),
+            Field(
+                "damping", REAL, (), "", "part of the largest singular value that damps those near zero, 0..1; 0: none"
+            ),
+        )
+        return Struct("inverse_options", "How inverse chooses among flywheels, and near singularity.", fields)
+
+    @cached_property
+    def inverse_work(self) -> Struct:
+        fields = (
+            Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9)"),
+            Field("W", REAL, (6, self.count), "", "scaled: G^-1 I D^-1; then with orthogonal rows"),
+            Field("U", REAL, (6, 6), "", "rotations of the rows"),
+            Field("G", REAL, (6, 6), "", "Cholesky factor of K, lower triangle"),
+            Field("b", REAL, (6,), "N, N m", "what the flywheels must give"),
+            Field("r", REAL, (6,), "", "scaled: G^-1 b; then U^T r"),
+            Field("sigma", REAL, (6,), "", "singular values"),
+            Field("scale", REAL, (self.count,), "", "D^-1"),
+        )
+        return Struct("inverse_work", "Scratch of inverse.", fields)
+
+    @cached_property
+    def inverse_result(self) -> Struct:
+        least = min(6, int(self.count))
+        fields = (
+            Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
+            Field("residual", REAL, (6,), "N, N m", "F - K V* - M V - J phi' - I phi''"),
+            Field("sigma", REAL, (least,), "", "singular values of K^-1/2 I Theta_ff^-1/2, descending"),
+            Field("rank", INT, (), "", "of them that count"),
+            Field("damped_by", REAL, (), "", "largest lambda applied, in units of sigma; 0: none"),
+            Field("limited", INT, (self.count,), "", "1 where the limit of a flywheel was reached"),
+            Field(
+                "hardest",
+                REAL,
+                (6,),
+                "",
+                "wrench out of reach, or hardest to reach; of unit size in the norm of K^-1",
+            ),
+        )
+        return Struct("inverse_result", "Answer of inverse, and how good it is.", fields)
+
+    @cached_property
+    def forward_slopes(self) -> Struct:
+        fields = [Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j")]
+        if self.flywheels:
+            fields += [
+                Field("V_dot_phi", REAL, (6, self.count), "", "of V* by the phases"),
+                Field("V_dot_phi_dot", REAL, (6, self.count), "", "by the speeds"),
+                Field("V_dot_phi_ddot", REAL, (6, self.count), "", "by the accelerations"),
+            ]
+        return Struct("forward_slopes", "Derivatives of forward.", tuple(fields))
+
+    @cached_property
+    def coupled_slopes(self) -> Struct:
+        n = self.count
+        fields = (
+            Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j"),
+            Field("V_dot_phi", REAL, (6, n), "", "of V* by the phases"),
+            Field("V_dot_phi_dot", REAL, (6, n), "", "by the speeds"),
+            Field("V_dot_tau", REAL, (6, n), "", "by the drive torques"),
+            Field("phi_ddot_V", REAL, (n, 6), "", "of phi'' by V: row s, column j"),
+            Field("phi_ddot_phi", REAL, (n, n), "", "of phi'' by the phases"),
+            Field("phi_ddot_phi_dot", REAL, (n, n), "", "by the speeds"),
+            Field("phi_ddot_tau", REAL, (n, n), "", "by the drive torques"),
+        )
+        return Struct("coupled_slopes", "Derivatives of coupled.", fields)
+
+    @cached_property
+    def encoder(self) -> Struct:
+        fields = (
+            Field("counter", INT, (), "", "last reading"),
+            Field("place", INT, (), "", "counts in the turn, 0 to |per_turn| - 1"),
+            Field("moved", INT, (), "", "counts between the last two readings"),
+        )
+        return Struct("encoder", "An encoder whose counter wraps. Kept by accumulate.", fields)
+
+    @cached_property
+    def matrices(self) -> Struct:
+        fields = [
+            Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),
+            Field("K_dot", REAL, (6, 6), "per s", "its rate (6)"),
+            Field(
+                "M",
+                REAL,
+                (6, 6),
+                "per s",
+                "velocity matrix (9)" + (", at V relative to the stream" if self.stream else ""),
+            ),
+        ]
+        if self.flywheels:
+            fields += [
+                Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9), a column a flywheel"),
+                Field("J", REAL, (6, self.count), "per s", "its velocity part (9)"),
+            ]
+        fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
+        return Struct("equations", "The matrices of (8).", tuple(fields))
+
+    @cached_property
+    def momentum(self) -> Struct:
+        fields = (
+            Field("Z", REAL, (6,), "kg m/s, kg m2/s", "momentum screw in E1 about O1 (2)"),
+            Field("Z0", REAL, (6,), "kg m/s, kg m2/s", "in E0 about its origin (1)"),
+            Field("energy", REAL, (), "J", "kinetic"),
+            Field("center_of_mass", REAL, (3,), "m", "of all bodies, in E1"),
+        )
+        return Struct("momenta", "Momentum, energy and mass centre.", fields)
+
+    @cached_property
+    def generalized(self) -> Struct:
+        fields = (
+            Field("A", REAL, (6, 6), "", "V = A q' (10)"),
+            Field("D", REAL, (6, 6), "1/s", "A' along the motion (10)"),
+            Field("I0", REAL, (6, 6), "", "K A (11)"),
+            Field("J0", REAL, (6, 6), "", "K D + M A (11)"),
+            Field("q_dot", REAL, (6,), "m/s, rad/s", "O1 in E0, then psi, theta, phi"),
+            Field("q_ddot", REAL, (6,), "m/s2, rad/s2", "by (11) for the given phi_ddot"),
+        )
+        return Struct(
+            "generalized", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields
+        )

@@ -1,0 +1,115 @@
+"""The functions of a program while it is being built: each after those it calls."""
+
+from __future__ import annotations
+
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.limits import Limit, limits
+from mahovik.core.lower.thresholds import Thresholds, thresholds
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Expr, Operand, Place, Status, unequal
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.prune import pruned
+from mahovik.core.program.types import Kind
+
+
+class Library:
+    """Layout, limits, thresholds, and the functions built so far by name."""
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self.limits: dict[str, Limit] = limits(layout.precision)
+        self.thresholds: Thresholds = thresholds(layout.precision)
+        self._functions: dict[str, Function] = {}
+        self._status: Place
+
+    def add(self, function: Function) -> Function:
+        """Adds a function; later ones may call it. A function of our own loses arguments it has no use for."""
+        assert function.name not in self._functions
+        function = pruned(function)
+        self._functions[function.name] = function
+        return function
+
+    def __getitem__(self, name: str) -> Function:
+        return self._functions[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._functions
+
+    @property
+    def functions(self) -> tuple[Function, ...]:
+        return tuple(self._functions.values())
+
+    # -- what many functions share -----------------------------------------------------------------------------------
+
+    def table_argument(self) -> Argument:
+        """The prepared stand."""
+        return Argument("stand", self.layout.table, purpose="the prepared table")
+
+    def state_argument(self) -> Argument:
+        """The state."""
+        return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
+
+    def phi_ddot_arguments(self) -> tuple[Argument, ...]:
+        """phi_ddot, where there are flywheels."""
+        if not self.layout.flywheels:
+            return ()
+        return (Argument("phi_ddot", Kind.REAL, (self.layout.count,), unit="rad/s2", purpose="flywheel accelerations"),)
+
+    def turn_arguments(self) -> tuple[Argument, ...]:
+        """Sines and cosines of the phases, as functions of our own take them; nothing without flywheels."""
+        if not self.layout.flywheels:
+            return ()
+        return (
+            Argument("sine", Kind.REAL, (self.layout.room,), purpose="sines of the phases"),
+            Argument("cosine", Kind.REAL, (self.layout.room,), purpose="cosines"),
+        )
+
+    def given_turns(self) -> tuple[Argument, ...]:
+        """Sines and cosines of the phases from encoders: `phase_input = "sincos"`."""
+        purpose = "cosines of the phases; each (sine, cosine) within 1e-3 of unit length"
+        return (
+            Argument("sine", Kind.REAL, (self.layout.count,), purpose="sines of the phases"),
+            Argument("cosine", Kind.REAL, (self.layout.count,), purpose=purpose),
+        )
+
+    def locked_argument(self) -> Argument:
+        """Which flywheels a lock holds."""
+        purpose = "not 0: a lock holds phi'' = 0, whatever its tau"
+        return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose)
+
+    def wrench_arguments(self) -> tuple[Argument, ...]:
+        """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
+        if not self.layout.inputs:
+            return ()
+        names = ", ".join(self.layout.inputs)
+        return (
+            Argument(
+                "wrench",
+                Kind.REAL,
+                (6 * len(self.layout.inputs),),
+                unit="N, N m",
+                purpose=f"run-time wrenches, six numbers a body ({names}), in its own frame about its origin",
+            ),
+        )
+
+    def guard(self, body: Body, condition: Expr, status: str) -> None:
+        """return status where the condition holds."""
+        with body.when(condition):
+            body.ret(Status(status))
+
+    def passed(self, function: str, **named: Operand | None) -> list[Operand]:
+        """The arguments of a function in its order, by name; what it has no use for is left out."""
+        found = [named[a.name] for a in self[function].arguments]
+        if any(value is None for value in found):
+            raise TypeError(f"{function} needs what the caller has not")
+        return [value for value in found if value is not None]
+
+    def begin(self, body: Body) -> None:
+        """Declares the local `status`, for `check`."""
+        self._status = body.local("status", (), Kind.STATUS)
+
+    def check(self, body: Body, function: str, *arguments: Operand) -> None:
+        """Calls a function that returns a status, and returns that status where it is not OK."""
+        body.set(self._status, call(self[function], *arguments))
+        with body.when(unequal(self._status, Status("OK"))):
+            body.ret(self._status)

@@ -1,0 +1,231 @@
+"""The program of a stand: all functions in order, unused ones left out."""
+
+from __future__ import annotations
+
+from mahovik.core import routines
+from mahovik.core.lower import (
+    allocate,
+    checks,
+    coupling,
+    demand,
+    drive,
+    flywheels,
+    forward,
+    generalized,
+    inverse,
+    inverse_fast,
+    jacobian,
+    lanes,
+    laws,
+    matrices,
+    measure,
+    mounts,
+    parameters,
+    phases,
+    placement,
+    prepare,
+    rotation,
+    schur,
+    sensitivity,
+    solve,
+    step,
+    target,
+    wrenches,
+)
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.library import Library
+from mahovik.core.program.function import Program
+from mahovik.core.program.types import Precision, Struct
+from mahovik.core.program.validate import validate
+from mahovik.core.program.walk import reachable
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import structure
+
+
+def lower(stand: Stand, precision: Precision) -> Program:
+    """The program for a stand at a precision. Its text depends on the stand's structure only, not on its numbers."""
+    return lower_layout(Layout(structure(stand), precision))
+
+
+def lower_layout(layout: Layout) -> Program:
+    """The program for a layout."""
+    lib = Library(layout)
+    precision = layout.precision
+    lib.add(routines.sincos(precision))
+    lib.add(routines.square_root(precision))
+    lib.add(routines.atan2(precision))
+    lib.add(routines.unwind(precision))
+    lib.add(routines.wrap(precision, lib["unwound"]))
+    if layout.lanes > 1:
+        lib.add(checks.excess(lib))
+    lib.add(checks.within(lib))
+    lib.add(checks.check_state(lib))
+    if layout.sine_input:
+        lib.add(checks.check_turns(lib))
+    lib.add(rotation.rotation())
+    lib.add(rotation.rotate_back())
+    lib.add(flywheels.start_sums(lib))
+    if layout.flywheels:
+        lib.add(routines.sincos_each(precision, layout.count, layout.room))
+        _add_rows(lib)
+    _add_wrenches(lib)
+    lib.add(solve.momentum_screw(lib))
+    lib.add(solve.subtract_rates(lib))
+    lib.add(solve.solve3(lib))
+    lib.add(solve.solve_carrier(lib))
+    lib.add(forward.accelerate(lib))
+    lib.add(forward.forward(lib))
+    if layout.sine_input:
+        lib.add(forward.forward(lib, at=True))
+    if layout.wrenches:
+        lib.add(forward.wrench_function(lib))
+    lib.add(matrices.velocity_matrix(lib))
+    lib.add(matrices.matrices(lib))
+    lib.add(matrices.momentum(lib))
+    if layout.flywheels:
+        lib.add(coupling.couple(lib))
+        lib.add(schur.eliminate(lib))
+        if layout.lanes > 1:
+            lib.add(coupling.couple_block(lib))
+            lib.add(schur.eliminate_block(lib))
+            lib.add(schur.take_lanes(lib))
+        if layout.sine_input:
+            lib.add(drive.balance(lib))
+            lib.add(drive.torque(lib, at=True))
+        lib.add(drive.torque(lib))
+        lib.add(schur.solve_schur(lib))
+        lib.add(drive.move(lib))
+        lib.add(drive.coupled(lib))
+        if layout.sine_input:
+            lib.add(drive.coupled(lib, at=True))
+    step.add_all(lib)
+    if layout.flywheels:
+        lib.add(phases.wrap(lib))
+        lib.add(phases.phase_of_counts(lib))
+        lib.add(phases.speed_of_counts(lib))
+        lib.add(phases.accumulate(lib))
+    _add_jacobians(lib)
+    if layout.flywheels:
+        square_root = lib["sqrt"]
+        lib.add(routines.orthogonalise(layout.inverse_work, layout.count, square_root, precision.name))
+        lib.add(demand.factor(lib))
+        lib.add(demand.demand(lib))
+        lib.add(allocate.solve_gram(lib))
+        lib.add(allocate.allocate(lib))
+        lib.add(inverse.inverse(lib))
+        lib.add(inverse_fast.inverse_fast(lib))
+        if layout.sine_input:
+            lib.add(inverse_fast.inverse_fast(lib, at=True))
+    if layout.sensors:
+        lib.add(measure.sense(lib))
+        lib.add(measure.measure(lib))
+    lib.add(generalized.quaternion(lib))
+    lib.add(target.target(lib))
+    lib.add(generalized.products(lib))
+    lib.add(generalized.attitude(lib))
+    lib.add(placement.frame_of_axes(lib))
+    lib.add(prepare.carry(lib))
+    lib.add(parameters.check_inertia(lib))
+    lib.add(parameters.check_body(lib, layout.body))
+    if layout.flywheels and layout.flywheel_body is not layout.body:
+        lib.add(parameters.check_body(lib, layout.flywheel_body))
+    if layout.flywheels:
+        lib.add(placement.place_flywheel(lib))
+    if layout.structure.points:
+        lib.add(placement.place_point(lib))
+    if layout.added_mass:
+        lib.add(parameters.check_added_mass(lib))
+        lib.add(parameters.translation_block(lib))
+    lib.add(parameters.check_parameters(lib))
+    lib.add(prepare.prepare(lib))
+    if layout.flywheels:
+        lib.add(mounts.carry_twist(lib))
+        lib.add(mounts.mount_wrench(lib))
+        lib.add(mounts.mounts(lib))
+        lib.add(mounts.prepare_mounts(lib))
+    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
+    functions = reachable(lib.functions)
+    program = Program(layout.structure.name, precision, counts, _structs(layout), functions)
+    validate(program)
+    return program
+
+
+def _add_rows(lib: Library) -> None:
+    """What goes over the rows of flywheels: one by one, or by blocks."""
+    if lib.layout.lanes == 1:
+        lib.add(flywheels.add_flywheel(lib))
+        return
+    lib.add(lanes.take_row(lib))
+    lib.add(lanes.put_row(lib))
+    if int(lib.layout.room) > int(lib.layout.count):
+        lib.add(lanes.spread(lib))
+    lib.add(lanes.clear(lib, "clear_lanes", lib.layout.lane_sums))
+    lib.add(lanes.clear(lib, "clear_taken", lib.layout.lane_schur))
+    lib.add(flywheels.add_block(lib))
+    lib.add(lanes.add_lanes(lib))
+
+
+def _add_wrenches(lib: Library) -> None:
+    """The laws of (7) that the stand has."""
+    layout = lib.layout
+    if not layout.wrenches:
+        return
+    if layout.damped:
+        lib.add(laws.damp(lib))
+    if layout.own:
+        lib.add(wrenches.own_wrench(lib))
+    if layout.suspended:
+        lib.add(laws.rotation_vector(lib))
+        lib.add(laws.suspend(lib))
+    if layout.legs:
+        lib.add(laws.pull(lib))
+    lib.add(wrenches.external(lib))
+
+
+def _add_jacobians(lib: Library) -> None:
+    """Derivatives of forward and coupled."""
+    layout = lib.layout
+    if layout.damped:
+        lib.add(sensitivity.damp_slope(lib))
+    if layout.own:
+        lib.add(sensitivity.own_slope(lib))
+    if layout.legs:
+        lib.add(sensitivity.pull_slope(lib))
+    lib.add(sensitivity.twist_slope(lib))
+    if layout.flywheels:
+        lib.add(sensitivity.row_slope(lib))
+    lib.add(jacobian.forward_jacobian(lib))
+    if layout.flywheels:
+        lib.add(jacobian.coupled_jacobian(lib))
+
+
+def _structs(layout: Layout) -> tuple[Struct, ...]:
+    """Struct types in an order in which each comes after those it holds."""
+    found: list[Struct] = []
+
+    def visit(struct: Struct) -> None:
+        if struct in found:
+            return
+        for f in struct.fields:
+            if isinstance(f.type, Struct):
+                visit(f.type)
+        found.append(struct)
+
+    for struct in (
+        layout.state,
+        layout.parameters,
+        layout.table,
+        layout.matrices,
+        layout.momentum,
+        layout.generalized,
+        *((layout.mount_table,) if layout.flywheels else ()),
+        *((layout.reading,) if layout.sensors else ()),
+        *((layout.encoder,) if layout.flywheels else ()),
+        *((layout.row, layout.lane_sums, layout.lane_coupling, layout.lane_schur) if layout.lanes > 1 else ()),
+        layout.sums,
+        *((layout.coupling, layout.schur, layout.inverse_work) if layout.flywheels else ()),
+        *((layout.inverse_options, layout.inverse_result, layout.coupled_slopes) if layout.flywheels else ()),
+        layout.forward_slopes,
+    ):
+        visit(struct)
+    return tuple(found)

@@ -1,0 +1,46 @@
+"""Rotations: C of a quaternion, C a and C^T a."""
+
+from __future__ import annotations
+
+from mahovik.core.formula.derived import attitude as derived
+from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower.symbolic import assign
+from mahovik.core.program.build import Body
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind
+
+
+def rotation() -> Function:
+    """Rotation matrix of a quaternion of any length."""
+    q = Argument("q", Kind.REAL, (4,), purpose="quaternion, w first")
+    C = Argument("C", Kind.REAL, (9,), "out", purpose="x0 = C x1, row by row")
+    body = Body()
+    p = q.place
+    k = body.let("k", 2 / (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]))
+    assign(body, list(C.place), derived.rotation_of_quaternion(), {"q": p, "k": k})
+    return Function(
+        "rotation",
+        "Rotation matrix of a quaternion; its length does not matter, so no root is needed.",
+        (q, C),
+        body.statements,
+    )
+
+
+def rotate_back() -> Function:
+    """C^T a."""
+    C = Argument("C", Kind.REAL, (9,))
+    a = Argument("a", Kind.REAL, (3,))
+    out = Argument("out", Kind.REAL, (3,), "out", purpose="must not overlap a")
+    body = Body()
+    assign(body, list(out.place), derived_wrench.rotated_back(), {"C": C.place, "a": a.place})
+    return Function("rotate_back", "C^T a: from the outer axes to the turned ones.", (C, a, out), body.statements)
+
+
+def rotate() -> Function:
+    """C a."""
+    C = Argument("C", Kind.REAL, (9,))
+    a = Argument("a", Kind.REAL, (3,))
+    out = Argument("out", Kind.REAL, (3,), "out", purpose="must not overlap a")
+    body = Body()
+    assign(body, list(out.place), derived_wrench.rotated(), {"C": C.place, "a": a.place})
+    return Function("rotate", "C a: from the turned axes to the outer ones.", (C, a, out), body.statements)

@@ -1,0 +1,294 @@
+"""What the Jacobians are made of: derivatives of the wrenches by the twist, and of one flywheel's part by its phase."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik.core.derive.order import WEIGHTS
+from mahovik.core.formula.derived import accumulate as derived_rows
+from mahovik.core.formula.derived import sensitivity as derived
+from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.solve import parts_of_twist
+from mahovik.core.lower.symbolic import assign, translate
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Expr, Place, integer, magnitude, real, select
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind
+
+
+def damp_slope(lib: Library) -> Function:
+    """Derivative of one body's damping by its twist, times a twist."""
+    layout = lib.layout
+    stand = lib.table_argument()
+    damper = Argument("damper", layout.damper)
+    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+    change = Argument("change", Kind.REAL, (6,), purpose="of that twist")
+    P = Argument("P", Kind.REAL, (6,), "inout", purpose="change of the wrench, that is added to")
+    body = Body()
+    x, dx = None, None
+    if layout.terms or layout.quadratic_damping:
+        x = body.local("x", (12,), comment="u v w p q r and their magnitudes")
+        dx = body.local("dx", (12,), comment="their changes")
+        for k in range(6):
+            body.set(x[k], V.place[k])
+            body.set(x[k + 6], magnitude(V.place[k]))
+            body.set(dx[k], change.place[k])
+            body.set(dx[k + 6], select(V.place[k] < 0, -change.place[k], change.place[k]))
+    if layout.linear_damping:
+        with body.loop("i", 6) as i:
+            row = derived_wrench.row_times("linear", "V")
+            body.add(P.place[i], -translate(row, {"linear": damper.place.linear[i], "V": change.place}))
+    if layout.quadratic_damping:
+        assert x is not None and dx is not None
+        with body.loop("i", 6) as i, body.loop("j", 6) as j:
+            body.add(P.place[i], -(damper.place.quadratic[i][j] * (2 * x[j + 6] * dx[j])))
+    if layout.terms:
+        assert x is not None and dx is not None
+        first, last = damper.place.first_term, damper.place.last_term
+        with body.loop("t", last, start=first, most=layout.terms) as t:
+            term = stand.place.term[t]
+            slope = dx[term.first] * x[term.second] + x[term.first] * dx[term.second]
+            body.add(P.place[term.wrench], term.value * slope)
+    return Function(
+        "damp_slope",
+        "Change of the damping of one body with its twist.",
+        (stand, damper, V, change, P),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def own_slope(lib: Library) -> Function:
+    """Change of one body's own wrench with the carrier's twist, and with its own phase and speed."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    frame = Argument("frame", layout.frame)
+    V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
+    V_change = Argument("V_change", Kind.REAL, (6,), purpose="of that twist")
+    turn_by = Argument("turn_by", Kind.REAL, purpose="change of its phase")
+    speed_by = Argument("speed_by", Kind.REAL, purpose="change of its speed")
+    wrench = lib.wrench_arguments()
+    F = Argument("F", Kind.REAL, (6,), "out", purpose="change of its wrench, in E1 about O1")
+    axial = Argument("axial", Kind.REAL, (1,), "out", purpose="change of its moment about the spin axis")
+    body = Body()
+    axes = body.local("axes", (9,), comment="of the body in E1")
+    twist = body.local("twist", (6,), comment="of the body, in its own frame")
+    change = body.local("change", (6,), comment="of that twist")
+    P = body.local("P", (6,), comment="own wrench, in its own frame")
+    P_change = body.local("P_change", (6,))
+    body.copy_array(axes, frame.place.axes)
+    if layout.own_turning:
+        with body.when(frame.place.flywheel >= 0):
+            turn = sine_and_cosine(lib, body, x.place.phi[frame.place.flywheel])
+            assign(body, list(axes), derived_wrench.turned_axes(), turn | {"R": frame.place.axes})
+    for element in (*P, *P_change):
+        body.set(element, real(0))
+    _to_body(body, axes, frame.place.origin, V.place, twist, "velocity")
+    _to_body(body, axes, frame.place.origin, V_change.place, change, "velocity_change")
+    if layout.own_turning:
+        with body.when(frame.place.flywheel >= 0):
+            body.note("- [<e>] L^T V: the axes turn with the phase")
+            for first, second in ((1, 2), (4, 5)):
+                body.add(change[first], turn_by.place * twist[second])
+                body.add(change[second], -(turn_by.place * twist[first]))
+            body.add(twist[3], x.place.phi_dot[frame.place.flywheel], "L^T V + f phi'")
+            body.add(change[3], speed_by.place)
+    if layout.own_damped:
+        named = {"stand": stand.place, "damper": frame.place.damper, "V": twist, "P": P}
+        body.call(lib["damp"], *lib.passed("damp", **named))
+        named |= {"change": change, "P": P_change}
+        body.call(lib["damp_slope"], *lib.passed("damp_slope", **named))
+    if layout.own_inputs:
+        with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
+            body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
+    body.set(axial.place[0], P_change[3])
+    if layout.own_turning:
+        body.note("[<e>] P: the wrench turns with the phase")
+        for first, second in ((1, 2), (4, 5)):
+            body.add(P_change[first], -(turn_by.place * P[second]))
+            body.add(P_change[second], turn_by.place * P[first])
+    six = list(F.place)
+    rotated = derived_wrench.rotated()
+    assign(body, six[:3], rotated, {"C": axes, "a": list(P_change)[:3]})
+    moment = body.local("moment", (3,))
+    assign(body, list(moment), rotated, {"C": axes, "a": list(P_change)[3:]})
+    arm = derived_wrench.moment_of_force()
+    for k in range(3):
+        bound = {"O": frame.place.origin, "f": six[:3]}
+        body.set(six[3 + k], moment[k] + translate(arm[k], bound))
+    return Function(
+        "own_slope",
+        "Change of the own wrench of an instrument or flywheel with the carrier's twist and its own phase and speed.",
+        (stand, frame, x, V, V_change, turn_by, speed_by, *wrench, F, axial),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def _to_body(body: Body, axes: Place, origin: Place, V: Place, out: Place, name: str) -> None:
+    """L^T V."""
+    six = list(V)
+    velocity = body.local(name, (3,), comment="of the body's origin, in E1")
+    assign(body, list(velocity), derived_wrench.twist_at(), {"v": six[:3], "omega": six[3:], "O": origin})
+    back = derived_wrench.rotated_back()
+    assign(body, list(out)[:3], back, {"C": axes, "a": velocity})
+    assign(body, list(out)[3:], back, {"C": axes, "a": six[3:]})
+
+
+def row_slope(lib: Library) -> Function:
+    """Change of F - Phi Z - K_dot V - (a, g) - K V* that a change of one row's weights makes."""
+    layout = lib.layout
+    row = Argument("row", layout.row)
+    weights = Argument("weight", Kind.REAL, (len(WEIGHTS),), purpose="changes of " + ", ".join(WEIGHTS))
+    V = Argument("V", Kind.REAL, (6,))
+    V_dot = Argument("V_dot", Kind.REAL, (6,))
+    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
+    out = Argument("out", Kind.REAL, (6,), "out")
+    body = Body()
+    changed = body.local("change", (), layout.sums, "of the sums")
+    Z = body.local("Z", (6,), comment="change of the momentum screw")
+    binding: dict[str, Any] = {name: weights.place[k] for k, name in enumerate(WEIGHTS)}
+    binding |= columns_of(row.place)
+    parts = derived_rows.sums()
+    for field in layout.sums.fields:
+        assign(body, list(changed.member(field.name)), getattr(parts, field.name), binding)
+    z, rates = list(Z), list(V_dot.place)
+    bound: dict[str, Any] = {f.name: changed.member(f.name) for f in layout.sums.fields}
+    bound |= parts_of_twist(V.place) | {"p": z[:3], "h": z[3:], "v_dot": rates[:3], "omega_dot": rates[3:]}
+    bound["g"] = g.place
+    assign(body, z, derived.momentum(), bound)
+    assign(body, list(out.place), derived.remainder(layout.weight), bound)
+    if layout.flywheel_buoyancy:
+        body.note("displaced fluid pulls the other way")
+        sunk = body.local("sunk", (3,))
+        for i in range(3):
+            c, s = binding["c"], binding["s"]
+            body.set(sunk[i], row.place.displaced_c[i] * c + row.place.displaced_s[i] * s)
+        arm = derived_wrench.moment_of_force()
+        for k in range(3):
+            body.add(out.place[3 + k], -translate(arm[k], {"O": sunk, "f": g.place}))
+    return Function(
+        "row_slope",
+        "Change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row.",
+        (row, weights, V, V_dot, g, out),
+        body.statements,
+        equation="(8)",
+    )
+
+
+def set_weights(body: Body, changes: Place, by: dict[str, Any], given: dict[str, Expr]) -> None:
+    """Changes of the weights into an array, in the order of WEIGHTS."""
+    assign(body, list(changes), [by[name] for name in WEIGHTS], given)
+
+
+def twist_slope(lib: Library) -> Function:
+    """d(F - Phi Z - K_dot V)/dV: 6 x 6, row by row."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
+    Z = Argument("Z", Kind.REAL, (6,))
+    m = Argument("m", layout.matrices, purpose="its M = Phi K + K_dot")
+    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
+    wrench = lib.wrench_arguments()
+    out = Argument("slope", Kind.REAL, (36,), "out", purpose="row by row")
+    axial = Argument(
+        "axial", Kind.REAL, (6 * max(1, int(layout.count)),), "out", purpose="of own moments, flywheel by flywheel"
+    )
+    body = Body()
+    z = list(Z.place)
+    assign(body, list(out.place), derived.momentum_by_twist(), {"p": z[:3], "h": z[3:]})
+    with body.loop("i", 6) as i, body.loop("j", 6) as j:
+        body.add(out.place[i * integer(6) + j], -m.place.M[i][j])
+    if layout.own_turning:
+        with body.loop("i", 6 * int(layout.count)) as i:
+            body.set(axial.place[i], real(0))
+    if layout.suspended:
+        law = stand.place.suspension
+        with body.loop("i", 6) as i, body.loop("j", 6) as j:
+            body.add(out.place[i * integer(6) + j], -law.damping[i][j])
+    if layout.carrier_damped or layout.own_damped or layout.legs:
+        with body.loop("j", 6) as j:
+            change = body.local("change", (6,), comment="unit twist")
+            F = body.local("F", (6,), comment="change of the wrench")
+            with body.loop("i", 6) as i:
+                body.set(change[i], real(0))
+                body.set(F[i], real(0))
+            body.set(change[j], real(1))
+            everything: dict[str, Any] = {"stand": stand.place, "x": x.place, "V": V.place, "C": C.place, "F": F}
+            everything |= {"change": change, "V_change": change, "turn_by": real(0), "speed_by": real(0)}
+            everything |= {w.name: w.place for w in wrench}
+            _add_slopes(lib, body, everything, axial.place, j)
+            with body.loop("i", 6) as i:
+                body.add(out.place[i * integer(6) + j], F[i])
+    return Function(
+        "twist_slope",
+        "Derivative of F - Phi Z - K* V by the twist.",
+        (stand, x, V, Z, m, C, *wrench, out, axial),
+        body.statements,
+        equation="(8)",
+    )
+
+
+def _add_slopes(lib: Library, body: Body, everything: dict[str, Any], axial: Place, j: Place) -> None:
+    """Adds the changes of all wrenches with one unit twist to F."""
+    layout, stand, F = lib.layout, everything["stand"], everything["F"]
+    if layout.carrier_damped:
+        named = everything | {"damper": stand.damper, "P": F}
+        body.call(lib["damp_slope"], *lib.passed("damp_slope", **named))
+    if layout.own_damped:
+        with body.loop("k", len(layout.own)) as k:
+            part = body.local("part", (6,))
+            about = body.local("about", (1,))
+            named = everything | {"frame": stand.frame[k], "F": part, "axial": about}
+            body.call(lib["own_slope"], *lib.passed("own_slope", **named))
+            with body.loop("i", 6) as i:
+                body.add(F[i], part[i])
+            if layout.own_turning:
+                with body.when(stand.frame[k].flywheel >= 0):
+                    body.set(axial[stand.frame[k].flywheel * integer(6) + j], about[0])
+    if layout.legs:
+        with body.loop("k", layout.legs) as k:
+            named = everything | {"leg": stand.leg[k]}
+            body.call(lib["pull_slope"], *lib.passed("pull_slope", **named))
+
+
+def pull_slope(lib: Library) -> Function:
+    """Change of the force of one leg with the twist."""
+    law = Argument("leg", lib.layout.leg)
+    x = lib.state_argument()
+    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
+    change = Argument("change", Kind.REAL, (6,), purpose="of the twist")
+    F = Argument("F", Kind.REAL, (6,), "inout", purpose="change of the wrench, that is added to")
+    body = Body()
+    point = law.place.carrier
+    span = body.local("span", (3,))
+    span1 = body.local("span1", (3,), comment="in E1, from O1")
+    reach = body.local("reach", (3,), comment="from the carrier's end to the ground's, in E1")
+    velocity = body.local("velocity", (3,), comment="change of that of the carrier's end")
+    force = body.local("force", (3,))
+    for i in range(3):
+        body.set(span[i], law.place.ground[i] - x.place.position[i])
+    body.call(lib["rotate_back"], C.place, span, span1)
+    for i in range(3):
+        body.set(reach[i], span1[i] - point[i])
+    square = body.let("square", reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2])
+    six = list(change.place)
+    assign(body, list(velocity), derived_wrench.twist_at(), {"v": six[:3], "omega": six[3:], "O": point})
+    along = reach[0] * velocity[0] + reach[1] * velocity[1] + reach[2] * velocity[2]
+    rate = body.let("pull", -law.place.damping * along / square, "over the distance")
+    for i in range(3):
+        body.set(force[i], rate * reach[i])
+    arm = derived_wrench.moment_of_force()
+    for i in range(3):
+        body.add(F.place[i], force[i])
+    for i in range(3):
+        body.add(F.place[3 + i], translate(arm[i], {"O": point, "f": force}))
+    return Function(
+        "pull_slope",
+        "Change of the force of one leg with the twist.",
+        (law, x, C, change, F),
+        body.statements,
+        equation="(7)",
+    )

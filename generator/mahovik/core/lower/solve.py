@@ -1,0 +1,150 @@
+"""Momentum form of (8), and its solution: a 3x3 solve, for the translational block of K is constant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik.core.formula.derived import carrier as derived
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.symbolic import assign
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Not, Place, Status, real
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind
+
+
+def parts_of_twist(V: Place) -> dict[str, list[Place]]:
+    """v and omega of a twist, by the names of the derivation."""
+    six = list(V)
+    return {"v": six[:3], "omega": six[3:]}
+
+
+def carrier_binding(lib: Library, stand: Place, sums: Place) -> dict[str, Any]:
+    """Constants and sums by the names of the derivation."""
+    binding: dict[str, Any] = {f.name: sums.member(f.name) for f in lib.layout.sums.fields}
+    binding["m"] = stand.mass
+    if lib.layout.added_mass:
+        binding |= {"A": stand.A, "A_inv": stand.A_inv, "G": stand.G}
+    else:
+        binding["m_inverse"] = stand.mass_inverse
+    return binding
+
+
+def momentum_screw(lib: Library) -> Function:
+    """Z = K V + sum I phi'."""
+    stand = lib.table_argument()
+    sums = Argument("sum", lib.layout.sums)
+    V = Argument("V", Kind.REAL, (6,))
+    Z = Argument("Z", Kind.REAL, (6,), "out")
+    body = Body()
+    binding = carrier_binding(lib, stand.place, sums.place) | parts_of_twist(V.place)
+    assign(body, list(Z.place), derived.momentum(lib.layout.added_mass), binding)
+    return Function(
+        "momentum_screw",
+        "Momentum screw Z = K V + sum I phi' of the sums.",
+        (stand, sums, V, Z),
+        body.statements,
+        equation="(2)",
+    )
+
+
+def subtract_rates(lib: Library) -> Function:
+    """F becomes F - Phi Z - K_dot V - (a_rel, g_rel)."""
+    sums = Argument("sum", lib.layout.sums)
+    V = Argument("V", Kind.REAL, (6,))
+    Z = Argument("Z", Kind.REAL, (6,))
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in: wrench (7); out: what K V* must equal")
+    body = Body()
+    z = list(Z.place)
+    binding: dict[str, Any] = {f.name: sums.place.member(f.name) for f in lib.layout.sums.fields}
+    binding |= parts_of_twist(V.place) | {"p": z[:3], "h": z[3:], "F": F.place}
+    assign(body, list(F.place), derived.remainder(), binding)
+    return Function(
+        "subtract_rates",
+        "F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms",
+        (sums, V, Z, F),
+        body.statements,
+        equation="(4), (5)",
+    )
+
+
+def solve3(lib: Library) -> Function:
+    """Symmetric positive definite 3x3 system by L D L^T: nothing is cubed, so that no size of stand overflows."""
+    S = Argument("S", Kind.REAL, (6,), purpose="11 22 33 12 13 23")
+    b = Argument("b", Kind.REAL, (3,))
+    y = Argument("y", Kind.REAL, (3,), "out", purpose="must not overlap b")
+    m, x = S.place, b.place
+    least = real(lib.layout.precision.smallest)
+    body = Body()
+    lib.guard(body, Not(m[0] >= least), "NOT_POSITIVE_DEFINITE")
+    r1 = body.let("r1", 1 / m[0])
+    l21 = body.let("l21", m[3] * r1)
+    l31 = body.let("l31", m[4] * r1)
+    d2 = body.let("d2", m[1] - l21 * m[3])
+    lib.guard(body, Not(d2 >= least), "NOT_POSITIVE_DEFINITE")
+    r2 = body.let("r2", 1 / d2)
+    rest = body.let("p32", m[5] - l31 * m[3])
+    l32 = body.let("l32", rest * r2)
+    d3 = body.let("d3", m[2] - l31 * m[4] - l32 * rest)
+    lib.guard(body, Not(d3 >= least), "NOT_POSITIVE_DEFINITE")
+    body.note("L z = b, then L^T y = D^-1 z")
+    z2 = body.let("z2", x[1] - l21 * x[0])
+    y3 = body.let("y3", (x[2] - l31 * x[0] - l32 * z2) / d3)
+    y2 = body.let("y2", z2 * r2 - l32 * y3)
+    body.set(y.place[0], x[0] * r1 - l21 * y2 - l31 * y3)
+    body.set(y.place[1], y2)
+    body.set(y.place[2], y3)
+    body.ret(Status("OK"))
+    return Function(
+        "solve3",
+        "Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T.",
+        (S, b, y),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def solve_carrier(lib: Library) -> Function:
+    """K y = (f, n): the translational block is eliminated with its constant inverse."""
+    stand = lib.table_argument()
+    sums = Argument("sum", lib.layout.sums)
+    F = Argument("F", Kind.REAL, (6,), "in", "N, N m")
+    y = Argument("y", Kind.REAL, (6,), "out", "m/s2, rad/s2", "must not overlap F")
+    added = lib.layout.added_mass
+    body = Body()
+    lib.begin(body)
+    binding = carrier_binding(lib, stand.place, sums.place)
+    if added:
+        B = body.local("B", (9,), comment="<mu> + Lambda_21: lower left block of K")
+        U = body.local("U", (9,), comment="A^-1 B^T")
+        assign(body, list(B), derived.coupling_block(True), binding)
+        binding |= {"B": B, "U": U}
+        assign(body, list(U), derived.schur_coupling(True), binding)
+    else:
+        rho = body.local("rho", (3,), comment="mass centre from O1, in E1")
+        assign(body, list(rho), derived.centre_offset(), binding)
+        binding["rho"] = rho
+    six = list(F.place)
+    binding |= {"f": six[:3], "n": six[3:]}
+    S = body.local("S", (6,), comment="J - B A^-1 B^T" if added else "inertia about the mass centre")
+    n = body.local("moment", (3,), comment="about the mass centre" if not added else "n - B A^-1 f")
+    omega_dot = body.local("omega_dot", (3,))
+    assign(body, list(S), derived.reduced_inertia(added), binding)
+    assign(body, list(n), derived.reduced_moment(added), binding)
+    lib.check(body, "solve3", S, n, omega_dot)
+    binding["omega_dot"] = omega_dot
+    out = list(y.place)
+    assign(body, out[:3], derived.linear_part(added), binding)
+    for target, value in zip(out[3:], omega_dot, strict=True):
+        body.set(target, value)
+    body.ret(Status("OK"))
+    return Function(
+        "solve_carrier",
+        "Solves K y = F: the translational block of K is constant, so a 3x3 solve is left.",
+        (stand, sums, F, y),
+        body.statements,
+        equation="(8)",
+        returns=Kind.STATUS,
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )

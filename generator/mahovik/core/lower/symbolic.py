@@ -1,0 +1,71 @@
+"""Formulas of the derivation as program expressions: the tree of a formula is the order of its operations."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from mahovik.core.formula.tree import names_of, renamed
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Expr, Negate, Place, real
+
+Binding = Mapping[str, Any]
+"""What a name of a formula stands for: a scalar expression, or something that is indexed (a place, a list)."""
+
+_INDEXED = re.compile(r"(\w+)\[(\d+)\]")
+
+
+def translate(formula: Any, binding: Binding) -> Expr:
+    """`formula` as a program expression. Raises KeyError for a name that `binding` lacks."""
+    match formula:
+        case str():
+            return _place(formula, binding)
+        case float():
+            return real(formula)
+        case ("-", one):
+            return Negate(translate(one, binding))
+        case ("+", left, right):
+            return translate(left, binding) + translate(right, binding)
+        case ("-", left, right):
+            return translate(left, binding) - translate(right, binding)
+        case ("*", left, right):
+            return translate(left, binding) * translate(right, binding)
+    from mahovik.core.formula.ordered import ordered  # an expression of SymPy itself, as tests give it
+
+    return translate(ordered(formula), binding)
+
+
+def _place(name: str, binding: Binding) -> Expr:
+    indexed = _INDEXED.fullmatch(name)
+    found = binding[name] if indexed is None else binding[indexed[1]][int(indexed[2])]
+    assert isinstance(found, Expr)
+    return found
+
+
+def assign(body: Body, targets: Sequence[Place], values: Iterable[Any], binding: Binding, add: bool = False) -> None:
+    """targets[i] = (or +=) values[i], one statement each; zeros are not added."""
+    for target, value in zip(targets, list(values), strict=True):
+        if add and value == 0:
+            continue
+        translated = translate(value, binding)
+        if add:
+            body.add(target, translated)
+        else:
+            body.set(target, translated)
+
+
+def add_each(body: Body, sums: Mapping[Place, Iterable[Any]], binding: Binding) -> None:
+    """sum[i] += values[i] for all i of vectors of one length, in a loop.
+
+    Raises ValueError where an element is not the first with another index.
+    """
+    firsts = {target: list(values) for target, values in sums.items()}
+    for values in firsts.values():
+        for k, value in enumerate(values):
+            if renamed(value, {x: x.replace(f"[{k}]", "[0]") for x in names_of(value)}) != values[0]:
+                raise ValueError(f"{value} is not {values[0]} with another index")
+    with body.loop("i", len(next(iter(firsts.values())))) as i:
+        each = {name: [x[i]] if isinstance(x, Place) and x.shape else x for name, x in binding.items()}
+        for target, values in firsts.items():
+            body.add(target[i], translate(values[0], each))

@@ -1,0 +1,265 @@
+"""The structs that a caller fills or keeps: state, parameters, and the prepared table with its laws."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+
+from mahovik.core.lower.kinds import Kinds
+from mahovik.core.program.types import Field, Kind, Struct
+
+REAL, INT = Kind.REAL, Kind.INT
+
+
+class Tables(Kinds):
+    """State, parameters and table: which members the kinds of a stand need. What it has not is not there."""
+
+    @cached_property
+    def state(self) -> Struct:
+        fields = [
+            Field("position", REAL, (3,), "m", "of O1, in E0"),
+            Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
+            Field("V", REAL, (6,), "m/s, rad/s", "twist of the carrier relative to E0, in E1"),
+        ]
+        if self.flywheels:
+            fields += [
+                Field("phi", REAL, (self.count,), "rad", "phases"),
+                Field("phi_dot", REAL, (self.count,), "rad/s", "speeds relative to the mount"),
+            ]
+        return Struct("state", "State of the whole system.", tuple(fields))
+
+    def _body(self, name: str, purpose: str, buoyant: bool) -> Struct:
+        fields = [
+            Field("mass", REAL, (), "kg", ""),
+            Field("center_of_mass", REAL, (3,), "m", "rc, from the body's origin, in its own axes"),
+            Field("inertia", REAL, (6,), "kg m2", "J11, J22, J33, J12, J13, J23 about the body's origin"),
+        ]
+        if buoyant:
+            fields += [
+                Field("displaced_mass", REAL, (), "kg", "of fluid"),
+                Field("displaced_center", REAL, (3,), "m", "centre of buoyancy, in the body's frame"),
+            ]
+        return Struct(name, purpose, tuple(fields))
+
+    @cached_property
+    def body(self) -> Struct:
+        """Carrier and instruments."""
+        return self._body("body", "Mass properties of one body, in its own frame.", self.buoyancy)
+
+    @cached_property
+    def flywheel_body(self) -> Struct:
+        """Flywheels: the same struct, unless only fixed bodies displace fluid."""
+        if self.buoyancy == self.flywheel_buoyancy:
+            return self.body
+        return self._body("dry_body", "Mass properties of a flywheel, in its own frame.", False)
+
+    @cached_property
+    def instrument_parameters(self) -> Struct:
+        fields = (
+            Field("body", self.body),
+            Field("position", REAL, (3,), "m", "Op, in E1"),
+            Field("axis", REAL, (3,), "", "first axis of Ep in E1, any length"),
+            Field("zero", REAL, (3,), "", "its part across the first axis is the second axis of Ep"),
+        )
+        return Struct("instrument", "An instrument fixed on the carrier.", fields)
+
+    @cached_property
+    def flywheel_parameters(self) -> Struct:
+        fields = [
+            Field("body", self.flywheel_body),
+            Field("position", REAL, (3,), "m", "Os, in the frame of the mount"),
+            Field("axis", REAL, (3,), "", "spin axis in the frame of the mount, any length"),
+            Field("zero", REAL, (3,), "", "its part across the axis is the second axis of Es at phi = 0"),
+        ]
+        if self.instruments:
+            fields.append(Field("mount", INT, (), "", "number of the instrument that bears it; -1: the carrier"))
+        return Struct("flywheel", "A flywheel and how it is mounted.", tuple(fields))
+
+    @cached_property
+    def point_parameters(self) -> Struct:
+        fields = [
+            Field("position", REAL, (3,), "m", "in the frame of the mount"),
+            Field("axis", REAL, (3,), "", "first axis in the frame of the mount, any length"),
+            Field("zero", REAL, (3,), "", "its part across the first axis is the second axis"),
+        ]
+        if self.instruments:
+            fields.append(Field("mount", INT, (), "", "number of the instrument that bears it; -1: the carrier"))
+        return Struct("point", "A sensor or a place of interest.", tuple(fields))
+
+    @cached_property
+    def sensor(self) -> Struct:
+        fields = (
+            Field("origin", REAL, (3,), "m", "in E1"),
+            Field("axes", REAL, (9,), "", "own axes to E1, row by row"),
+        )
+        return Struct("sensor", "Pose of an instrument or a point.", fields)
+
+    @cached_property
+    def reading(self) -> Struct:
+        fields = (
+            Field("position", REAL, (3,), "m", "in E0"),
+            Field("C", REAL, (3, 3), "", "own axes to E0"),
+            Field("twist", REAL, (6,), "m/s, rad/s", "relative to E0, in own axes: a gyro reads the last three"),
+            Field("specific_force", REAL, (3,), "m/s2", "acceleration less gravity, in own axes: an accelerometer"),
+            Field("angular_acceleration", REAL, (3,), "rad/s2", "in own axes"),
+        )
+        return Struct("reading", "Motion at an instrument or a point.", fields)
+
+    @cached_property
+    def parameters(self) -> Struct:
+        fields = [Field("carrier", self.body)]
+        if self.added_mass:
+            fields.append(Field("added_mass", REAL, (6, 6), "kg, kg m, kg m2", "Lambda of all bodies, about O1 in E1"))
+        if self.instruments:
+            fields.append(Field("instrument", self.instrument_parameters, (self.instruments,)))
+        if self.flywheels:
+            fields.append(Field("flywheel", self.flywheel_parameters, (self.count,)))
+        if self.structure.points:
+            fields.append(Field("point", self.point_parameters, (len(self.structure.points),)))
+        return Struct("parameters", "What prepare makes the table of: masses, inertias and mountings.", tuple(fields))
+
+    @cached_property
+    def row(self) -> Struct:
+        fields = [
+            Field("mu_c", REAL, (3,), "kg m", "first moment about O1: cos phi"),
+            Field("mu_s", REAL, (3,), "kg m", "sin phi"),
+            Field("J_c", REAL, (6,), "kg m2", "inertia about O1, 11 22 33 12 13 23: cos phi"),
+            Field("J_s", REAL, (6,), "kg m2", "sin phi"),
+            Field("J_2c", REAL, (6,), "kg m2", "cos 2 phi"),
+            Field("J_2s", REAL, (6,), "kg m2", "sin 2 phi"),
+            Field("t_0", REAL, (3,), "kg m2", "moment part of I: constant"),
+            Field("t_c", REAL, (3,), "kg m2", "cos phi"),
+            Field("t_s", REAL, (3,), "kg m2", "sin phi"),
+            Field("spin", REAL, (), "kg m2", "Theta_ff: inertia about the spin axis"),
+            Field("spin_inv", REAL, (), "1/(kg m2)", ""),
+        ]
+        if self.flywheel_buoyancy:
+            fields += [
+                Field("displaced_c", REAL, (3,), "kg m", "first moment of displaced fluid: cos phi"),
+                Field("displaced_s", REAL, (3,), "kg m", "sin phi"),
+            ]
+        return Struct("row", "Table of one flywheel: harmonics of what it adds to (8), in E1 about O1.", tuple(fields))
+
+    @cached_property
+    def block(self) -> Struct:
+        """Rows of flywheels side by side; places beyond the last flywheel hold zeros."""
+        fields = tuple(replace(f, shape=(*f.shape, self.lane_count)) for f in self.row.fields)
+        purpose = "Table of flywheels side by side: harmonics of what each adds to (8), in E1 about O1."
+        return Struct("block", purpose, fields)
+
+    @cached_property
+    def term(self) -> Struct:
+        fields = (
+            Field("wrench", INT, (), "", "component of the wrench, 0..5 = X Y Z K M N"),
+            Field("first", INT, (), "", "0..5 = u v w p q r, 6..11 their magnitudes"),
+            Field("second", INT, (), "", "likewise"),
+            Field("value", REAL, (), "SI", "wrench += value * first * second"),
+        )
+        return Struct("term", "A hydrodynamic derivative.", fields)
+
+    @cached_property
+    def damper(self) -> Struct:
+        fields = []
+        if self.linear_damping:
+            fields.append(Field("linear", REAL, (6, 6), "SI", "wrench -= linear V"))
+        if self.quadratic_damping:
+            fields.append(Field("quadratic", REAL, (6, 6), "SI", "wrench -= quadratic (V |V|)"))
+        if self.terms:
+            fields.append(Field("first_term", INT, (), "", "terms first_term .. last_term - 1 of the table"))
+            fields.append(Field("last_term", INT))
+        return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
+
+    @cached_property
+    def frame(self) -> Struct:
+        fields = [
+            Field("origin", REAL, (3,), "m", "of the body, in E1"),
+            Field("axes", REAL, (9,), "", "C, row by row; of a flywheel at phi = 0"),
+        ]
+        if self.own_turning:
+            fields.append(Field("flywheel", INT, (), "", "its number, whose phase turns the axes; -1: no flywheel"))
+        if self.own_fixed:
+            fields.append(Field("instrument", INT, (), "", "its number; -1: no instrument"))
+        if self.own_damped:
+            fields.append(Field("damper", self.damper))
+        if self.own_inputs:
+            fields.append(Field("wrench", INT, (), "", "its row of the run-time wrenches; -1: none"))
+        return Struct("frame", "A body with wrenches in its own frame.", tuple(fields))
+
+    @cached_property
+    def suspension(self) -> Struct:
+        fields = (
+            Field("stiffness", REAL, (6, 6), "SI", "wrench -= stiffness x"),
+            Field("damping", REAL, (6, 6), "SI", "wrench -= damping V"),
+            Field("position", REAL, (3,), "m", "equilibrium of O1, in E0"),
+            Field("attitude", REAL, (4,), "", "quaternion of the equilibrium attitude"),
+        )
+        return Struct("suspension", "Suspension of the carrier to E0.", fields)
+
+    @cached_property
+    def leg(self) -> Struct:
+        fields = (
+            Field("ground", REAL, (3,), "m", "end in E0"),
+            Field("carrier", REAL, (3,), "m", "end in E1"),
+            Field("length", REAL, (), "m", "unstretched"),
+            Field("stiffness", REAL, (), "N/m", ""),
+            Field("damping", REAL, (), "N s/m", "along the leg"),
+        )
+        return Struct("leg", "A spring-damper between a point of E0 and one of E1.", fields)
+
+    @cached_property
+    def table(self) -> Struct:
+        """The prepared stand: constants of the equations, then the laws of the wrenches."""
+        fields = [
+            Field("mass", REAL, (), "kg", "of all bodies"),
+            Field("mass_inverse", REAL, (), "1/kg", ""),
+            Field("first_moment", REAL, (3,), "kg m", "mu about O1, constant part"),
+            Field(
+                "inertia",
+                REAL,
+                (6,),
+                "kg m2",
+                "J about O1, 11 22 33 12 13 23, constant part" + (", with added mass" if self.added_mass else ""),
+            ),
+        ]
+        if self.added_mass:
+            fields += [
+                Field("A", REAL, (6,), "kg", "m E + Lambda_11: 11 22 33 12 13 23"),
+                Field("A_inv", REAL, (6,), "1/kg", ""),
+                Field("G", REAL, (9,), "kg m", "Lambda_21, row by row"),
+            ]
+        if self.buoyancy:
+            fields += [
+                Field("weight_mass", REAL, (), "kg", "mass less displaced mass"),
+                Field("displaced_moment", REAL, (3,), "kg m", "first moment of displaced fluid, constant part"),
+            ]
+        if self.flywheels:
+            if self.lanes == 1:
+                fields.append(Field("flywheel", self.row, (self.count,)))
+            else:
+                fields.append(Field("block", self.block, (self.blocks,)))
+        if self.own:
+            fields.append(Field("frame", self.frame, (len(self.own),)))
+        if self.sensors:
+            fields.append(Field("sensor", self.sensor, (self.sensor_count,)))
+        fields += self.laws
+        return Struct(
+            "table", "The stand as the equations need it. Made by prepare, but for the laws at the end.", tuple(fields)
+        )
+
+    @property
+    def laws(self) -> list[Field]:
+        """Laws of wrenches, as the stand file gives them: prepare does not touch them."""
+        laws = []
+        if self.weight:
+            laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
+        if self.stream:
+            laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
+        if self.carrier_damped:
+            laws.append(Field("damper", self.damper, (), "", "of the carrier"))
+        if self.terms:
+            laws.append(Field("term", self.term, (self.terms,)))
+        if self.suspended:
+            laws.append(Field("suspension", self.suspension))
+        if self.legs:
+            laws.append(Field("leg", self.leg, (self.legs,)))
+        return laws

@@ -1,0 +1,90 @@
+"""Thresholds of decisions in the emitted C: where a number counts as zero. One place, by precision, with the reason.
+
+Ranges of inputs are in `limits`. A threshold stands well above what rounding leaves of a zero (epsilon is 2.2e-16 in
+double, 1.2e-7 in float) and well below what a caller would want to be told of.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.core.program.types import Precision
+
+
+@dataclass(frozen=True)
+class Thresholds:
+    """What is compared, and with what.
+
+    rank           inverse: singular value over the largest, below which it counts as zero (stand.md)
+    unreachable    inverse: scaled residual over scaled demand, above which the target is out of reach (stand.md)
+    near_singular  inverse: default of the option `near`; above `rank`, or no kept value could ever be below it
+    weight         inverse: smallest weight of a flywheel; MAX_WEIGHT is its inverse
+    regular        inverse: put on the diagonal of normal equations that limits may have left singular; some thousand
+                   times what rounding leaves of a zero there
+    gram_pivot     inverse_fast: pivot over the diagonal element that it came from, below which rounding has eaten it
+    zero_length    legs: m, a shorter leg has no direction; a float at 1 m has a spacing of 1.2e-7 m
+    parallel       axes: sine of the angle between `axis` and `zero`, below which `zero` does not say where the
+                   second axis is; in double half of what the stand file takes
+    least          prepare: mass of all bodies (kg), spin inertia of a flywheel (kg m2), below which they count as none:
+                   their inverses and what is made of them stay numbers
+    unphysical     prepare: how far below zero an eigenvalue may be, relative to the largest element, of what no body
+                   has negative; twice what the stand file takes, and what rounding the parameters to float costs
+    inertia        prepare: kg m2, largest sum of all moments of inertia about O1; times the squares of the largest
+                   speeds, 1e10, and the number of terms it is still far from the largest float, 3.4e38
+    table          generator: largest magnitude of any number of a table, for the same reason
+    small_square   square of a length or of half an angle, below which its direction is taken from a series, or
+                   refused; a float still has all its digits there (the smallest with all digits is 1.2e-38)
+    """
+
+    rank: float
+    unreachable: float
+    near_singular: float
+    weight: float
+    regular: float
+    gram_pivot: float
+    zero_length: float
+    parallel: float
+    least: float
+    unphysical: float
+    inertia: float
+    table: float
+    small_square: float
+
+
+THRESHOLDS = {
+    "double": Thresholds(
+        rank=1e-9,
+        unreachable=1e-9,
+        near_singular=1e-6,
+        weight=1e-6,
+        regular=1e-12,
+        gram_pivot=1e-13,
+        zero_length=1e-9,
+        parallel=5e-10,
+        least=1e-30,
+        unphysical=1e-9,
+        inertia=1e60,
+        table=1e300,
+        small_square=1e-30,
+    ),
+    "float": Thresholds(
+        rank=1e-5,
+        unreachable=1e-4,
+        near_singular=1e-3,
+        weight=1e-6,
+        regular=1e-4,
+        gram_pivot=1e-5,
+        zero_length=1e-6,
+        parallel=1e-4,
+        least=1e-15,
+        unphysical=1e-5,
+        inertia=1e20,
+        table=1e20,
+        small_square=1e-30,
+    ),
+}
+
+
+def thresholds(precision: Precision) -> Thresholds:
+    """Those of an element type."""
+    return THRESHOLDS[precision.name]

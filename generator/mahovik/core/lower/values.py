@@ -1,0 +1,231 @@
+"""The numbers of a stand as the program's data: parameters, and the table that `prepare` makes of them.
+
+Everything that is not a plain copy goes through the interpreter with our own sincos and sqrt, so that the numbers
+are the same on every machine and those that firmware computes.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik.core import routines
+from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.formula.derived import carrying
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.symbolic import assign
+from mahovik.core.lower.thresholds import thresholds
+from mahovik.core.program.build import Body
+from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, Kind
+from mahovik.core.stand.model import Body as StandBody
+from mahovik.core.stand.model import Damping, Flywheel, Instrument, MountingAngles, Point, Stand
+from mahovik.errors import StandError
+
+
+def conversions() -> Program:
+    """What only the generator needs: axes of a mounting by angles, inertia about the origin; double in any case."""
+    sincos = routines.sincos(DOUBLE)
+    return Program("conversions", DOUBLE, (), (), (sincos, _axes_of_angles(sincos), _about_origin()))
+
+
+def _axes_of_angles(sincos: Function) -> Function:
+    """First and second column of C3(psi) C2(theta) C1(phi)."""
+    angles = Argument("angles", Kind.REAL, (3,))
+    axis = Argument("axis", Kind.REAL, (3,), "out")
+    zero = Argument("zero", Kind.REAL, (3,), "out")
+    body = Body()
+    binding: dict[str, Any] = {}
+    for i, angle in enumerate(("psi", "theta", "phi")):
+        s, c = body.local(f"s_{angle}"), body.local(f"c_{angle}")
+        body.call(sincos, angles.place[i], s, c)
+        binding |= {f"s_{angle}": s, f"c_{angle}": c}
+    first, second = carrying.mounting_axes()
+    assign(body, list(axis.place), first, binding)
+    assign(body, list(zero.place), second, binding)
+    return Function("axes_of_angles", "Axes of C3 C2 C1.", (angles, axis, zero), body.statements)
+
+
+def _about_origin() -> Function:
+    """J about the frame's origin from that about the centre of mass."""
+    mass = Argument("mass", Kind.REAL)
+    rc = Argument("rc", Kind.REAL, (3,))
+    central = Argument("central", Kind.REAL, (6,))
+    J = Argument("J", Kind.REAL, (6,), "out")
+    body = Body()
+    b = body.local("b", (3,))
+    for i in range(3):
+        body.set(b[i], mass.place * rc.place[i])
+    assign(body, list(J.place), carrying.central_to_origin(), {"J": central.place, "b": b, "rc": rc.place})
+    return Function("about_origin", "Parallel axes.", (mass, rc, central, J), body.statements)
+
+
+class Values:
+    """Parameters and table of one stand, from the interpreter of its program."""
+
+    def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
+        self._layout = layout
+        self._stand = stand
+        self._conversions = Interpreter(conversions())
+        self._program = Interpreter(program)
+        self.parameters = self._parameters()
+        self._check_range("parameters", self.parameters)
+        self.table = self._table()
+        self.mounting = self._mounting() if layout.flywheels else None
+        self.options = self._options() if layout.flywheels else None
+
+    @property
+    def interpreter(self) -> Interpreter:
+        """The interpreter of the stand's program."""
+        return self._program
+
+    def _parameters(self) -> dict[str, Any]:
+        layout, stand = self._layout, self._stand
+        found: dict[str, Any] = {"carrier": self._body(stand.carrier)}
+        if layout.added_mass:
+            parts = [p.added_mass for p in stand.instruments if p.added_mass is not None]
+            if stand.carrier.added_mass is not None:
+                parts.insert(0, stand.carrier.added_mass)
+            found["added_mass"] = [[sum(part[i][j] for part in parts) for j in range(6)] for i in range(6)]
+        if stand.instruments:
+            found["instrument"] = [self._instrument(p) for p in stand.instruments]
+        if stand.flywheels:
+            found["flywheel"] = [self._flywheel(s) for s in stand.flywheels]
+        if stand.points:
+            found["point"] = [self._point(p) for p in stand.points]
+        return found
+
+    def _body(self, b: StandBody) -> dict[str, Any]:
+        inertia = [b.inertia[i][j] for i, j in SYMMETRIC]
+        if b.inertia_about == "center_of_mass":
+            given = {"mass": b.mass, "rc": b.center_of_mass, "central": inertia}
+            inertia = self._conversions.run("about_origin", given)[1]["J"]
+        found = {"mass": b.mass, "center_of_mass": list(b.center_of_mass), "inertia": inertia}
+        dry = isinstance(b, Flywheel) and not self._layout.flywheel_buoyancy
+        if self._layout.buoyancy and not dry:
+            found["displaced_mass"] = b.buoyancy.displaced_mass if b.buoyancy else 0.0
+            found["displaced_center"] = list(b.buoyancy.center) if b.buoyancy else [0.0] * 3
+        return found
+
+    def _axes(self, angles: tuple[float, float, float]) -> dict[str, Any]:
+        return self._conversions.run("axes_of_angles", {"angles": angles})[1]
+
+    def _instrument(self, p: Instrument) -> dict[str, Any]:
+        return {"body": self._body(p), "position": list(p.position), **self._axes(p.angles)}
+
+    def _flywheel(self, s: Flywheel) -> dict[str, Any]:
+        mounting = s.mounting
+        if isinstance(mounting, MountingAngles):
+            axes = self._axes((mounting.psi, mounting.theta, mounting.zero))
+        else:
+            axes = {"axis": list(mounting.axis), "zero": list(mounting.zero)}
+        return {"body": self._body(s), "position": list(s.position), **axes, **self._mount(s.mount)}
+
+    def _point(self, p: Point) -> dict[str, Any]:
+        return {"position": list(p.position), **self._axes(p.angles), **self._mount(p.mount)}
+
+    def _mount(self, name: str) -> dict[str, int]:
+        """Number of the instrument of that name, -1 for the carrier; nothing where there are no instruments."""
+        names = [p.name for p in self._stand.instruments]
+        return {"mount": names.index(name) if name in names else -1} if names else {}
+
+    def _table(self) -> dict[str, Any]:
+        """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
+        inputs = {"parameters": self.parameters, "stand": self._laws()}
+        status, outputs = self._program.run("prepare", inputs)
+        if status != STATUS_VALUES["OK"]:
+            name = next(n for n, v in STATUS_VALUES.items() if v == status)
+            where = f"stand {self._stand.name}: its masses and inertias are refused by prepare"
+            raise StandError([f"{where} in {self._layout.precision.name}: {name}"])
+        table: dict[str, Any] = outputs["stand"]
+        return table
+
+    def _options(self) -> dict[str, Any]:
+        """Options of inverse by default: weights of the stand file, no limits, no damping."""
+        flywheels = self._stand.flywheels
+        largest = self._layout.precision.largest
+        return {
+            "weight": [s.inverse_weight for s in flywheels],
+            "limit": [largest] * len(flywheels),
+            "near": thresholds(self._layout.precision).near_singular,
+            "damping": 0.0,
+        }
+
+    def _mounting(self) -> dict[str, Any]:
+        """prepare_mounts on the same parameters."""
+        found: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
+        return found
+
+    def _check_range(self, name: str, value: Any) -> None:
+        """StandError where a number could make products overflow in the element type."""
+        largest, precision = thresholds(self._layout.precision).table, self._layout.precision.name
+        if isinstance(value, dict):
+            for key, each in value.items():
+                self._check_range(f"{name}.{key}", each)
+        elif isinstance(value, list | tuple):
+            for number, each in enumerate(value):
+                self._check_range(f"{name}[{number}]", each)
+        elif isinstance(value, float) and not abs(value) <= largest:
+            raise StandError(
+                [f"stand {self._stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"]
+            )
+
+    def _laws(self) -> Any:
+        """A table whose laws are filled in, the rest zero."""
+        layout, stand = self._layout, self._stand
+        table = self._program.new(layout.table)
+        laws: dict[str, Any] = {}
+        if layout.weight:
+            laws["gravity"] = list(stand.gravity)
+        if stand.stream is not None:
+            laws["stream"] = list(stand.stream)
+        terms: list[dict[str, Any]] = []
+        if stand.carrier.damping is not None:
+            laws["damper"] = self._damper(stand.carrier.damping, terms)
+        for k, own in enumerate(layout.own):
+            frame = table.frame[k]
+            for name, value in (("flywheel", own.flywheel), ("instrument", own.instrument), ("wrench", own.input)):
+                if layout.frame.field(name) is not None:
+                    setattr(frame, name, value)
+            if layout.own_damped:
+                body = stand.bodies[own.index]
+                damper = self._damper(body.damping, terms)
+                self._check_range(f"{body.name}.damping", damper)
+                frame.damper = self._program.filled(layout.damper, damper)
+        if layout.terms:
+            laws["term"] = terms
+        if stand.suspension is not None:
+            law = stand.suspension
+            attitude = self._program.run("quaternion", {"angles": law.angles})[1]["attitude"]
+            laws["suspension"] = {
+                "stiffness": law.stiffness,
+                "damping": law.damping,
+                "position": law.position,
+                "attitude": attitude,
+            }
+        if stand.legs:
+            names = ("ground", "carrier", "length", "stiffness", "damping")
+            laws["leg"] = [{name: getattr(leg, name) for name in names} for leg in stand.legs]
+        for name, value in laws.items():
+            field = layout.table.field(name)
+            assert field is not None
+            self._check_range(name, value)
+            setattr(table, name, self._program.filled(field.type, value, field.shape))
+        return table
+
+    def _damper(self, damping: Damping | None, terms: list[dict[str, Any]]) -> dict[str, Any]:
+        """One damper; its hydrodynamic derivatives are appended to the table of terms."""
+        zero = ((0.0,) * 6,) * 6
+        layout = self._layout
+        found: dict[str, Any] = {}
+        if layout.linear_damping:
+            found["linear"] = damping.linear if damping and damping.linear else zero
+        if layout.quadratic_damping:
+            found["quadratic"] = damping.quadratic if damping and damping.quadratic else zero
+        if layout.terms:
+            found["first_term"] = len(terms)
+            for term in damping.terms if damping else ():
+                first, second = (f.component + 6 * f.absolute for f in term.of)
+                terms.append({"wrench": term.wrench, "first": first, "second": second, "value": term.value})
+            found["last_term"] = len(terms)
+        return found

@@ -1,0 +1,187 @@
+"""The total external wrench F of (7) in E1 about O1, with those kinds only that the stand has."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mahovik.core.formula.derived import wrench as derived
+from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
+from mahovik.core.lower.lanes import row_of
+from mahovik.core.lower.laws import add_force
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.symbolic import assign
+from mahovik.core.program.build import Body
+from mahovik.core.program.expression import Place, Status, integer, real
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind
+
+
+def external(lib: Library) -> Function:
+    """F of (7) from checked inputs."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    sums = Argument("sum", layout.sums, purpose="first moment mu: the weight acts along it")
+    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
+    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
+    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
+    F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "in E1 about O1")
+    own = own_argument(lib)
+    given, wrench = lib.turn_arguments(), lib.wrench_arguments()
+    turns = places_of(given)
+    body = Body()
+    if layout.legs:
+        lib.begin(body)
+    for element in F.place:
+        body.set(element, real(0))
+    if layout.weight:
+        _weight(lib, body, stand.place, x.place, turns, sums.place, g.place, F.place)
+    if layout.carrier_damped:
+        _damp(lib, body, stand.place, stand.place.damper, V.place, F.place)
+    if layout.carrier_input:
+        for i in range(6):
+            body.add(F.place[i], wrench[0].place[i])
+    if layout.own:
+        own_wrenches(lib, body, stand.place, x.place, turns, V.place, wrench, F.place, own.place)
+    if layout.suspended:
+        body.call(lib["suspend"], stand.place.suspension, x.place, C.place, F.place)
+    if layout.legs:
+        with body.loop("k", layout.legs) as k:
+            lib.check(body, "pull", stand.place.leg[k], x.place, C.place, F.place)
+        body.ret(Status("OK"))
+    return Function(
+        "external",
+        "Total external wrench of " + _kinds(lib) + ", from checked inputs.",
+        (stand, x, *given, sums, C, V, g, *wrench, F, own),
+        body.statements,
+        equation="(7)",
+        returns=Kind.STATUS if layout.legs else None,
+        statuses=("OK", "RANGE") if layout.legs else (),
+    )
+
+
+def _kinds(lib: Library) -> str:
+    layout = lib.layout
+    kinds = {
+        "weight": layout.weight,
+        "buoyancy": layout.buoyancy,
+        "damping": layout.damped,
+        "suspension": layout.suspended,
+        "legs": bool(layout.legs),
+        "run-time wrenches": bool(layout.inputs),
+    }
+    return ", ".join(name for name, there in kinds.items() if there) or "no kind at all"
+
+
+def own_argument(lib: Library) -> Argument:
+    """Own wrenches of the flywheels, where any has such: six numbers each in Es about Os."""
+    purpose = "wrenches of the flywheels of their own, six numbers each, in Es about Os"
+    return Argument("own", Kind.REAL, (6 * int(lib.layout.count),), "out", "N, N m", purpose)
+
+
+def own_wrenches(
+    lib: Library,
+    body: Body,
+    stand: Place,
+    x: Place,
+    turns: Turns,
+    V: Place,
+    wrench: tuple[Argument, ...],
+    F: Place,
+    own: Place | None,
+) -> None:
+    """Adds the wrenches of all bodies that have some in their own frame to F; of the flywheels also to `own`."""
+    if lib.layout.own_turning:
+        assert own is not None
+        with body.loop("i", 6 * int(lib.layout.count)) as i:
+            body.set(own[i], real(0))
+    with body.loop("k", len(lib.layout.own)) as k:
+        everything = {"stand": stand, "frame": stand.frame[k], "x": x, "V": V, "F": F, "own": own}
+        everything |= {w.name: w.place for w in wrench} | named_turns(turns)
+        body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
+
+
+def _weight(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums: Place, g: Place, F: Place) -> None:
+    """Weight of every body at its mass centre, less the Archimedes force."""
+    layout = lib.layout
+    binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": stand.mass}
+    if layout.buoyancy:
+        binding["weight_mass"] = stand.weight_mass
+        binding["displaced_moment"] = stand.displaced_moment
+    if layout.flywheel_buoyancy:
+        moment = body.local("displaced", (3,), comment="first moment of displaced fluid at the phases")
+        body.copy_array(moment, stand.displaced_moment)
+        with body.loop("s", layout.count) as s:
+            row = row_of(lib, body, stand, s)
+            turn = turn_of(turns, s)
+            for i in range(3):
+                body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
+        binding["displaced_moment"] = moment
+    body.note("weight of every body: its line of action moves with the flywheels")
+    assign(body, list(F), derived.weight(layout.buoyancy), binding, add=True)
+
+
+def _damp(lib: Library, body: Body, stand: Place, damper: Place, V: Place, P: Place) -> None:
+    body.call(lib["damp"], *lib.passed("damp", stand=stand, damper=damper, V=V, P=P))
+
+
+def own_wrench(lib: Library) -> Function:
+    """Wrench of one instrument or flywheel that acts in its own frame, added to F."""
+    layout = lib.layout
+    stand, x = lib.table_argument(), lib.state_argument()
+    frame = Argument("frame", layout.frame)
+    V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; is added to")
+    own = own_argument(lib)
+    given, wrench = lib.turn_arguments(), lib.wrench_arguments()
+    body = Body()
+    origin = frame.place.origin
+    axes = body.local("axes", (9,), comment="of the body in E1")
+    P = body.local("P", (6,), comment="in the body's own frame")
+    body.copy_array(axes, frame.place.axes)
+    for element in P:
+        body.set(element, real(0))
+    if layout.own_turning:
+        with body.when(frame.place.flywheel >= 0):
+            turn = let_turn(body, places_of(given), frame.place.flywheel, "")
+            assign(body, list(axes), derived.turned_axes(), turn | {"R": frame.place.axes})
+    if layout.own_damped:
+        _own_damping(lib, body, stand.place, frame.place, x.place, V.place, axes, P)
+    if layout.own_inputs:
+        with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
+            body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
+    if layout.own_turning:
+        with body.when(frame.place.flywheel >= 0), body.loop("i", 6) as i:
+            body.set(own.place[frame.place.flywheel * integer(6) + i], P[i])
+    force = body.local("force", (3,), comment="in E1")
+    moment = body.local("moment", (3,), comment="in E1, about the body's origin")
+    _turn(body, axes, list(P)[:3], force)
+    _turn(body, axes, list(P)[3:], moment)
+    add_force(body, list(F.place), origin, list(force), list(moment))
+    return Function(
+        "own_wrench",
+        "Adds the wrench of one instrument or flywheel that acts in its own frame.",
+        (stand, frame, x, *given, V, *wrench, F, own),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def _turn(body: Body, C: Place, a: list[Place], out: Place) -> None:
+    assign(body, list(out), derived.rotated(), {"C": C, "a": a})
+
+
+def _own_damping(
+    lib: Library, body: Body, stand: Place, frame: Place, x: Place, V: Place, axes: Place, P: Place
+) -> None:
+    """Twist of the body relative to the fluid in its own frame, L^T V_r + f phi', and its damping."""
+    six = list(V)
+    velocity = body.local("velocity", (3,), comment="of the body's origin, in E1")
+    twist = body.local("twist", (6,), comment="of the body, in its own frame")
+    assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": frame.origin})
+    back = derived.rotated_back()
+    assign(body, list(twist)[:3], back, {"C": axes, "a": velocity})
+    assign(body, list(twist)[3:], back, {"C": axes, "a": six[3:]})
+    if lib.layout.own_turning:
+        with body.when(frame.flywheel >= 0):
+            body.add(twist[3], x.phi_dot[frame.flywheel], "L^T V + f phi'")
+    _damp(lib, body, stand, frame.damper, twist, P)

@@ -1,0 +1,51 @@
+"""What of a regime a state can hold: the ranges of the evaluation contract, for laws as they are given."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.motion.laws import Constant, Harmonic, Law, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
+
+MAX_SPEED = 1e5  # rad/s
+MAX_ACCELERATION = 1e9  # rad/s2
+MAX_WRENCH = 1e9  # N, N m; also of drive torques
+MAX_PHASE = 1e7  # rad
+
+
+def problem(law: Law) -> str | None:
+    """What of a law is out of range somewhere in time, in words; None where nothing is."""
+    if isinstance(law, Torque | RunUp | TorqueTable):
+        most = np.abs(law.values).max() if isinstance(law, TorqueTable) else abs(law.value)
+        found = out_of_range("a torque", most, MAX_WRENCH, "N m")
+        return found or (out_of_range("a speed", law.to, MAX_SPEED, "rad/s") if isinstance(law, RunUp) else None)
+    speed, acceleration = _largest(law)
+    found = out_of_range("a speed", speed, MAX_SPEED, "rad/s")
+    return found or out_of_range("an acceleration", acceleration, MAX_ACCELERATION, "rad/s2")
+
+
+def out_of_range(what: str, value: float, most: float, unit: str) -> str | None:
+    """The words for a number beyond its bound; None within it."""
+    if abs(value) <= most:
+        return None
+    return f"{what} of {value:.9g} {unit} is out of range, at most {most:g} in magnitude"
+
+
+def _largest(law: Constant | Ramp | LogSweep | Harmonic | SpeedTable) -> tuple[float, float]:
+    """Largest magnitudes of speed and acceleration."""
+    match law:
+        case Constant():
+            return abs(law.speed), 0.0
+        case Ramp():
+            return max(abs(law.low), abs(law.high)), abs(law.high / law.duration - law.low / law.duration)
+        case LogSweep():
+            fastest = max(abs(law.low), abs(law.high))
+            return fastest, fastest * abs(np.log(law.high / law.low)) / law.duration
+        case Harmonic():
+            return abs(law.mean) + abs(law.amplitude), abs(law.amplitude) * 2 * np.pi * law.frequency
+        case SpeedTable():
+            times = [law.times]
+            for order in (1, 2):  # between knots a spline swings further than they do
+                turns = law.spline.derivative(order).roots(extrapolate=False)
+                times.append(turns[np.isfinite(turns)])
+            at = np.concatenate(times)
+            return float(np.abs(law.spline(at)).max()), float(np.abs(law.spline(at, 1)).max())

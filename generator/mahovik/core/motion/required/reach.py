@@ -1,0 +1,42 @@
+"""Whether a motion stays where coordinates and numbers mean something: attitude, ranges."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.motion.required.model import RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.problems import Problems
+
+SINGULAR = 1e-3
+"""|cos theta| (Euler: |sin theta|) that a motion may come down to; `generalized` stops at 1e-6."""
+
+MOST = ((1e6, "m"), (1e3, "rad")), ((1e4, "m/s"), (1e5, "rad/s")), ((1e9, "m/s2"), (1e9, "rad/s2"))
+"""Of q, q', q'': magnitude of the linear and of the angular ones (stand.md, Evaluation)."""
+
+
+def check(motion: RequiredMotion, stand: Stand, problems: Problems) -> None:
+    """Note a singular attitude on the way, and what is out of range."""
+    highest = max(motion.harmonics, default=1)
+    t = motion.span * np.arange(M := 32 * min(highest, 1000) + 256) / M
+    course = motion.at(t)
+    for values, most, words in zip(course, MOST, ("q", "q'", "q''"), strict=True):
+        for kind, (limit, unit) in enumerate(most):
+            peak = float(np.max(np.abs(values[:, 3 * kind : 3 * kind + 3])))
+            if not peak <= limit:
+                problems.add(f"{words} reaches {peak:.3g} {unit}, out of range, at most {limit:g} {unit} in magnitude")
+    if motion.bounds.deviation is not None:
+        least, bound = float(np.linalg.norm((course.q - motion.mean)[:, :3], axis=1).max()), motion.bounds.deviation[0]
+        if bound < least:
+            told = f"{bound:g} m is below what the motion itself strays, {least:g} m"
+            problems.add("bounds", "deviation", f"linear: {told}")
+    theta = course.q[:, 4]
+    name, value = ("sin", np.sin(theta)) if stand.angles == "euler" else ("cos", np.cos(theta))
+    i = int(np.argmin(np.abs(value)))
+    crossed = np.flatnonzero(np.diff(np.sign(value)))
+    if abs(value[i]) < SINGULAR or len(crossed):
+        i = int(crossed[0]) if len(crossed) else i
+        problems.add(
+            f"singular attitude of the {stand.angles} sequence at t = {t[i]:.4g} s, theta = {theta[i]:.6g} rad: "
+            f"{name} theta comes to 0; choose another sequence (`angles` of the stand) or mean"
+        )

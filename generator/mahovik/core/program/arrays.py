@@ -1,0 +1,147 @@
+"""Functions for arrays of states as plain data: what each takes and gives, and how it lies in memory.
+
+Three orders of memory: `components`, component i of state j at [i * n + j]; `states`, the record of state j at [j];
+`alike`, one record for all states.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.program.types import Kind, NamedCount, Struct
+
+Order = Literal["components", "states", "alike"]
+
+
+@dataclass(frozen=True)
+class Member:
+    """A member of a record: of reals, of ints, or of records (`members`). `axes`: what each axis counts, or ""."""
+
+    name: str
+    kind: str
+    shape: tuple[int, ...] = ()
+    axes: tuple[str, ...] = ()
+    unit: str = ""
+    meaning: str = ""
+    members: tuple[Member, ...] = ()
+
+    @property
+    def size(self) -> int:
+        """Numbers in it, without those of inner records."""
+        return math.prod(self.shape)
+
+
+@dataclass(frozen=True)
+class Passed:
+    """An argument: its direction, the order of its memory, and the members of its record."""
+
+    name: str
+    direction: str
+    order: Order
+    members: tuple[Member, ...]
+
+    @cached_property
+    def components(self) -> int:
+        """Numbers of one state."""
+        return sum(member.size for member in self.members)
+
+
+@dataclass(frozen=True)
+class ArrayFunction:
+    """A function of n states. `wide`: states side by side in the registers of the processor, else one by one."""
+
+    name: str
+    purpose: str
+    wide: bool
+    arguments: tuple[Passed, ...]
+
+
+def members(struct: Struct) -> tuple[Member, ...]:
+    """The members of a struct."""
+    return tuple(member(f.name, f.type, f.shape, f.unit, f.comment) for f in struct.fields)
+
+
+def member(
+    name: str, type_: Kind | Struct, shape: Sequence[int | NamedCount], unit: str = "", meaning: str = ""
+) -> Member:
+    """One member of a record."""
+    sizes = tuple(int(count) for count in shape)
+    axes = tuple(count.name if isinstance(count, NamedCount) else "" for count in shape)
+    if isinstance(type_, Struct):
+        return Member(name, "record", sizes, axes, unit, meaning, members(type_))
+    return Member(name, "int" if type_ is Kind.INT else "real", sizes, axes, unit, meaning)
+
+
+def record(of: Sequence[Member], real: np.dtype[Any]) -> np.dtype[Any]:
+    """A record as NumPy lays it out, which is how C does."""
+    types: list[tuple[str, Any, tuple[int, ...]]] = []
+    for each in of:
+        inner = {"real": real, "int": np.dtype(np.int32)}.get(each.kind)
+        types.append((each.name, record(each.members, real) if inner is None else inner, each.shape))
+    return np.dtype(types, align=True)
+
+
+def filled(of: Sequence[Member], real: np.dtype[Any], value: Mapping[str, Any]) -> NDArray[Any]:
+    """One record in an array of one, from dicts (records), lists (arrays) and numbers."""
+    found = np.zeros(1, dtype=record(of, real))
+    _fill(of, found[0], value)
+    return found
+
+
+def _fill(of: Sequence[Member], place: Any, value: Mapping[str, Any]) -> None:
+    for each in of:
+        if each.kind != "record":
+            place[each.name] = value[each.name]
+        elif each.shape:
+            for i, inner in enumerate(value[each.name]):
+                _fill(each.members, place[each.name][i], inner)
+        else:
+            _fill(each.members, place[each.name], value[each.name])
+
+
+def members_to_plain(of: Sequence[Member]) -> list[dict[str, Any]]:
+    """Dicts and lists, which `json` can write."""
+    return [asdict(each) for each in of]
+
+
+def to_plain(functions: Sequence[ArrayFunction]) -> list[dict[str, Any]]:
+    """Dicts and lists, which `json` can write."""
+    return [asdict(function) for function in functions]
+
+
+def from_plain(found: Sequence[Mapping[str, Any]]) -> tuple[ArrayFunction, ...]:
+    """What `to_plain` gave, after `json` has read it."""
+    return tuple(
+        ArrayFunction(
+            f["name"],
+            f["purpose"],
+            f["wide"],
+            tuple(
+                Passed(a["name"], a["direction"], a["order"], members_from_plain(a["members"])) for a in f["arguments"]
+            ),
+        )
+        for f in found
+    )
+
+
+def members_from_plain(found: Sequence[Mapping[str, Any]]) -> tuple[Member, ...]:
+    """What `members_to_plain` gave, after `json` has read it."""
+    return tuple(
+        Member(
+            m["name"],
+            m["kind"],
+            tuple(m["shape"]),
+            tuple(m["axes"]),
+            m["unit"],
+            m["meaning"],
+            members_from_plain(m["members"]),
+        )
+        for m in found
+    )

@@ -1,0 +1,384 @@
+"""Expressions of a program. The tree *is* the order of operations: printer and interpreter keep it as it is.
+
+Python operators build trees (`a*b + c`), so that lowering code reads like the formula. Equality of
+integers is `equal(a, b)`: `==` stays Python's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct
+
+if TYPE_CHECKING:
+    from mahovik.core.program.function import Function
+
+Number: TypeAlias = int | float | Fraction
+Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
+
+
+class Expr:
+    """A scalar expression of one kind. Subclasses are immutable."""
+
+    __slots__ = ("kind",)
+    kind: Kind
+
+    def __add__(self, other: Operand) -> Expr:
+        return binary("+", self, other)
+
+    def __radd__(self, other: Operand) -> Expr:
+        return binary("+", other, self)
+
+    def __sub__(self, other: Operand) -> Expr:
+        return binary("-", self, other)
+
+    def __rsub__(self, other: Operand) -> Expr:
+        return binary("-", other, self)
+
+    def __mul__(self, other: Operand) -> Expr:
+        return binary("*", self, other)
+
+    def __rmul__(self, other: Operand) -> Expr:
+        return binary("*", other, self)
+
+    def __truediv__(self, other: Operand) -> Expr:
+        return binary("/", self, other)
+
+    def __rtruediv__(self, other: Operand) -> Expr:
+        return binary("/", other, self)
+
+    def __mod__(self, other: Operand) -> Expr:
+        return binary("%", self, other)
+
+    def __neg__(self) -> Expr:
+        return Negate(self)
+
+    def __and__(self, other: Operand) -> Expr:
+        return binary("&", self, other)
+
+    def __or__(self, other: Operand) -> Expr:
+        return binary("|", self, other)
+
+    def __xor__(self, other: Operand) -> Expr:
+        return binary("^", self, other)
+
+    def __lshift__(self, other: Operand) -> Expr:
+        return binary("<<", self, other)
+
+    def __rshift__(self, other: Operand) -> Expr:
+        return binary(">>", self, other)
+
+    def __lt__(self, other: Operand) -> Expr:
+        return compare("<", self, other)
+
+    def __le__(self, other: Operand) -> Expr:
+        return compare("<=", self, other)
+
+    def __gt__(self, other: Operand) -> Expr:
+        return compare(">", self, other)
+
+    def __ge__(self, other: Operand) -> Expr:
+        return compare(">=", self, other)
+
+    def __bool__(self) -> bool:
+        raise TypeError("an expression of a program has no truth value in Python; use When or select")
+
+
+class Const(Expr):
+    """A literal. Reals are rounded once to the program's element type; `name` makes it a named constant."""
+
+    __slots__ = ("name", "value")
+
+    def __init__(self, value: Number, kind: Kind, name: str = "") -> None:
+        self.value = value
+        self.kind = kind
+        self.name = name
+
+
+class Status(Expr):
+    """A status of stand.md by name, such as OK or NOT_FINITE."""
+
+    __slots__ = ("name",)
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.kind = Kind.STATUS
+
+
+class Place(Expr):
+    """A variable, or a part of one: a root name and a path of member names and indices.
+
+    Members are attributes (`stand.flywheel[s].mu_c[0]`). Only a scalar place can be read as an expression.
+    """
+
+    __slots__ = ("path", "root", "shape", "type")
+
+    def __init__(
+        self, root: Variable, path: tuple[str | Expr, ...], type_: Kind | Struct, shape: tuple[Any, ...]
+    ) -> None:
+        self.root = root
+        self.path = path
+        self.type = type_
+        self.shape = shape
+        if isinstance(type_, Kind):
+            self.kind = type_
+
+    @property
+    def is_scalar(self) -> bool:
+        return not self.shape and isinstance(self.type, Kind)
+
+    def __getattr__(self, name: str) -> Place:
+        if name.startswith("_") or name in Place.__slots__ or name == "kind":
+            raise AttributeError(name)
+        return self.member(name)
+
+    def member(self, name: str) -> Place:
+        """The member `name` of a struct."""
+        if self.shape or not isinstance(self.type, Struct):
+            raise TypeError(f"{self!r} is not a struct: it has no member {name}")
+        found: Field | None = self.type.field(name)
+        if found is None:
+            raise TypeError(f"struct {self.type.name} has no member {name}")
+        return Place(self.root, (*self.path, name), found.type, found.shape)
+
+    def __getitem__(self, index: Operand) -> Place:
+        if not self.shape:
+            raise TypeError(f"{self!r} is not an array")
+        if isinstance(index, int) and not 0 <= index < int(self.shape[0]):
+            raise IndexError(f"{self!r}[{index}] is outside 0..{int(self.shape[0]) - 1}")
+        return Place(self.root, (*self.path, as_expr(index, Kind.INT)), self.type, self.shape[1:])
+
+    def __len__(self) -> int:
+        return int(self.shape[0])
+
+    def __iter__(self) -> Iterator[Place]:
+        return (self[i] for i in range(len(self)))
+
+    def __repr__(self) -> str:
+        text = self.root.name
+        for step in self.path:
+            text += f".{step}" if isinstance(step, str) else "[]"
+        return text
+
+
+class Variable:
+    """A named variable or argument.
+
+    `pointer`: the emitted C reaches it through a pointer (structs, scalar results). `written`: a local scalar that is
+    written after its declaration, perhaps through its address.
+    """
+
+    __slots__ = ("name", "pointer", "shape", "type", "written")
+
+    def __init__(
+        self,
+        name: str,
+        type_: Kind | Struct,
+        shape: tuple[Any, ...] = (),
+        pointer: bool = False,
+        written: bool = False,
+    ) -> None:
+        self.name = name
+        self.type = type_
+        self.shape = shape
+        self.pointer = pointer
+        self.written = written
+
+    @property
+    def place(self) -> Place:
+        return Place(self, (), self.type, self.shape)
+
+
+class Negate(Expr):
+    """-a"""
+
+    __slots__ = ("operand",)
+
+    def __init__(self, operand: Expr) -> None:
+        self.operand = operand
+        self.kind = operand.kind
+
+
+class Binary(Expr):
+    """a op b for + - * / (reals, ints), % (ints not below 0) and + - * & | ^ << >> (words, modulo their width)."""
+
+    __slots__ = ("left", "operator", "right")
+
+    def __init__(self, operator: str, left: Expr, right: Expr) -> None:
+        self.operator = operator
+        self.left = left
+        self.right = right
+        self.kind = left.kind
+
+
+class Compare(Expr):
+    """a < b and the like; `==` and `!=` for integers only."""
+
+    __slots__ = ("left", "operator", "right")
+
+    def __init__(self, operator: str, left: Expr, right: Expr) -> None:
+        self.operator = operator
+        self.left = left
+        self.right = right
+        self.kind = Kind.BOOL
+
+
+class Logic(Expr):
+    """a && b, a || b."""
+
+    __slots__ = ("left", "operator", "right")
+
+    def __init__(self, operator: str, left: Expr, right: Expr) -> None:
+        self.operator = operator
+        self.left = left
+        self.right = right
+        self.kind = Kind.BOOL
+
+
+class Not(Expr):
+    """!a"""
+
+    __slots__ = ("operand",)
+
+    def __init__(self, operand: Expr) -> None:
+        self.operand = operand
+        self.kind = Kind.BOOL
+
+
+class Select(Expr):
+    """condition ? a : b"""
+
+    __slots__ = ("condition", "no", "yes")
+
+    def __init__(self, condition: Expr, yes: Expr, no: Expr) -> None:
+        self.condition = condition
+        self.yes = yes
+        self.no = no
+        self.kind = yes.kind
+
+
+class Convert(Expr):
+    """A change of kind by value: int to real, word to int and back. Never real to int, which C may leave undefined."""
+
+    __slots__ = ("operand",)
+
+    def __init__(self, operand: Expr, kind: Kind) -> None:
+        if operand.kind is Kind.REAL:
+            raise TypeError("a real is never converted to an integer by value: use the bits")
+        self.operand = operand
+        self.kind = kind
+
+
+class BitCast(Expr):
+    """The same bits as another kind: real to word, or word to real."""
+
+    __slots__ = ("operand",)
+
+    def __init__(self, operand: Expr, kind: Kind) -> None:
+        if {operand.kind, kind} != {Kind.REAL, Kind.WORD}:
+            raise TypeError("bits are cast between real and word")
+        self.operand = operand
+        self.kind = kind
+
+
+class Call(Expr):
+    """A call of a function that returns a real or a status. Array and struct arguments are whole places."""
+
+    __slots__ = ("arguments", "function")
+
+    def __init__(self, function: Function, arguments: tuple[Expr, ...]) -> None:
+        self.function = function
+        self.arguments = arguments
+        if function.returns is not None:
+            self.kind = function.returns
+
+
+def as_expr(value: Operand, kind: Kind) -> Expr:
+    """`value` as an expression; a Python number becomes a literal of `kind`."""
+    if isinstance(value, Expr):
+        return value
+    if isinstance(value, NamedCount):
+        return Const(value.value, kind, value.name)
+    if kind is not Kind.REAL and not isinstance(value, int):
+        raise TypeError(f"{value!r} is no {kind.value}")
+    return Const(value, kind)
+
+
+def _pair(left: Operand, right: Operand) -> tuple[Expr, Expr]:
+    """Both as expressions of one kind: a literal takes the kind of the other."""
+    kind = left.kind if isinstance(left, Expr) else right.kind if isinstance(right, Expr) else Kind.REAL
+    a, b = as_expr(left, kind), as_expr(right, kind)
+    if a.kind is not b.kind:
+        raise TypeError(f"kinds differ: {a.kind.value} and {b.kind.value}")
+    return a, b
+
+
+def binary(operator: str, left: Operand, right: Operand) -> Expr:
+    """left op right; the shift count of << and >> is a word."""
+    return Binary(operator, *_pair(left, right))
+
+
+def compare(operator: str, left: Operand, right: Operand) -> Expr:
+    """left op right as a truth value."""
+    a, b = _pair(left, right)
+    if a.kind is Kind.REAL and operator in ("==", "!="):
+        raise TypeError("reals are not compared for equality")
+    return Compare(operator, a, b)
+
+
+def equal(left: Operand, right: Operand) -> Expr:
+    """left == right, for integers and statuses."""
+    return compare("==", left, right)
+
+
+def unequal(left: Operand, right: Operand) -> Expr:
+    """left != right, for integers and statuses."""
+    return compare("!=", left, right)
+
+
+def both(left: Expr, right: Expr) -> Expr:
+    """left && right"""
+    return Logic("&&", left, right)
+
+
+def either(left: Expr, right: Expr) -> Expr:
+    """left || right"""
+    return Logic("||", left, right)
+
+
+def select(condition: Expr, yes: Operand, no: Operand) -> Expr:
+    """condition ? yes : no"""
+    a, b = _pair(yes, no)
+    return Select(condition, a, b)
+
+
+def real(value: Number) -> Expr:
+    """A real literal."""
+    return Const(value, Kind.REAL)
+
+
+def word(value: int) -> Expr:
+    """An unsigned literal of the element type's width."""
+    return Const(value, Kind.WORD)
+
+
+def integer(value: int | NamedCount) -> Expr:
+    """An int literal."""
+    return as_expr(value, Kind.INT)
+
+
+def bits_of(value: Expr) -> Expr:
+    """The bits of a real as a word."""
+    return BitCast(value, Kind.WORD)
+
+
+def real_of_bits(value: Expr) -> Expr:
+    """The real with the bits of a word."""
+    return BitCast(value, Kind.REAL)
+
+
+def magnitude(value: Expr) -> Expr:
+    """|a| of a real, without libm."""
+    return Select(Compare("<", value, Const(0, Kind.REAL)), Negate(value), value)

@@ -1,0 +1,94 @@
+"""Functions and whole programs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from mahovik.core.program.expression import Place, Variable
+from mahovik.core.program.statement import Statement
+from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
+
+STATUS_VALUES = {
+    "OK": 0,
+    "NEAR_SINGULAR": 1,
+    "DAMPED": 2,
+    "LIMITED": 4,
+    "UNREACHABLE": 8,
+    "RANK_DEFICIENT": 16,
+    "NOT_FINITE": -1,
+    "RANGE": -2,
+    "NOT_POSITIVE_DEFINITE": -3,
+    "SINGULAR_ATTITUDE": -4,
+    "BAD_ARGUMENT": -5,
+}
+"""The statuses of stand.md, the same numbers for every stand."""
+
+
+@dataclass(frozen=True, eq=False)
+class Argument:
+    """An argument: `direction` is "in", "out" or "inout"; unit, frame and purpose are for the reader."""
+
+    name: str
+    type: Kind | Struct
+    shape: tuple[int | NamedCount, ...] = ()
+    direction: str = "in"
+    unit: str = ""
+    purpose: str = ""
+    variable: Variable = field(init=False)
+
+    def __post_init__(self) -> None:
+        pointer = not self.shape and (isinstance(self.type, Struct) or self.direction != "in")
+        object.__setattr__(self, "variable", Variable(self.name, self.type, self.shape, pointer))
+
+    @property
+    def place(self) -> Place:
+        return self.variable.place
+
+
+@dataclass(frozen=True, eq=False)
+class Function:
+    """A function of the program.
+
+    `equation` are numbers of the paper, "(8)"; `returns` None, REAL or STATUS; `statuses` those it can return;
+    `notes` further lines of the contract; `public` functions stand in the header.
+    """
+
+    name: str
+    purpose: str
+    arguments: tuple[Argument, ...]
+    body: tuple[Statement, ...]
+    equation: str = ""
+    returns: Kind | None = None
+    statuses: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    public: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Constant:
+    """A `const` object of the emitted code: a nested value of dicts (structs), lists (arrays) and numbers."""
+
+    name: str
+    type: Struct
+    purpose: str
+    value: Any
+    columns: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """A whole program: functions in an order in which each comes after what it calls."""
+
+    name: str
+    precision: Precision
+    counts: tuple[NamedCount, ...]
+    structs: tuple[Struct, ...]
+    functions: tuple[Function, ...]
+
+    def function(self, name: str) -> Function:
+        """The function of that name. Raises KeyError."""
+        for function in self.functions:
+            if function.name == name:
+                return function
+        raise KeyError(name)

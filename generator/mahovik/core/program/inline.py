@@ -1,0 +1,220 @@
+"""Copies small functions into their callers, and short loops out: longer straight stretches of code.
+
+A function is copied where it has no loop, no status and no calls that stay: sine and cosine, what one flywheel adds.
+Every local variable of the result has a name of its own. Operations and their order stay as they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from mahovik.core.program.expression import Call, Const, Expr, Place, Variable
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.rewrite import FreshNames, rebuilt, substitution
+from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.walk import used_variables
+
+LONGEST = 6
+"""Turns of a loop that is written out."""
+
+
+class Inliner:
+    """Functions of a program by name, each with what it calls copied into it."""
+
+    def __init__(self, functions: dict[str, Function], reserved: tuple[str, ...] = ()) -> None:
+        """`functions`: each after those it calls; `reserved`: names that no variable may get."""
+        self._functions: dict[str, Function] = {}
+        for name, function in functions.items():
+            self._functions[name] = _Body(function, self._found, reserved).function()
+
+    def _found(self, name: str) -> Function:
+        return self._functions[name]
+
+    def __getitem__(self, name: str) -> Function:
+        return self._functions[name]
+
+
+def is_flat(function: Function) -> bool:
+    """Can the function be copied into its callers?"""
+    return function.returns is not Kind.STATUS and _flat(function.body, outer=True)
+
+
+def _flat(body: tuple[Statement, ...], outer: bool = False) -> bool:
+    for number, s in enumerate(body):
+        match s:
+            case Note() | Let() | Declare() | Set():
+                pass
+            case Return() if outer and number == len(body) - 1:
+                pass
+            case When(_, inner, otherwise) if _flat(inner) and _flat(otherwise):
+                pass
+            case _:
+                return False
+    return True
+
+
+def _flat_here(body: tuple[Statement, ...], found: Callable[[str], Function]) -> bool:
+    """Will the body of a loop be flat when functions are copied into it, and its own short loops out?"""
+    for s in body:
+        match s:
+            case Do(call):
+                callee = found(call.function.name)
+                if callee.returns is not None or not is_flat(callee):
+                    return False
+            case Loop(_, Const(), Const() as stop, inner) if not stop.name and int(stop.value) <= LONGEST:
+                if not _flat_here(inner, found):
+                    return False
+            case When(_, inner, otherwise) if _flat_here(inner, found) and _flat_here(otherwise, found):
+                pass
+            case _ if not _flat((s,)):
+                return False
+    return True
+
+
+class _Body:
+    """One function while it is rewritten."""
+
+    def __init__(self, function: Function, found: Callable[[str], Function], reserved: tuple[str, ...]) -> None:
+        self._function = function
+        self._found = found
+        self._fresh = FreshNames((*reserved, *(a.name for a in function.arguments)))
+
+    def function(self) -> Function:
+        return replace(self._function, body=tuple(self._block(self._function.body, {})))
+
+    def _block(self, body: tuple[Statement, ...], meanings: dict[int, Expr]) -> Iterator[Statement]:
+        for s in body:
+            yield from self._statement(s, meanings)
+
+    def _expr(self, e: Expr, meanings: dict[int, Expr]) -> tuple[list[Statement], Expr]:
+        """An expression, and what must be done before it: the bodies of the functions that it calls."""
+        before: list[Statement] = []
+
+        def called(call: Call) -> Expr:
+            if not is_flat(self._found(call.function.name)):
+                raise TypeError(f"{call.function.name} is called inside an expression, but cannot be copied there")
+            steps, value = self._copied(call)
+            before.extend(steps)
+            assert value is not None
+            return value
+
+        return before, rebuilt(e, substitution(meanings), called)
+
+    def _statement(self, s: Statement, meanings: dict[int, Expr]) -> Iterator[Statement]:
+        match s:
+            case Note():
+                yield s
+            case Let(variable, value):
+                before, new = self._expr(value, meanings)
+                yield from before
+                again = self._again(variable, meanings)
+                yield replace(s, variable=again, value=new)
+            case Declare(variable):
+                yield replace(s, variable=self._again(variable, meanings))
+            case Set(place, value):
+                before, new = self._expr(value, meanings)
+                yield from before
+                yield replace(s, place=self._place(place, meanings), value=new)
+            case Copy(target, source):
+                yield replace(s, target=self._place(target, meanings), source=self._place(source, meanings))
+            case Return(value):
+                before, new = self._expr(value, meanings)
+                yield from before
+                yield Return(new)
+            case Do(call):
+                yield from self._do(s, call, meanings)
+            case Block(inner):
+                yield from self._block(inner, meanings)
+            case When(condition, inner, otherwise):
+                before, new = self._expr(condition, meanings)
+                yield from before
+                yes, no = tuple(self._block(inner, dict(meanings))), tuple(self._block(otherwise, dict(meanings)))
+                yield replace(s, condition=new, body=yes, otherwise=no)
+            case Loop():
+                yield from self._loop(s, meanings)
+
+    def _again(self, variable: Variable, meanings: dict[int, Expr]) -> Variable:
+        new = self._fresh.like(variable)
+        meanings[id(variable)] = new.place
+        return new
+
+    def _place(self, place: Place, meanings: dict[int, Expr]) -> Place:
+        found = rebuilt(place, substitution(meanings))
+        assert isinstance(found, Place)
+        return found
+
+    def _do(self, s: Do, call: Call, meanings: dict[int, Expr]) -> Iterator[Statement]:
+        before, new = [], []
+        for argument in call.arguments:
+            steps, value = self._expr(argument, meanings)
+            before += steps
+            new.append(value)
+        yield from before
+        function = self._found(call.function.name)
+        yield from self._fitting(function, tuple(new)) or (replace(s, call=Call(function, tuple(new))),)
+
+    def _fitting(self, function: Function, arguments: tuple[Expr, ...]) -> list[Statement]:
+        """The body of a function at a call where it is flat, perhaps with these arguments only; else nothing."""
+        if function.returns is not None:
+            return []
+        if is_flat(function):
+            return self._copied(Call(function, arguments))[0]
+        if not all(isinstance(s, Loop | Note | Declare) for s in function.body):
+            return []
+        names = self._fresh
+        self._fresh = names.copy()
+        steps = self._copied(Call(function, arguments))[0]
+        if _flat(tuple(steps)):
+            return steps
+        self._fresh = names
+        return []
+
+    def _loop(self, s: Loop, meanings: dict[int, Expr]) -> Iterator[Statement]:
+        start, stop = (rebuilt(e, substitution(meanings)) for e in (s.start, s.stop))
+        if isinstance(start, Const) and isinstance(stop, Const) and not stop.name:
+            turns = range(int(start.value), int(stop.value))
+            if len(turns) <= LONGEST and _flat_here(s.body, self._found):
+                for turn in turns:
+                    yield from self._block(s.body, {**meanings, id(s.index): Const(turn, Kind.INT)})
+                return
+        inner = dict(meanings)
+        index = self._again(s.index, inner)
+        yield replace(s, index=index, start=start, stop=stop, body=tuple(self._block(s.body, inner)))
+
+    def _copied(self, call: Call) -> tuple[list[Statement], Expr | None]:
+        """The body of a function at a call, and the value that it returns."""
+        function = self._found(call.function.name)
+        purpose = function.purpose[0].lower() + function.purpose[1:]
+        steps: list[Statement] = [Note(f"{function.name}: {purpose}")] if function.returns is None else []
+        meanings: dict[int, Expr] = {}
+        used = used_variables(function.body)
+        for parameter, value in zip(function.arguments, call.arguments, strict=True):
+            if id(parameter.variable) not in used:
+                continue
+            if _by_name(parameter, value):
+                meanings[id(parameter.variable)] = value
+            else:
+                variable = Variable(self._fresh(parameter.name), value.kind)
+                steps.append(Let(variable, value))
+                meanings[id(parameter.variable)] = variable.place
+        body = function.body
+        value_of: Expr | None = None
+        last = body[-1] if body else None
+        if isinstance(last, Return):
+            body = body[:-1]
+        steps += self._block(body, meanings)
+        if isinstance(last, Return):
+            before, value_of = self._expr(last.value, meanings)
+            steps += before
+        return steps, value_of
+
+
+def _by_name(parameter: Argument, value: Expr) -> bool:
+    """May the argument stand in the body as it is? What is computed, or read from a place, gets a name there."""
+    if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":
+        return True
+    if isinstance(value, Const):
+        return True
+    return isinstance(value, Place) and not value.path and not value.root.written

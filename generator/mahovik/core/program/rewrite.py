@@ -1,0 +1,109 @@
+"""Rebuilds expressions and statements with other variables: what every pass over a program needs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+
+from mahovik.core.program.expression import (
+    Binary,
+    BitCast,
+    Call,
+    Compare,
+    Convert,
+    Expr,
+    Logic,
+    Negate,
+    Not,
+    Place,
+    Select,
+    Variable,
+)
+
+Leaf = Callable[[Place], Expr]
+
+
+def rebuilt(e: Expr, leaf: Leaf, call: Callable[[Call], Expr] | None = None) -> Expr:
+    """The same tree with `leaf` of every place (its indices done already), and with `call` of every call."""
+
+    def again(inner: Expr) -> Expr:
+        return rebuilt(inner, leaf, call)
+
+    if isinstance(e, Place):
+        steps = tuple(again(step) if isinstance(step, Expr) else step for step in e.path)
+        return leaf(Place(e.root, steps, e.type, e.shape))
+    found = with_parts(e, again)
+    return call(found) if call is not None and isinstance(found, Call) else found
+
+
+def with_parts(e: Expr, part: Callable[[Expr], Expr]) -> Expr:
+    """The same node with `part` of each operand; places, literals and statuses as they are."""
+    match e:
+        case Negate():
+            return Negate(part(e.operand))
+        case Not():
+            return Not(part(e.operand))
+        case Convert():
+            return Convert(part(e.operand), e.kind)
+        case BitCast():
+            return BitCast(part(e.operand), e.kind)
+        case Binary():
+            return Binary(e.operator, part(e.left), part(e.right))
+        case Compare():
+            return Compare(e.operator, part(e.left), part(e.right))
+        case Logic():
+            return Logic(e.operator, part(e.left), part(e.right))
+        case Select():
+            return Select(part(e.condition), part(e.yes), part(e.no))
+        case Call():
+            return Call(e.function, tuple(part(a) for a in e.arguments))
+    return e
+
+
+def unbranched(e: Expr) -> Expr:
+    """The same value where `&&` and `||` become `&` and `|`: both sides are computed, so a loop has no branch."""
+    if isinstance(e, Logic):
+        return Binary(e.operator[0], unbranched(e.left), unbranched(e.right))
+    return with_parts(e, unbranched)
+
+
+def substitution(meanings: Mapping[int, Expr]) -> Leaf:
+    """Of a place: what its root stands for (by `id` of the variable), with the rest of the path; itself otherwise."""
+
+    def leaf(place: Place) -> Expr:
+        meant = meanings.get(id(place.root))
+        if meant is None:
+            return place
+        if isinstance(meant, Place):
+            return Place(meant.root, (*meant.path, *place.path), place.type, place.shape)
+        assert not place.path
+        return meant
+
+    return leaf
+
+
+class FreshNames:
+    """Names that no other variable of a function has."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self._taken = set(taken)
+
+    def __call__(self, wish: str) -> str:
+        """`wish` itself, or with the least number that makes it new, in place of the number that it has."""
+        name, number = wish, 1
+        stem = re.sub(r"_\d+$", "", wish)
+        while name in self._taken:
+            number += 1
+            name = f"{stem}_{number}"
+        self._taken.add(name)
+        return name
+
+    def copy(self) -> FreshNames:
+        """The same names taken; what is taken of the copy is not taken here."""
+        return FreshNames(self._taken)
+
+    def like(self, variable: Variable) -> Variable:
+        """A variable of the same type under a name of its own."""
+        return Variable(
+            self(variable.name), variable.type, variable.shape, pointer=variable.pointer, written=variable.written
+        )

@@ -1,0 +1,60 @@
+"""The same angle within half a turn of zero, without libm.
+
+k = phi / (2 pi) to nearest by the constant that leaves no room for a fraction; then phi - k 2 pi with 2 pi in the
+parts of `sincos` (four times those of pi/2: the scaling is exact).
+
+The product with the first part is exact, and so is the difference, a multiple of the last place of the smaller below
+2^53 of them (float: 2^24). The two differences that follow are rounded, to half a unit in the last place of the
+result each; the rounding of the product with the second part is below 2^-58 (float: 2^-26). k itself may be one off
+where phi is next to an odd multiple of pi: then the result leaves [-pi, pi] by 1e-9 (float: 2e-4) at most, as good
+an angle as any, unless the interval is promised.
+"""
+
+from __future__ import annotations
+
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.expression import Expr, real
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind, Precision
+from mahovik.core.routines.real_constants import PI, nearest
+from mahovik.core.routines.sincos import half_pi_parts
+
+
+def turns_of_angle(precision: Precision, phi: Expr) -> Expr:
+    """phi / (2 pi) to nearest."""
+    magic = 1.5 * 2.0 ** (precision.significand - 1)
+    return phi * real(nearest(1 / (2 * PI), precision)) + real(magic) - real(magic)
+
+
+def unwind(precision: Precision) -> Function:
+    """`unwound`: an angle less a whole number of turns."""
+    phi = Argument("phi", Kind.REAL, unit="rad")
+    k = Argument("k", Kind.REAL, purpose="turns, a whole number")
+    first, second, third = (4 * part for part in half_pi_parts(precision))
+    body = Body()
+    turns = k.place
+    body.ret(phi.place - turns * real(first) - turns * real(second) - turns * real(third))
+    return Function(
+        "unwound",
+        "phi - k 2 pi, with 2 pi in three parts: the product with the first is exact.",
+        (phi, k),
+        body.statements,
+        returns=Kind.REAL,
+    )
+
+
+def wrap(precision: Precision, unwound: Function) -> Function:
+    """`wrapped`: an angle as the equal one in [-pi, pi], to rounding."""
+    phi = Argument("phi", Kind.REAL, unit="rad")
+    body = Body()
+    body.note("k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum.")
+    k = body.let("k", turns_of_angle(precision, phi.place), "turns")
+    body.ret(call(unwound, phi.place, k))
+    return Function(
+        "wrapped",
+        "The equal angle within half a turn of zero.",
+        (phi,),
+        body.statements,
+        returns=Kind.REAL,
+        notes=(f"|phi| <= {precision.max_phase:g}: beyond it the result is meaningless, nothing worse.",),
+    )

@@ -1,0 +1,203 @@
+"""Checked tables -> the model's classes, with what needs several keys of one table to be checked."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from mahovik.core.stand import datasheet
+from mahovik.core.stand.model import (
+    About,
+    Buoyancy,
+    Carrier,
+    Damping,
+    DampingTerm,
+    Encoder,
+    Flywheel,
+    Instrument,
+    Leg,
+    Mat3,
+    Mat6,
+    Motor,
+    MountingAngles,
+    MountingAxes,
+    Point,
+    Suspension,
+    Vec3,
+)
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.schema import (
+    BodyTable,
+    CarrierTable,
+    FlywheelTable,
+    InstrumentTable,
+    LegTable,
+    PointTable,
+    SuspensionTable,
+)
+
+_ZERO6: Mat6 = ((0.0,) * 6,) * 6
+_PARALLEL = 1e-9  # sine of the smallest angle between axis and zero that still says where the second axis is
+
+
+def carrier(table: CarrierTable, problems: Problems) -> Carrier:
+    """`[carrier]`."""
+    return Carrier(
+        name="carrier",
+        mass=table.mass,
+        inertia=table.inertia,
+        added_mass=table.added_mass,
+        **_common(table, "carrier", problems),
+    )
+
+
+def instrument(table: InstrumentTable, where: str, problems: Problems) -> Instrument:
+    """One `[[instrument]]`."""
+    return Instrument(
+        name=table.name,
+        mass=table.mass,
+        inertia=table.inertia,
+        added_mass=table.added_mass,
+        position=table.position,
+        angles=table.angles,
+        **_common(table, where, problems),
+    )
+
+
+def flywheel(table: FlywheelTable, where: str, problems: Problems) -> Flywheel | None:
+    """One `[[flywheel]]`; None where its mounting or its inertia cannot be told."""
+    mounting = _mounting(table, where, problems)
+    given = _inertia(table, where, problems)
+    if mounting is None or given is None:
+        return None
+    center, inertia, about = given
+    motor, encoder = table.motor, table.encoder
+    return Flywheel(
+        name=table.name,
+        mass=table.mass,
+        center_of_mass=center,
+        inertia=inertia,
+        inertia_about=about,
+        buoyancy=_buoyancy(table),
+        damping=_damping(table),
+        wrench_input=table.wrench_input,
+        mount=table.mount,
+        position=table.position,
+        mounting=mounting,
+        motor=Motor(**motor.model_dump()) if motor else None,
+        encoder=Encoder(**encoder.model_dump()) if encoder else None,
+        inverse_weight=table.inverse_weight,
+    )
+
+
+def suspension(table: SuspensionTable) -> Suspension | None:
+    """`[suspension]`; None where it does nothing."""
+    if table.stiffness is None and table.damping is None:
+        return None
+    return Suspension(table.stiffness or _ZERO6, table.damping or _ZERO6, table.position, table.angles)
+
+
+def leg(table: LegTable) -> Leg:
+    """One `[[leg]]`."""
+    return Leg(table.ground, table.carrier, table.length, table.stiffness, table.damping)
+
+
+def point(table: PointTable) -> Point:
+    """One `[[point]]`."""
+    return Point(table.name, table.mount, table.position, table.angles)
+
+
+def _common(table: BodyTable, where: str, problems: Problems) -> dict[str, Any]:
+    return {
+        "center_of_mass": table.center_of_mass,
+        "inertia_about": _about(table, where, problems),
+        "buoyancy": _buoyancy(table),
+        "damping": _damping(table),
+        "wrench_input": table.wrench_input,
+    }
+
+
+def _about(table: BodyTable, where: str, problems: Problems) -> About:
+    """Without a centre of mass off the origin the two meanings are one, and the key may be left out."""
+    if table.inertia_about is not None:
+        return table.inertia_about
+    if any(table.center_of_mass):
+        problems.add(
+            where,
+            "inertia_about",
+            'required where center_of_mass is not zero, expected "origin" or "center_of_mass"',
+        )
+    return "origin"
+
+
+def _buoyancy(table: BodyTable) -> Buoyancy | None:
+    given = table.buoyancy
+    return Buoyancy(given.displaced_mass, given.center) if given and given.displaced_mass else None
+
+
+def _damping(table: BodyTable) -> Damping | None:
+    given = table.damping
+    if given is None:
+        return None
+    terms = tuple(DampingTerm(term.wrench, term.of, term.value) for term in given.terms if term.value)
+    if given.linear is None and given.quadratic is None and not terms:
+        return None
+    return Damping(given.linear, given.quadratic, terms)
+
+
+def _mounting(table: FlywheelTable, where: str, problems: Problems) -> MountingAngles | MountingAxes | None:
+    if table.axis is None and table.zero is None:
+        psi, theta, *zero = table.angles or (0.0, 0.0)
+        return MountingAngles(psi, theta, zero[0] if zero else 0.0)
+    if table.angles is not None:
+        problems.add(where, "angles", "given together with axis, zero: expected one or the other")
+        return None
+    if table.axis is None:
+        problems.add(where, "axis", "required with zero, but missing")
+        return None
+    if table.zero is None:
+        problems.add(where, "zero", "required with axis (direction of the second axis at phi_s = 0), but missing")
+        return None
+    if _sine(table.axis, table.zero) < _PARALLEL:
+        problems.add(where, "zero", "parallel to axis, expected a direction with a part across it")
+        return None
+    return MountingAxes(table.axis, table.zero)
+
+
+def _sine(a: Vec3, b: Vec3) -> float:
+    """Sine of the angle between two directions of any length."""
+    (ax, ay, az), (bx, by, bz) = _unit(a), _unit(b)
+    return math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+
+
+def _unit(a: Vec3) -> Vec3:
+    largest = max(abs(x) for x in a)  # first, so that squares neither overflow nor vanish
+    scaled = [x / largest for x in a]
+    length = math.hypot(*scaled)
+    return (scaled[0] / length, scaled[1] / length, scaled[2] / length)
+
+
+def _inertia(table: FlywheelTable, where: str, problems: Problems) -> tuple[Vec3, Mat3, About] | None:
+    """Centre of mass, tensor and the point it is about, from either way of giving them."""
+    sheet = [key for key in ("spin_inertia", "transverse_inertia", "unbalance") if getattr(table, key) is not None]
+    if not sheet:
+        if table.inertia is None:
+            problems.add(where, "inertia", "required, but missing (or spin_inertia and transverse_inertia)")
+            return None
+        return table.center_of_mass, table.inertia, _about(table, where, problems)
+    mixed = [key for key in ("center_of_mass", "inertia", "inertia_about") if key in table.model_fields_set]
+    if mixed:
+        problems.add(where, mixed[0], f"given together with {', '.join(sheet)}: expected one way or the other")
+        return None
+    if table.spin_inertia is None or table.transverse_inertia is None:
+        missing = "spin_inertia" if table.spin_inertia is None else "transverse_inertia"
+        problems.add(where, missing, f"required with {', '.join(sheet)}, but missing")
+        return None
+    if table.mass == 0.0 and table.unbalance is not None and table.unbalance.static != 0.0:
+        problems.add(where, "unbalance", "static", "a flywheel of mass 0 cannot have a static unbalance")
+        return None
+    return (
+        datasheet.center_of_mass(table.mass, table.unbalance),
+        datasheet.inertia(table.spin_inertia, table.transverse_inertia, table.unbalance),
+        "origin",
+    )

@@ -1,0 +1,48 @@
+"""The content of a file that a user names: never more than such a file can be."""
+
+from __future__ import annotations
+
+import errno
+from collections.abc import Callable
+from pathlib import Path
+
+from mahovik.core.stand.units import show
+
+TEXT = 4 << 20
+"""Bytes of a stand file, a regime, a start: those of 64 flywheels have 30 kB."""
+
+TABLE = 256 << 20
+"""Bytes of a table in time, or of a console's log."""
+
+FLIGHT = 1 << 30
+"""Bytes of a flight log: hours of a thousand steps a second."""
+
+_PIECE = 1 << 20
+
+
+def content(path: Path, most: int = TEXT) -> bytes:
+    """All bytes of a file. Raises OSError, also where it is larger than `most` or has no end, such as /dev/zero."""
+    found = bytearray()
+    with path.open("rb") as file:
+        while piece := file.read(_PIECE):
+            found += piece
+            if len(found) > most:
+                raise OSError(errno.EFBIG, f"larger than {most >> 20} MB", str(path))
+    return bytes(found)
+
+
+def readable(path: Path, expected: str, hint: Callable[[], str] = lambda: "") -> bytes:
+    """All bytes of a file that should be `expected`. Raises ValueError with one line that names it.
+
+    `hint`: asked for what to add where there is no such file.
+    """
+    try:
+        return content(path)
+    except FileNotFoundError:
+        raise ValueError(f"{path}: no such file{hint()}") from None
+    except IsADirectoryError:
+        raise ValueError(f"{path}: is a directory, expected {expected}") from None
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except ValueError as error:  # a NUL in the name
+        raise ValueError(f"{show(str(path))}: {error}") from None

@@ -1,0 +1,240 @@
+"""Least eigenvalue of the full (6 + N) mass matrix over all phases, scaled to unit diagonal.
+
+The matrix is singular exactly where its Schur complement (flywheels eliminated) is: a 6x6 that is a constant
+plus one term a flywheel, each of its own phase only. For a fixed direction x every phase can then be minimised
+by itself, and for fixed phases x is an eigenvector; the two in turn go down, from many starts, fast at any N.
+The answer is the eigenvalue of the full matrix at the worst phases found. Its own code, shared with no derivation.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Carrier, Flywheel, Instrument, MountingAngles, Stand
+from mahovik.core.stand.physical import inertia_about_origin
+
+Array = NDArray[np.float64]
+
+_STARTS = 32
+_ROUNDS = 20
+_POLISHED = 6
+_STEPS = 10
+_GRID = 32
+_SEED = 1986
+
+
+def least_eigenvalue(stand: Stand) -> tuple[float, tuple[float, ...]]:
+    """Least eigenvalue found, and the phases (rad) where; -inf where a diagonal element is zero or not finite.
+
+    Where a diagonal element nearly vanishes at some phase, scaling to unit diagonal there would hide it: the
+    eigenvalue is taken with the diagonal's mean over the phases as well, and the lesser of the two is returned.
+    """
+    constant, rotors = _fixed(stand), [_Rotor(stand, flywheel) for flywheel in stand.flywheels]
+    mean = constant + sum((rotor.mean for rotor in rotors), np.zeros((6, 6)))
+    diagonal = np.diag(mean)
+    at_zero = (0.0,) * len(rotors)
+    if not (diagonal > 0).all() or not np.isfinite(mean).all():
+        return -np.inf, at_zero
+    scale = 1.0 / np.sqrt(diagonal)
+    candidates: list[Array] = [np.zeros(len(rotors))]
+    if rotors:
+        scaling = scale[:, None] * scale[None, :]
+        harmonics = np.array([rotor.schur for rotor in rotors]) * scaling
+        if not np.isfinite(harmonics).all():
+            return -np.inf, at_zero
+        starts = _alternate(constant * scaling, harmonics)
+        candidates += list(_polish(constant * scaling, rotors, scale, starts))
+    values = [_eigenvalue(constant, rotors, phases, scale) for phases in candidates]
+    worst = int(np.argmin(values))
+    return values[worst], tuple(float(x) for x in np.mod(candidates[worst], 2 * np.pi))
+
+
+def _alternate(constant: Array, harmonics: Array) -> Array:
+    """Phases (starts, N) of the lowest Schur complements; `harmonics` (N, 5, 6, 6) of 1, cos, sin, cos 2, sin 2."""
+    rng = np.random.default_rng(_SEED)
+    x = rng.normal(size=(_STARTS, 6))
+    grid: Array = np.arange(_GRID, dtype=np.float64) * (2 * np.pi / _GRID)
+    table = _basis(grid)
+    for _ in range(_ROUNDS):
+        quadratic = np.einsum("bi,nkij,bj->bnk", x, harmonics, x, optimize=True)
+        phases = grid[np.argmin(quadratic @ table.T, axis=-1)]
+        for _ in range(3):
+            phases = phases - _newton_step(quadratic, phases)
+        terms = np.einsum("bnk,nkij->bij", _basis(phases), harmonics, optimize=True)
+        values, vectors = np.linalg.eigh(constant + terms)
+        x = vectors[:, :, 0]
+    order = np.argsort(values[:, 0])
+    return np.asarray(phases[order[:_POLISHED]], dtype=np.float64)
+
+
+def _polish(constant: Array, rotors: list[_Rotor], scale: Array, phases: Array) -> Array:
+    """Gauss-Newton on |W_s R^T(phi_s) L^T x|^2: where the least value is zero, alternation only creeps to it.
+
+    The residuals are linear in x, so each step is again an eigenvector, of the sum projected off the phases' columns.
+    """
+    W = np.array([rotor.root for rotor in rotors])
+    down = np.array([rotor.mount.T * scale[None, :] for rotor in rotors])
+    values, x = _lowest(constant, _residual(W, down, phases, 0))
+    for _ in range(_STEPS):
+        rows, slopes = _residual(W, down, phases, 0), _residual(W, down, phases, 1)
+        a = np.einsum("bnij,bj->bni", slopes, x)
+        square = np.einsum("bni,bni->bn", a, a)
+        inverse = np.divide(1.0, square, out=np.zeros_like(square), where=square > 1e-12)
+        along = np.einsum("bni,bnij->bnj", a, rows) * np.sqrt(inverse)[..., None]
+        projected = np.einsum("bnki,bnkj->bij", rows, rows) - np.einsum("bni,bnj->bij", along, along)
+        y = np.linalg.eigh(constant + projected)[1][:, :, 0]
+        step = np.einsum("bni,bnij,bj->bn", a, rows, y, optimize=True) * inverse
+        step *= np.sign(np.einsum("bi,bi->b", x, y))[:, None]
+        trial = phases - np.clip(step, -0.5, 0.5)
+        trial_values, trial_x = _lowest(constant, _residual(W, down, trial, 0))
+        better = trial_values < values
+        phases = np.where(better[:, None], trial, phases)
+        x = np.where(better[:, None], trial_x, x)
+        values = np.where(better, trial_values, values)
+    return phases
+
+
+def _residual(W: Array, down: Array, phases: Array, derivative: int) -> Array:
+    """W_s R^T(phi_s) L^T (starts, N, 6, 6), or its derivative by the phase."""
+    c, s = np.cos(phases), np.sin(phases)
+    turn = np.zeros((*phases.shape, 6, 6))
+    if derivative:
+        c, s = -s, c
+    for block in (0, 3):
+        turn[..., block, block] = 0.0 if derivative else 1.0
+        turn[..., block + 1, block + 1] = turn[..., block + 2, block + 2] = c
+        turn[..., block + 1, block + 2], turn[..., block + 2, block + 1] = s, -s
+    return np.asarray(W @ turn @ down, dtype=np.float64)
+
+
+def _lowest(constant: Array, rows: Array) -> tuple[Array, Array]:
+    values, vectors = np.linalg.eigh(constant + np.einsum("bnki,bnkj->bij", rows, rows))
+    return values[:, 0], vectors[:, :, 0]
+
+
+def _basis(phases: Array) -> Array:
+    columns = [np.ones_like(phases), np.cos(phases), np.sin(phases), np.cos(2 * phases), np.sin(2 * phases)]
+    return np.stack(columns, axis=-1)
+
+
+def _newton_step(q: Array, phases: Array) -> Array:
+    """Newton step to the minimum of a trigonometric polynomial, at most a grid cell; zero where it is flat."""
+    c, s, c2, s2 = np.cos(phases), np.sin(phases), np.cos(2 * phases), np.sin(2 * phases)
+    slope = -q[..., 1] * s + q[..., 2] * c - 2 * q[..., 3] * s2 + 2 * q[..., 4] * c2
+    bend = -q[..., 1] * c - q[..., 2] * s - 4 * q[..., 3] * c2 - 4 * q[..., 4] * s2
+    step = np.divide(slope, bend, out=np.zeros_like(slope), where=bend > 1e-300)
+    return np.clip(step, -2 * np.pi / _GRID, 2 * np.pi / _GRID)
+
+
+def _eigenvalue(constant: Array, rotors: list[_Rotor], phases: Array, mean_scale: Array) -> float:
+    """Least eigenvalue of the full matrix at these phases, at unit diagonal and at unit mean diagonal."""
+    full = np.zeros((6 + len(rotors), 6 + len(rotors)))
+    full[:6, :6] = constant
+    for s, (rotor, phi) in enumerate(zip(rotors, phases, strict=True)):
+        L = rotor.L(float(phi))
+        full[:6, :6] += L @ rotor.Theta @ L.T
+        full[:6, 6 + s] = full[6 + s, :6] = L @ rotor.Theta[:, 3]
+        full[6 + s, 6 + s] = rotor.Theta[3, 3]
+    diagonal = np.diag(full)
+    if not (diagonal > 0).all() or not np.isfinite(full).all():
+        return -np.inf
+    own = 1.0 / np.sqrt(diagonal)
+    scales = (own, np.concatenate([mean_scale, own[6:]]))
+    return min(_least(full * scale[:, None] * scale[None, :]) for scale in scales)
+
+
+def _least(scaled: Array) -> float:
+    """Least eigenvalue of [[A, B], [B^T, E]], A 6x6: it is that of [[A, R^T], [R, E]] with B^T = Q R, or 1."""
+    if len(scaled) <= 12:
+        return float(np.linalg.eigvalsh(scaled)[0])
+    R: Array = np.asarray(np.linalg.qr(scaled[6:, :6], mode="r"), dtype=np.float64)
+    small = np.block([[scaled[:6, :6], R.T], [R, np.eye(6)]])
+    return min(1.0, float(np.linalg.eigvalsh(small)[0]))
+
+
+class _Rotor:
+    """One flywheel: constant transfer from its frame at phi_s = 0 to E1, spatial inertia, harmonics."""
+
+    def __init__(self, stand: Stand, flywheel: Flywheel) -> None:
+        mount = mount_of(stand, flywheel)
+        outer = np.eye(6) if mount is None else _transfer(*placement(mount))
+        self.mount = outer @ _transfer(*placement(flywheel))
+        self.Theta = _spatial(flywheel)
+        row = self.Theta[:, 3]
+        free = self.Theta - np.outer(row / self.Theta[3, 3], row)
+        size = np.sqrt(np.where(np.diag(self.Theta) > 0, np.diag(self.Theta), 1.0))
+        values, vectors = np.linalg.eigh(free / size[:, None] / size[None, :])
+        self.root = np.sqrt(np.maximum(values, 0.0))[:, None] * vectors.T * size[None, :]  # root^T root = free
+        phases: Array = np.arange(5, dtype=np.float64) * (2 * np.pi / 5)
+        L = [self.L(float(phi)) for phi in phases]
+        self.mean = sum((transfer @ self.Theta @ transfer.T for transfer in L), np.zeros((6, 6))) / 5
+        samples: Array = np.array([transfer @ free @ transfer.T for transfer in L])
+        # five equidistant samples determine harmonics 0, 1, 2 exactly
+        self.schur = np.linalg.solve(_basis(phases), samples.reshape(5, 36)).reshape(5, 6, 6)
+
+    def L(self, phi: float) -> Array:
+        """Transfer of wrenches from Es at phase `phi` to E1."""
+        return self.mount @ np.kron(np.eye(2), _turn(0, phi))
+
+
+def _fixed(stand: Stand) -> Array:
+    total = _spatial(stand.carrier)
+    for instrument in stand.instruments:
+        L = _transfer(*placement(instrument))
+        total = total + L @ _spatial(instrument) @ L.T
+    for added in (stand.carrier.added_mass, *(instrument.added_mass for instrument in stand.instruments)):
+        if added is not None:
+            total = total + np.array(added)
+    return total
+
+
+def _spatial(body: Carrier | Instrument | Flywheel) -> Array:
+    first = body.mass * _cross(np.array(body.center_of_mass))
+    return np.block([[body.mass * np.eye(3), -first], [first, inertia_about_origin(body)]])
+
+
+def mount_of(stand: Stand, body: Instrument | Flywheel) -> Instrument | None:
+    """The instrument that a flywheel stands on; None for what stands on the carrier."""
+    if isinstance(body, Instrument):
+        return None
+    return next((instrument for instrument in stand.instruments if instrument.name == body.mount), None)
+
+
+def placement(body: Instrument | Flywheel) -> tuple[Array, Array]:
+    """Origin of a body in the frame of its mount, m, and its axes there as columns (a flywheel's at phi_s = 0)."""
+    position = np.array(body.position)
+    if isinstance(body, Flywheel):
+        return position, _axes(body)
+    psi, theta, phi = body.angles
+    return position, _turn(2, psi) @ _turn(1, theta) @ _turn(0, phi)
+
+
+def _transfer(position: Array, C: Array) -> Array:
+    return np.block([[C, np.zeros((3, 3))], [_cross(position) @ C, C]])
+
+
+def _axes(flywheel: Flywheel) -> Array:
+    """Axes of Es at phi_s = 0 in the mount's frame, as columns."""
+    mounting = flywheel.mounting
+    if isinstance(mounting, MountingAngles):
+        return _turn(2, mounting.psi) @ _turn(1, mounting.theta) @ _turn(0, mounting.zero)
+    axis, zero = (np.array(v) / np.abs(v).max() for v in (mounting.axis, mounting.zero))
+    axis /= np.linalg.norm(axis)
+    second = zero - axis * (axis @ zero)
+    second /= np.linalg.norm(second)
+    return np.column_stack([axis, second, np.cross(axis, second)])
+
+
+def _turn(axis: int, angle: float) -> Array:
+    """Active elementary rotation C1, C2, C3 (axis 0, 1, 2)."""
+    c, s = np.cos(angle), np.sin(angle)
+    j, k = (axis + 1) % 3, (axis + 2) % 3
+    C = np.eye(3)
+    C[j, j] = C[k, k] = c
+    C[k, j], C[j, k] = s, -s
+    return C
+
+
+def _cross(a: Array) -> Array:
+    return np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a[1], a[0], 0.0]])

@@ -1,0 +1,49 @@
+"""The two identities of a stand: hashes of the canonical model, blind to comments, units, key order and line ends."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import structure
+
+
+@dataclass(frozen=True)
+class Identities:
+    """First eight hexadecimal digits of SHA-256, each.
+
+    structure   of what decides the C text
+    physics     of that and all numbers in SI
+    """
+
+    structure: str
+    physics: str
+
+
+def identities(stand: Stand) -> Identities:
+    """Both identities of `stand`."""
+    form = asdict(structure(stand))
+    numbers = asdict(stand)
+    for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
+        if not any(body["center_of_mass"]):
+            body["inertia_about"] = "origin"  # the two are one point
+    return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))
+
+
+def _digest(value: Any) -> str:
+    text = json.dumps(_canonical(value), sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    return hashlib.sha256(text.encode("ascii")).hexdigest()[:8]
+
+
+def _canonical(value: Any) -> Any:
+    if isinstance(value, float):
+        return (value + 0.0).hex()  # every bit, and one zero
+    if isinstance(value, Mapping):
+        return {key: _canonical(item) for key, item in value.items()}
+    if isinstance(value, tuple | list):
+        return [_canonical(item) for item in value]
+    return value

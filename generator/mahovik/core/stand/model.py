@@ -1,0 +1,227 @@
+"""The stand as validated raw data in SI: what the stand file says, nothing derived from it.
+
+No spatial inertia, no transfer matrix and no rotation is built here: each derivation builds its own from
+these numbers, so that an error in one cannot hide in all. All classes are frozen and hashable; vectors are
+tuples of floats, matrices tuples of rows. Lengths m, masses kg, angles rad, forces N.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Vec3 = tuple[float, float, float]
+Vec6 = tuple[float, float, float, float, float, float]
+Mat3 = tuple[Vec3, Vec3, Vec3]
+Mat6 = tuple[Vec6, Vec6, Vec6, Vec6, Vec6, Vec6]
+
+Sequence = Literal["ship", "aircraft", "euler"]
+About = Literal["origin", "center_of_mass"]
+PhaseInput = Literal["angle", "sincos"]
+
+WRENCH_LETTERS = ("X", "Y", "Z", "K", "M", "N")
+TWIST_LETTERS = ("u", "v", "w", "p", "q", "r")
+
+
+@dataclass(frozen=True)
+class Buoyancy:
+    """Archimedes force `-displaced_mass * gravity` at `center` (in the body's frame)."""
+
+    displaced_mass: float
+    center: Vec3
+
+
+@dataclass(frozen=True)
+class Factor:
+    """One factor of a hydrodynamic derivative: component 0..5 of V_r, or its magnitude."""
+
+    component: int
+    absolute: bool
+
+
+@dataclass(frozen=True)
+class DampingTerm:
+    """Hydrodynamic derivative as published: wrench component `wrench` (0..5) += value * product of the two factors."""
+
+    wrench: int
+    of: tuple[Factor, Factor]
+    value: float
+
+
+@dataclass(frozen=True)
+class Damping:
+    """Damping of one body, in its own frame, of its twist relative to the fluid V_r.
+
+    Wrench `-(linear V_r) - (quadratic (V_r |V_r|))` (product element by element) plus the sum of `terms`.
+    `None` where a matrix is absent or all zero.
+    """
+
+    linear: Mat6 | None
+    quadratic: Mat6 | None
+    terms: tuple[DampingTerm, ...]
+
+
+@dataclass(frozen=True)
+class Body:
+    """What carrier, instruments and flywheels have in common, in the body's own frame.
+
+    `inertia` is the full symmetric tensor as the file gives it, about the point named by `inertia_about`.
+    `damping` is None where nothing acts. `wrench_input`: the emitted C takes a run-time wrench on this body.
+    """
+
+    name: str
+    mass: float
+    center_of_mass: Vec3
+    inertia: Mat3
+    inertia_about: About
+    buoyancy: Buoyancy | None
+    damping: Damping | None
+    wrench_input: bool
+
+
+@dataclass(frozen=True)
+class Carrier(Body):
+    """The carrier E1 (its `name` is "carrier"). `added_mass` about O1 in E1 axes; None where absent or zero."""
+
+    added_mass: Mat6 | None
+
+
+@dataclass(frozen=True)
+class Instrument(Body):
+    """A body Ep fixed on the carrier: origin Op in E1, axes C3(psi) C2(theta) C1(phi).
+
+    `added_mass` is about O1 in E1 axes, as for the carrier.
+    """
+
+    position: Vec3
+    angles: Vec3
+    added_mass: Mat6 | None
+
+
+@dataclass(frozen=True)
+class MountingAngles:
+    """Mounting of a flywheel by angles: C3(psi) C2(theta) C1(zero + phi_s)."""
+
+    psi: float
+    theta: float
+    zero: float
+
+
+@dataclass(frozen=True)
+class MountingAxes:
+    """Mounting of a flywheel by directions in the mount's frame, of any length.
+
+    `axis`: spin axis (first axis of Es); `zero`: its part across the axis is the second axis of Es at phi_s = 0.
+    """
+
+    axis: Vec3
+    zero: Vec3
+
+
+@dataclass(frozen=True)
+class Motor:
+    """Drive of a flywheel; acts in simulation only. None: no limit, or not known."""
+
+    torque: float | None
+    speed: float | None
+    constant: float | None
+    resistance: float | None
+    supply: float | None
+    viscous: float
+    coulomb: float
+    coulomb_speed: float
+
+
+@dataclass(frozen=True)
+class Encoder:
+    """Encoder of a flywheel: counts a turn (with sign), count at phi_s = 0, latency in s."""
+
+    counts: int
+    zero: float
+    latency: float
+
+
+@dataclass(frozen=True)
+class Flywheel(Body):
+    """A flywheel Es: origin Os in the frame of its mount, spinning about its own first axis.
+
+    `inverse_weight` is its weight in the norm of phi'' that `inverse` makes least, 1 by default.
+    """
+
+    mount: str
+    position: Vec3
+    mounting: MountingAngles | MountingAxes
+    motor: Motor | None
+    encoder: Encoder | None
+    inverse_weight: float = 1.0
+
+
+@dataclass(frozen=True)
+class Suspension:
+    """Suspension of the carrier to E0: wrench `-(stiffness x + damping V)` at O1 in E1 axes.
+
+    `x = (C^T (O1 - position), rotation vector of C_eq^T C)`; `angles` give C_eq in the stand's sequence.
+    """
+
+    stiffness: Mat6
+    damping: Mat6
+    position: Vec3
+    angles: Vec3
+
+
+@dataclass(frozen=True)
+class Leg:
+    """Spring-damper between a point of E0 (`ground`) and one of E1 (`carrier`); `length` is unstretched."""
+
+    ground: Vec3
+    carrier: Vec3
+    length: float
+    stiffness: float
+    damping: float
+
+
+@dataclass(frozen=True)
+class Point:
+    """A sensor or place of interest on the carrier or an instrument; axes C3(psi) C2(theta) C1(phi)."""
+
+    name: str
+    mount: str
+    position: Vec3
+    angles: Vec3
+
+
+@dataclass(frozen=True)
+class Stand:
+    """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
+
+    `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
+    """
+
+    name: str
+    angles: Sequence
+    gravity: Vec3
+    stream: Vec3 | None
+    carrier: Carrier
+    suspension: Suspension | None
+    legs: tuple[Leg, ...]
+    instruments: tuple[Instrument, ...]
+    flywheels: tuple[Flywheel, ...]
+    points: tuple[Point, ...]
+    phase_input: PhaseInput = "angle"
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """Carrier, instruments, flywheels, in this order."""
+        return (self.carrier, *self.instruments, *self.flywheels)
+
+    def __repr__(self) -> str:
+        from mahovik.core.stand.identity import identities
+
+        parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}
+        counts = ", ".join(f"{len(all_)} {noun}{'' if len(all_) == 1 else 's'}" for noun, all_ in parts.items() if all_)
+        return f"<Stand {self.name}: {counts or 'a rigid body'}; physics {identities(self).physics}>"
+
+    def _repr_html_(self) -> str:
+        from mahovik.core.stand.notebook import bodies
+
+        return bodies(self)

@@ -1,0 +1,131 @@
+"""What a body and a whole stand must obey to be physical; its own code, shared with no derivation."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
+from mahovik.core.stand.problems import Problems
+
+Array = NDArray[np.float64]
+
+LEAST_EIGENVALUE = 1e-12  # stand.md
+RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
+
+
+def inertia_about_center(body: Body) -> Array:
+    """Tensor about the centre of mass, kg m2, in the body's axes (parallel axis theorem)."""
+    given = np.array(body.inertia)
+    return given if body.inertia_about == "center_of_mass" else given - _steiner(body)
+
+
+def inertia_about_origin(body: Body) -> Array:
+    """Tensor about the origin of the body's frame, kg m2."""
+    given = np.array(body.inertia)
+    return given if body.inertia_about == "origin" else given + _steiner(body)
+
+
+def _steiner(body: Body) -> Array:
+    c = np.array(body.center_of_mass)
+    shift: Array = body.mass * (c @ c * np.eye(3) - np.outer(c, c))
+    return shift
+
+
+LARGEST = 1e15
+"""SI; mass properties and lengths up to here are taken by the emitted C (MAX_PARAMETER)."""
+
+
+def check_size(body: Body, where: str, problems: Problems) -> bool:
+    """Note a number of a body that is beyond what the emitted C takes. Whether all are within."""
+    given: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
+    if body.buoyancy is not None:
+        given |= {"displaced_mass": body.buoyancy.displaced_mass, "center": body.buoyancy.center}
+    if isinstance(body, Instrument | Flywheel):
+        given["position"] = body.position
+    if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
+        given["added_mass"] = body.added_mass
+    for key, value in given.items():
+        largest = float(np.abs(np.array(value)).max())
+        if largest > LARGEST:
+            problems.add(
+                where, key, f"{largest:.6g} is beyond the range of the emitted C, expected at most {LARGEST:g}"
+            )
+            return False
+    return True
+
+
+def check_body(body: Body, where: str, problems: Problems) -> None:
+    """Note what is unphysical in one body."""
+    if not check_size(body, where, problems):
+        return
+    with np.errstate(all="ignore"):  # overflow is caught by isfinite
+        central, at_origin = inertia_about_center(body), inertia_about_origin(body)
+    if not (np.isfinite(central).all() and np.isfinite(at_origin).all()):
+        problems.add(where, "inertia", "overflows double precision when moved between origin and centre of mass")
+        return
+    scale = max(float(np.abs(np.array(body.inertia)).max()), float(np.abs(central).max()))
+    if scale > 0.0:
+        a, b, c = np.linalg.eigvalsh(central / scale) * scale
+        if a < -RELATIVE * scale:
+            problems.add(
+                where,
+                "inertia",
+                f"Theta is not positive semidefinite, a principal moment about the centre of mass is {a:.6g}",
+            )
+        elif a + b < c - RELATIVE * scale:
+            problems.add(
+                where,
+                "inertia",
+                "principal moments about the centre of mass break the triangle inequality, "
+                f"{a:.12g} + {b:.12g} < {c:.12g}",
+            )
+    if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
+        problems.add(
+            where, "inertia", f"a flywheel needs inertia about its own axis, J11 at the origin is {at_origin[0, 0]:.6g}"
+        )
+    if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
+        _check_added_mass(np.array(body.added_mass), where, problems)
+
+
+def _check_added_mass(added: Array, where: str, problems: Problems) -> None:
+    diagonal = np.diag(added)
+    if (diagonal < 0).any():
+        i = int(np.argmin(diagonal))
+        problems.add(where, "added_mass", f"not positive semidefinite, [{i}][{i}] = {diagonal[i]:.6g}")
+        return
+    for i, j in zip(*np.nonzero(added), strict=True):
+        if not diagonal[i] > 0:
+            reason = f"not positive semidefinite, [{i}][{i}] = 0 but [{i}][{j}] = {added[i, j]:.6g}"
+            problems.add(where, "added_mass", reason)
+            return
+    # unit diagonal first: kg and kg m2 have no common size
+    root = np.where(diagonal > 0, np.sqrt(diagonal), 1.0)
+    least = np.linalg.eigvalsh(added / root[:, None] / root[None, :])[0]
+    if least < -RELATIVE:
+        problems.add(where, "added_mass", f"not positive semidefinite, least eigenvalue at unit diagonal {least:.6g}")
+
+
+def check_stand(stand: Stand, problems: Problems) -> None:
+    """Note what is unphysical in the stand as a whole; every body has passed `check_body`."""
+    if not sum(body.mass for body in stand.bodies) > 0.0:
+        problems.add("total mass is zero: there is no centre of mass")
+        return
+    from mahovik.core.stand.definite import least_eigenvalue
+
+    with np.errstate(all="ignore"):  # numbers near the ends of double precision
+        try:
+            least, phases = least_eigenvalue(stand)
+        except np.linalg.LinAlgError:
+            least, phases = -np.inf, ()
+    if least >= LEAST_EIGENVALUE:
+        return
+    if np.isfinite(least):
+        at = ", ".join(f"{f.name} = {phi:.4g}" for f, phi in zip(stand.flywheels, phases, strict=True))
+        found = f"the eigenvalue {least:.3g}{' at phases ' + at if at else ''}"
+    else:
+        found = "a zero on its diagonal, or overflows"
+    problems.add(
+        f"mass matrix of the whole stand, scaled to unit diagonal, has {found}, "
+        f"expected eigenvalues of at least {LEAST_EIGENVALUE:g}: some motion has no inertia"
+    )

@@ -1,0 +1,124 @@
+"""Random states of a stand, ordinary and extreme, from a seeded generator."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.state import Quaternion, State, rest_state
+
+Array = NDArray[np.floating[Any]]
+
+EXTREMES = (
+    "rest",
+    "quarter_phases",
+    "huge_phases",
+    "fast",
+    "half_turn",
+    "near_singular",
+    "tiny",
+    "limits",
+)
+"""Kinds of extreme state: all zero; phases at multiples of pi/2; phases to the accepted limit; flywheels and
+carrier very fast; attitudes with quaternion w = 0; attitude angles near, not at, their singularity; subnormal and
+tiny numbers; every input near the accepted range at once."""
+
+
+def random_state(stand: Stand, rng: np.random.Generator, extreme: bool = False, phase_limit: float = 1e7) -> State:
+    """A random state with inputs; run-time wrenches on the bodies that take one (`wrench_input`).
+
+    `extreme`: of a kind drawn from EXTREMES. `phase_limit`: largest |phi| of huge phases (float builds take 1e3).
+    """
+    if extreme:
+        return extreme_state(stand, rng, EXTREMES[int(rng.integers(len(EXTREMES)))], phase_limit)
+    N = len(stand.flywheels)
+    angles, quaternion = _attitude(stand, rng)
+    return State(
+        position=cast(Vec3, _tuple(rng.normal(size=3))),
+        angles=angles,
+        quaternion=quaternion,
+        V=cast(Vec6, _tuple(rng.normal(size=6) * [1, 1, 1, 2, 2, 2])),
+        phi=_tuple(rng.uniform(-math.pi, math.pi, N)),
+        phi_dot=_tuple(rng.normal(size=N) * 100),
+        phi_ddot=_tuple(rng.normal(size=N) * 300),
+        V_dot=cast(Vec6, _tuple(rng.normal(size=6) * [5, 5, 5, 20, 20, 20])),
+        tau=_tuple(rng.normal(size=N)),
+        wrench=MappingProxyType(
+            {body.name: cast(Vec6, _tuple(rng.normal(size=6) * 5)) for body in stand.bodies if body.wrench_input}
+        ),
+    )
+
+
+def extreme_state(
+    stand: Stand, rng: np.random.Generator, kind: str, phase_limit: float = 1e7, least_exponent: float = -310
+) -> State:
+    """An extreme state of one of the kinds EXTREMES names; what the kind does not concern is ordinary.
+
+    `least_exponent`: decimal, of tiny numbers; subnormal ones are among them.
+    """
+    if kind == "rest":
+        return rest_state(stand)
+    state = random_state(stand, rng)
+    N = len(stand.flywheels)
+    if kind == "quarter_phases":
+        return replace(state, phi=_tuple(rng.integers(-8, 9, N) * (math.pi / 2)))
+    if kind == "huge_phases":
+        return replace(state, phi=_tuple(rng.uniform(0.5, 1.0, N) * rng.choice([-1.0, 1.0], N) * phase_limit))
+    if kind == "fast":
+        speeds = rng.uniform(0.3, 1.0, N) * rng.choice([-1.0, 1.0], N) * 1e5
+        turning = rng.normal(size=6) * [30, 30, 30, 300, 300, 300]
+        return replace(state, V=cast(Vec6, _tuple(turning)), phi_dot=_tuple(speeds))
+    if kind == "half_turn":
+        axis = rng.normal(size=3) if rng.random() < 0.5 else np.eye(3)[int(rng.integers(3))]
+        x, y, z = axis / np.linalg.norm(axis)
+        return replace(state, angles=None, quaternion=(0.0, float(x), float(y), float(z)))
+    if kind == "near_singular":
+        off = 10.0 ** rng.uniform(-5, -2) * rng.choice([-1.0, 1.0])  # the limit is 1e-6
+        singular = rng.choice([0.0, math.pi]) if stand.angles == "euler" else rng.choice([-0.5, 0.5]) * math.pi
+        psi, phi = rng.uniform(-3, 3, 2)
+        return replace(state, angles=(float(psi), float(singular + off), float(phi)), quaternion=None)
+    if kind == "tiny":
+        scale = 10.0 ** rng.uniform(least_exponent, least_exponent / 31)
+        return replace(
+            state,
+            position=cast(Vec3, _tuple(np.array(state.position) * scale)),
+            V=cast(Vec6, _tuple(np.array(state.V) * scale)),
+            phi=_tuple(np.array(state.phi) * scale),
+            phi_dot=_tuple(np.array(state.phi_dot) * scale),
+        )
+    if kind == "limits":
+        sign = rng.choice([-1.0, 1.0], 6)
+        return replace(
+            state,
+            position=cast(Vec3, _tuple(rng.choice([-1.0, 1.0], 3) * 1e6)),
+            V=cast(Vec6, _tuple(sign * [1e4, 1e4, 1e4, 1e5, 1e5, 1e5])),
+            phi=_tuple(rng.choice([-1.0, 1.0], N) * phase_limit),
+            phi_dot=_tuple(rng.choice([-1.0, 1.0], N) * 1e5),
+            phi_ddot=_tuple(rng.choice([-1.0, 1.0], N) * 1e9),
+            V_dot=cast(Vec6, _tuple(sign * 1e9)),
+            tau=_tuple(rng.choice([-1.0, 1.0], N) * 1e9),
+        )
+    raise ValueError(f"no extreme state of kind {kind!r}")
+
+
+def _attitude(stand: Stand, rng: np.random.Generator) -> tuple[Vec3 | None, Quaternion | None]:
+    """Angles well off their singularity, or a quaternion of any attitude."""
+    if rng.random() < 0.5:
+        psi, phi = rng.uniform(-math.pi, math.pi, 2)
+        theta = rng.uniform(-1.2, 1.2)
+        if stand.angles == "euler":
+            theta = (theta + 0.5 * math.pi) * rng.choice([-1.0, 1.0])
+        return (float(psi), float(theta), float(phi)), None
+    q = rng.normal(size=4)
+    q /= np.linalg.norm(q)
+    return None, cast(Quaternion, _tuple(q))
+
+
+def _tuple(values: Array) -> tuple[float, ...]:
+    return tuple(float(x) for x in values)

@@ -1,0 +1,206 @@
+"""Stand file -> Stand. Every problem of the file is found before any is reported."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+
+from mahovik.core.stand import build, physical
+from mahovik.core.stand.content import readable
+from mahovik.core.stand.model import Flywheel, Instrument, Leg, Point, Stand
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.schema import (
+    CarrierTable,
+    FlywheelTable,
+    Header,
+    InstrumentTable,
+    LegTable,
+    PointTable,
+    SuspensionTable,
+    Table,
+)
+from mahovik.core.stand.toml import parse
+from mahovik.core.stand.units import show
+from mahovik.errors import StandError
+from mahovik.nearest import alike, meant, nearest
+
+AnyTable = TypeVar("AnyTable", bound=Table)
+
+_CHECKED = {
+    "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
+    "axis", "zero", "angles",
+}  # fmt: skip
+_TABLES = ("carrier", "suspension")
+_ARRAYS: dict[str, type[Table]] = {
+    "leg": LegTable,
+    "instrument": InstrumentTable,
+    "flywheel": FlywheelTable,
+    "point": PointTable,
+}
+
+
+def load(path: str | Path) -> Stand:
+    """Read and check the stand file at `path`. Raises StandError with every problem found."""
+    path = Path(path)
+
+    def neighbour() -> str:
+        best = alike(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
+        return "" if best is None else f', did you mean "{path.with_name(f"{best}.toml")}"?'
+
+    try:
+        found = readable(path, "a stand file (TOML)", neighbour)
+    except ValueError as error:
+        raise StandError([str(error)]) from None
+    try:
+        text = found.decode("utf-8-sig")  # Windows editors write a byte order mark
+    except UnicodeDecodeError as error:
+        line = found.count(b"\n", 0, error.start) + 1
+        raise StandError([f"{path.name}: not UTF-8, byte 0x{found[error.start]:02x} in line {line}"]) from None
+    return loads(text, path.name)
+
+
+def loads(text: str, source: str = "stand") -> Stand:
+    """Read and check a stand given as text; `source` names it in messages. Raises StandError."""
+    try:
+        document = parse(text)
+    except (RecursionError, ValueError) as error:
+        raise StandError([f"{source}: not TOML: {error}"]) from None
+    return read(document, source)
+
+
+def read(document: dict[str, Any], source: str) -> Stand:
+    """Check a parsed stand file (floats as Decimal) and make a Stand of it. Raises StandError."""
+    problems = Problems(source)
+    header = _header(document, problems)
+    if any(line.endswith("this version reads schema 1") for line in problems.lines):
+        raise StandError([line for line in problems.lines if "schema" in line])  # all else would be noise
+
+    carrier_table = _table(problems, document, "carrier", CarrierTable)
+    if "carrier" not in document:
+        problems.add("carrier", "required, but missing")
+    suspension_table = _table(problems, document, "suspension", SuspensionTable)
+    leg_tables = _array(problems, document, "leg", LegTable)
+    instrument_tables = _array(problems, document, "instrument", InstrumentTable)
+    flywheel_tables = _array(problems, document, "flywheel", FlywheelTable)
+    point_tables = _array(problems, document, "point", PointTable)
+    _check_names(problems, document)
+    if header is not None and header.phase_input != "angle" and not document.get("flywheel"):
+        problems.add("phase_input", f"{show(header.phase_input)} says how phases are given, but there is no flywheel")
+
+    carrier = build.carrier(carrier_table, problems) if carrier_table else None
+    legs: list[Leg] = [build.leg(table) for _, table in leg_tables]
+    instruments: list[Instrument] = [build.instrument(table, where, problems) for where, table in instrument_tables]
+    wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
+    flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
+    points: list[Point] = [build.point(table) for _, table in point_tables]
+    if carrier is not None:
+        physical.check_body(carrier, "carrier", problems)
+    for instrument in instruments:
+        physical.check_body(instrument, f'instrument "{instrument.name}"', problems)
+    for flywheel in flywheels:
+        physical.check_body(flywheel, f'flywheel "{flywheel.name}"', problems)
+
+    if problems.lines or header is None or carrier is None:
+        raise StandError(problems.lines)
+    stand = Stand(
+        name=header.name,
+        angles=header.angles,
+        gravity=header.gravity,
+        stream=header.stream,
+        carrier=carrier,
+        suspension=build.suspension(suspension_table) if suspension_table else None,
+        legs=tuple(legs),
+        instruments=tuple(instruments),
+        flywheels=tuple(flywheels),
+        points=tuple(points),
+        phase_input=header.phase_input,
+    )
+    physical.check_stand(stand, problems)
+    if problems.lines:
+        raise StandError(problems.lines)
+    return stand
+
+
+def _header(document: dict[str, Any], problems: Problems) -> Header | None:
+    known = [*(info.alias or name for name, info in Header.model_fields.items()), *_TABLES, *_ARRAYS]
+    own = {key: value for key, value in document.items() if key in known and key not in (*_TABLES, *_ARRAYS)}
+    for key in document:
+        if key not in known:
+            problems.add(f"unknown key {show(key)}{meant(key, known)}")
+    return _validate(problems, "", Header, own)
+
+
+def _validate(problems: Problems, where: str, table: type[AnyTable], raw: Any) -> AnyTable | None:
+    try:
+        return table.model_validate(raw)
+    except ValidationError as error:
+        problems.add_schema_errors(where, table, error)
+        return _readable(table, raw, error)
+
+
+def _readable(table: type[AnyTable], raw: Any, error: ValidationError) -> AnyTable | None:
+    """What is left without the keys that cannot be read, so that what is unphysical in it is told as well.
+
+    None where a bad key says, or may be meant to say, what the checks of a body take.
+    """
+    locations = [item["loc"] for item in error.errors(include_url=False)]
+    bad = {str(location[0]) for location in locations if location}
+    known = [info.alias or name for name, info in table.model_fields.items()]
+    meant = {nearest(key, known) for key in bad}
+    if not isinstance(raw, dict) or not all(locations) or meant & _CHECKED:
+        return None
+    try:
+        return table.model_validate({key: value for key, value in raw.items() if key not in bad})
+    except ValidationError:
+        return None
+
+
+def _table(problems: Problems, document: dict[str, Any], key: str, table: type[AnyTable]) -> AnyTable | None:
+    return _validate(problems, key, table, document[key]) if key in document else None
+
+
+def _array(problems: Problems, document: dict[str, Any], key: str, table: type[AnyTable]) -> list[tuple[str, AnyTable]]:
+    """The valid tables of an array, each with the words that name it."""
+    raw = document.get(key, [])
+    if not isinstance(raw, list):
+        problems.add(key, f"expected an array of tables, [[{key}]], found {show(raw)}")
+        return []
+    found = []
+    for i, item in enumerate(raw):
+        name = item.get("name") if isinstance(item, dict) else None
+        where = f"{key} {show(name)}" if isinstance(name, str) else f"{key}[{i}]"
+        valid = _validate(problems, where, table, item)
+        if valid is not None:
+            found.append((where, valid))
+    return found
+
+
+def _named(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:
+    raw = document.get(key, [])
+    tables = [item for item in raw if isinstance(item, dict)] if isinstance(raw, list) else []
+    return [(item["name"], item) for item in tables if isinstance(item.get("name"), str)]
+
+
+def _check_names(problems: Problems, document: dict[str, Any]) -> None:
+    """No two bodies or points of one name; every mount is the carrier or an instrument."""
+    taken = {"carrier": "the carrier"}
+    for key in ("instrument", "flywheel", "point"):
+        for name, _ in _named(document, key):
+            if name in taken:
+                problems.add(f"{key} {show(name)}", "name", f"taken by {taken[name]}")
+            else:
+                taken[name] = f"{'an' if key == 'instrument' else 'a'} {key}"
+    mounts = ["carrier", *(name for name, _ in _named(document, "instrument"))]
+    flywheels = {name for name, _ in _named(document, "flywheel")}
+    for key in ("flywheel", "point"):
+        for name, item in _named(document, key):
+            mount = item.get("mount", "carrier")
+            if not isinstance(mount, str) or mount in mounts:
+                continue
+            if mount in flywheels:
+                reason = f'{show(mount)} is a flywheel, expected "carrier" or an instrument'
+            else:
+                reason = f"unknown {show(mount)}{meant(mount, mounts)}"
+            problems.add(f"{key} {show(name)}", "mount", reason)

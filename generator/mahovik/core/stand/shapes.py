@@ -1,0 +1,104 @@
+"""Vectors and matrices of a stand file: lists of quantities in the spellings that stand.md allows, checked as read."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from mahovik.core.stand.model import Mat3, Mat6, Vec3
+from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number, show, split_value_unit
+
+Blocks = tuple[tuple[Dimension, Dimension], tuple[Dimension, Dimension]]
+"""Dimensions of a 6x6 by its four 3x3 blocks: (force, moment) rows by (linear, angular) columns."""
+
+
+def vector(raw: Any, lengths: tuple[int, ...], dimension: Dimension, unit: str | None = None) -> tuple[float, ...]:
+    """A list of as many numbers as one of `lengths` says. Raises QuantityError."""
+    if isinstance(raw, dict):
+        value, unit = split_value_unit(raw, unit)
+        return vector(value, lengths, dimension, unit)
+    wanted = " or ".join(str(n) for n in lengths)
+    if not isinstance(raw, list):
+        raise QuantityError(f"expected {wanted} numbers, found {show(raw)}")
+    if len(raw) not in lengths:
+        raise QuantityError(f"expected {wanted} numbers, found {len(raw)}")
+    return tuple(_element(item, dimension, unit, f"[{i}]") for i, item in enumerate(raw))
+
+
+def vec3(raw: Any, dimension: Dimension) -> Vec3:
+    """Three numbers."""
+    return cast(Vec3, vector(raw, (3,), dimension))
+
+
+def direction(raw: Any) -> Vec3:
+    """A direction of any length but zero, without unit."""
+    found = vec3(raw, PLAIN)
+    if not any(found):
+        raise QuantityError("[0, 0, 0] has no direction")
+    return found
+
+
+def symmetric3(raw: Any, dimension: Dimension, unit: str | None = None) -> Mat3:
+    """A symmetric 3x3, or the three numbers of its diagonal. Raises QuantityError."""
+    if isinstance(raw, dict):
+        value, unit = split_value_unit(raw, unit)
+        return symmetric3(value, dimension, unit)
+    if not isinstance(raw, list) or len(raw) != 3:
+        found = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected three rows of three numbers, or a diagonal of three, found {found}")
+    if not any(isinstance(item, list) for item in raw):
+        return cast(Mat3, _diagonal(vector(raw, (3,), dimension, unit)))
+    rows = tuple(_row(row, 3, (dimension,) * 3, unit, i) for i, row in enumerate(raw))
+    _check_symmetric(rows)
+    return cast(Mat3, rows)
+
+
+def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None:
+    """A 6x6, or the six numbers of its diagonal; None where all are zero. Raises QuantityError.
+
+    The four blocks differ in unit, so one unit for all is refused; an element may have its own.
+    """
+    if isinstance(raw, dict):
+        raise QuantityError("a 6x6 mixes units (metres and radians), so it takes no unit for all: write SI numbers")
+    if not isinstance(raw, list) or len(raw) != 6:
+        found = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected six rows of six numbers, or a diagonal of six, found {found}")
+    if not any(isinstance(item, list) for item in raw):
+        numbers = tuple(_element(raw[i], blocks[i // 3][i // 3], None, f"[{i}]") for i in range(6))
+        rows = _diagonal(numbers)
+    else:
+        rows = tuple(
+            _row(row, 6, tuple(blocks[i // 3][j // 3] for j in range(6)), None, i) for i, row in enumerate(raw)
+        )
+    if symmetric:
+        _check_symmetric(rows)
+    return cast(Mat6, rows) if any(any(row) for row in rows) else None
+
+
+def _element(raw: Any, dimension: Dimension, unit: str | None, where: str) -> float:
+    try:
+        return number(raw, dimension, unit)
+    except QuantityError as error:
+        raise QuantityError(f"{where}: {error}") from None
+
+
+def _row(raw: Any, length: int, dimensions: tuple[Dimension, ...], unit: str | None, i: int) -> tuple[float, ...]:
+    if isinstance(raw, dict) and len(set(dimensions)) == 1:
+        try:
+            raw, unit = split_value_unit(raw, unit)
+        except QuantityError as error:
+            raise QuantityError(f"[{i}]: {error}") from None
+    if not isinstance(raw, list) or len(raw) != length:
+        found = f"{len(raw)}" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"[{i}]: expected {length} numbers, found {found}")
+    return tuple(_element(raw[j], dimensions[j], unit, f"[{i}][{j}]") for j in range(length))
+
+
+def _diagonal(numbers: tuple[float, ...]) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(x if i == j else 0.0 for j in range(len(numbers))) for i, x in enumerate(numbers))
+
+
+def _check_symmetric(rows: tuple[tuple[float, ...], ...]) -> None:
+    for i, row in enumerate(rows):
+        for j in range(i):
+            if rows[j][i] != row[j]:
+                raise QuantityError(f"not symmetric, [{j}][{i}] = {rows[j][i]:.17g} but [{i}][{j}] = {row[j]:.17g}")

@@ -1,0 +1,207 @@
+"""Numbers of a stand file in SI, exactly: a value is rational until it is rounded, once, to a float.
+
+So `"1.1 mm"` is the same float as `0.0011`, and no identity or generated file depends on how a unit was spelled.
+pint is imported only where a unit is not a usual one: its registry takes half a second to start.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from mahovik.core.stand.usual_units import UNITS, usual
+from mahovik.nearest import meant
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """What a key measures: in words for messages, and its SI unit as pint reads it ("" for a plain number).
+
+    Radians count: an angle takes degrees but no `mm/m`, a speed takes rpm but no Hz (50 Hz is not 50 rad/s).
+    Elsewhere `rad` may be left out, as in N m for N m/rad; `radians` are further powers of it that mean the same.
+    """
+
+    words: str
+    si: str
+    radians: tuple[int, ...] = ()
+
+
+MASS = Dimension("a mass", "kg")
+LENGTH = Dimension("a length", "m")
+ANGLE = Dimension("an angle", "rad")
+TIME = Dimension("a time", "s")
+INERTIA = Dimension("a moment of inertia", "kg m^2")
+VELOCITY = Dimension("a velocity", "m/s")
+ACCELERATION = Dimension("an acceleration", "m/s^2")
+SPEED = Dimension("an angular speed", "rad/s")
+TORQUE = Dimension("a torque", "N m")
+STIFFNESS = Dimension("a stiffness", "N/m")
+LINEAR_DAMPING = Dimension("a damping", "N s/m")
+STATIC_UNBALANCE = Dimension("a static unbalance", "kg m")
+DYNAMIC_UNBALANCE = Dimension("a dynamic unbalance", "kg m^2")
+TORQUE_CONSTANT = Dimension("a torque constant", "N m/A", radians=(-1,))  # V s/rad is the same unit
+RESISTANCE = Dimension("a resistance", "ohm")
+VOLTAGE = Dimension("a voltage", "V")
+VISCOUS = Dimension("a viscous friction", "N m s/rad")
+PLAIN = Dimension("a plain number", "")
+
+
+class QuantityError(ValueError):
+    """A value cannot be read as the quantity its key wants; the text says what was found and what was expected."""
+
+
+_QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*(.*)", re.DOTALL)
+_UNIT = re.compile(r"[A-Za-zµμΩ°%²³·*/^() \d.-]{1,60}")
+_POWER = re.compile(r"(?<=[A-Za-zµμΩ])\^?(-?\d)")
+_MAX_EXPONENT = 400  # beyond the range of a double either way: no need for an integer of a million digits
+
+
+def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
+    """One number of the file in SI. `unit`: the unit stated for a whole list; else SI, or the string's own.
+
+    `raw` is what TOML holds: int, Decimal (of a float literal), a string with unit, or `{ value, unit }`.
+    Raises QuantityError.
+    """
+    if isinstance(raw, dict):
+        value, unit = split_value_unit(raw, unit)
+        return number(value, dimension, unit)
+    if isinstance(raw, str):
+        found = _QUANTITY.fullmatch(raw.strip())
+        if found is None:
+            raise QuantityError(f"{show(raw)} is not a number with a unit, expected {_expected(dimension)}")
+        if unit is not None:
+            raise QuantityError(f"{show(raw)} has a unit of its own inside a list in {unit}")
+        if not found[2]:
+            raise QuantityError(f"{show(raw)} has no unit, write the number without quotes for SI")
+        return _round(_exact(Decimal(found[1])) * factor(found[2], dimension))
+    if isinstance(raw, bool) or not isinstance(raw, int | Decimal):
+        raise QuantityError(f"expected {_expected(dimension)}, found {show(raw)}")
+    if unit is None:
+        return _round(_exact(raw))
+    return _round(_exact(raw) * factor(unit, dimension))
+
+
+def split_value_unit(raw: dict[str, Any], outer: str | None) -> tuple[Any, str]:
+    """Value and unit of `{ value = ..., unit = "mm" }`; `outer` is the unit of an enclosing one, refused."""
+    if set(raw) != {"value", "unit"} or not isinstance(raw["unit"], str):
+        raise QuantityError(
+            f'expected {{ value = ..., unit = "..." }}, found a table of {", ".join(sorted(raw)) or "nothing"}'
+        )
+    if outer is not None:
+        raise QuantityError(f"has a unit of its own inside a list in {outer}")
+    return raw["value"], raw["unit"]
+
+
+@cache
+def factor(unit: str, dimension: Dimension) -> Fraction:
+    """How many SI units of `dimension` one `unit` is, exactly (pi to 50 digits). Raises QuantityError."""
+    ours, our_powers = _root(dimension.si)
+    theirs, their_powers = _root(unit)
+    radians, our_radians = their_powers.get("radian", 0), our_powers.get("radian", 0)
+    same = _without_radian(their_powers) == _without_radian(our_powers)
+    fitting = (our_radians,) if dimension in (ANGLE, SPEED) else (our_radians, 0, *dimension.radians)
+    if not same or radians not in fitting:
+        hint = ", a frequency is not one: write rpm or rad/s" if dimension == SPEED and same else ""
+        raise QuantityError(f"unit {show(unit)} does not fit, expected {_expected(dimension)}{hint}")
+    return theirs / ours
+
+
+def show(raw: Any) -> str:
+    """A value of the file as a message shows it: short, as TOML writes it."""
+    if isinstance(raw, bool):
+        return "true" if raw else "false"
+    if isinstance(raw, str):
+        return '"' + _short(raw).replace("\n", "\\n") + '"'
+    if isinstance(raw, dict):
+        return "a table"
+    if isinstance(raw, list):
+        return f"a list of {len(raw)}"
+    if isinstance(raw, int) and raw.bit_length() > 1000:  # Python itself refuses to print the longest
+        return f"an integer of {raw.bit_length()} bits"
+    return _short(str(raw)) if isinstance(raw, int | float | Decimal) else f"a {type(raw).__name__}"
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def _expected(dimension: Dimension) -> str:
+    return f"{dimension.words} ({dimension.si})" if dimension.si else dimension.words
+
+
+def _exact(raw: int | Decimal) -> Fraction:
+    if isinstance(raw, Decimal):
+        if not raw.is_finite():
+            raise QuantityError(f"not finite: {str(raw).lower()}")
+        if raw.adjusted() > _MAX_EXPONENT:
+            raise QuantityError(f"not finite in double precision: {show(raw)}")
+        if raw.adjusted() < -_MAX_EXPONENT:
+            return Fraction(0)
+    return Fraction(raw)
+
+
+def _round(exact: Fraction) -> float:
+    try:
+        rounded = float(exact)
+    except OverflowError:
+        rounded = math.inf
+    if math.isinf(rounded):
+        raise QuantityError("not finite in double precision")
+    return rounded + 0.0  # -0.0 becomes 0.0: the same stand has the same bits
+
+
+def _without_radian(powers: dict[str, int]) -> dict[str, int]:
+    return {name: power for name, power in powers.items() if name != "radian"}
+
+
+@cache
+def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
+    """Exact factor and powers of pint's root units (gram, meter, second, radian, ...) of a unit."""
+    if not unit:
+        return Fraction(1), {}
+    found = usual(unit)
+    if found is not None:
+        return found
+    if not _UNIT.fullmatch(unit):
+        raise QuantityError(f"{show(unit)} is not a unit")
+    registry = _registry()
+    try:
+        parsed = registry.parse_units(_POWER.sub(r"^\1", unit.replace("²", "^2").replace("³", "^3").replace("·", "*")))
+        for name in parsed._units:
+            if not registry._units[registry.get_name(name)].is_multiplicative:
+                raise QuantityError(f"unit {show(unit)} has an offset or is logarithmic")
+        scale, root = registry.get_root_units(parsed)
+    except QuantityError:
+        raise
+    except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
+        raise QuantityError(f"{show(unit)} is not a known unit{_meant(unit)}") from error
+    powers = dict(root._units.items())
+    if not all(float(power).is_integer() for power in powers.values()):
+        raise QuantityError(f"unit {show(unit)} has a power that is not whole")
+    return Fraction(scale), {name: int(power) for name, power in powers.items()}
+
+
+def _meant(unit: str) -> str:
+    """The usual unit that a single misspelt word may be; nothing for products and powers."""
+    near = meant(unit, UNITS) if unit.isalpha() else ""
+    return near if near.endswith("?") else ""
+
+
+@cache
+def _registry() -> Any:
+    import pint
+
+    registry: Any = pint.UnitRegistry(non_int_type=Fraction)
+    # as data sheets of motors and wheels write them
+    for definition in (
+        "@alias turn = rev",
+        "newton_meter = newton * meter = Nm",
+        "newton_meter_second = newton * meter * second = Nms",
+    ):
+        registry.define(definition)
+    return registry

@@ -1,0 +1,102 @@
+"""Emitted C of a stand, its batches and its arrays in one shared library of this machine, and calling it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import cffi
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.toolchain.compiler import BITS, WARNINGS, run_compiler
+from mahovik.core.toolchain.process import side_by_side
+from mahovik.errors import ToolchainError
+
+SINGLE = (*BITS, "-O2")
+"""For one state."""
+
+BATCH = (*BITS, "-O3", "-march=native")
+"""For many: with the registers of this processor, and the same bits."""
+
+_PARALLEL = "-fopenmp"
+_PLACE = ["-shared", "-fPIC"]
+
+
+_PROCESS = {"forked": False}
+
+
+def _after_fork() -> None:
+    """The threads of OpenMP stayed behind in the process that this was forked from: waiting for them would not end."""
+    _PROCESS["forked"] = True
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
+
+
+@lru_cache
+def machine(compiler: tuple[str, ...]) -> str:
+    """What the compiler says of itself and of this processor: where it is the same, so is the code it makes."""
+    return run_compiler(["-march=native", "-dM", "-E", "-x", "c", os.devnull], "no file at all", compiler)
+
+
+def build(files: Mapping[str, str], name: str, folder: Path, compiler: Sequence[str], parallel: bool) -> Path:
+    """Compiles C by file name into a shared library in `folder`; `parallel`: with OpenMP. Raises ToolchainError."""
+    for file, text in files.items():
+        (folder / file).write_text(text, encoding="ascii", newline="\n")
+    openmp = [_PARALLEL] if parallel else []
+
+    def compiled(part: str) -> str:
+        target = f"{folder / part}.o"
+        how = BATCH if part == f"{name}_batch" else SINGLE
+        run_compiler(
+            [*WARNINGS, *how, *openmp, "-fPIC", "-c", f"{folder / part}.c", "-o", target], f"{part}.c", compiler
+        )
+        return target
+
+    with side_by_side() as pool:
+        objects = list(pool.map(compiled, (f"{name}_batch", name, f"{name}_arrays")))
+    library = folder / f"{name}.so"
+    try:
+        run_compiler([*objects, *_PLACE, *openmp, "-o", str(library)], "to link", compiler)
+    except ToolchainError as error:
+        hint = "; more than one thread needs its OpenMP library (clang on Debian: apt-get install libomp-dev)"
+        raise ToolchainError(f"{error}{hint if parallel else ''}") from None
+    return library
+
+
+class ArrayLibrary:
+    """A library that `build` made. Its functions may be called from any thread; they let other threads run.
+
+    Raises ToolchainError where the file is no such library.
+    """
+
+    def __init__(self, library: Path, name: str, functions: Sequence[str], parallel: bool) -> None:
+        self._ffi = cffi.FFI()
+        lines = [f"int {name}_arrays_{f}(size_t n, void *const passed[], int status[]);" for f in functions]
+        lines += [f"void {name}_arrays_threads(int count);"] if parallel else []
+        self._ffi.cdef("\n".join(lines))
+        try:
+            loaded = self._ffi.dlopen(str(library))
+            self._calls = {f: getattr(loaded, f"{name}_arrays_{f}") for f in functions}
+            self._threads = getattr(loaded, f"{name}_arrays_threads") if parallel else None
+        except (OSError, AttributeError) as error:
+            raise ToolchainError(f"{library.name} cannot be loaded: {error}") from error
+        self._void = self._ffi.typeof("void *[]")
+
+    def call(
+        self, function: str, n: int, arrays: Sequence[NDArray[Any]], status: NDArray[np.int32], threads: int = 1
+    ) -> int:
+        """Calls a function on contiguous arrays; returns the first negative status, else 0.
+
+        In a process that was forked and runs no other program, `threads` is 1.
+        """
+        if self._threads is not None:
+            self._threads(1 if _PROCESS["forked"] else threads)
+        address = self._ffi.from_buffer
+        passed = self._ffi.new(self._void, [address(a) if a.size else self._ffi.NULL for a in arrays])
+        return int(self._calls[function](n, passed, address("int[]", status)))

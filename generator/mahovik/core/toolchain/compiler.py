@@ -1,0 +1,78 @@
+"""The host's C compiler: finding it, and building a shared library of emitted C."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+from mahovik.core.toolchain.process import run
+from mahovik.errors import NoCompilerError, ToolchainError
+
+WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+"""Every compile of emitted C uses these: a warning is an error."""
+
+BITS = ("-ffp-contract=off",)
+"""No fused multiply-add: the same bits on every processor."""
+
+FAST = ("-O3", "-march=native", "-ffp-contract=fast")
+"""C of --fast: all that this processor has. Not -ffast-math: the checks of inputs that are no numbers must hold."""
+
+CANDIDATES = ("cc", "gcc", "clang")
+
+
+def find_compiler(named: str | None = None) -> list[str]:
+    """The compiler's command: as named, else the environment's CC, else cc, gcc or clang. Raises ToolchainError.
+
+    Where nothing is named and none is there, that is a NoCompilerError.
+    """
+    chosen = (os.environ.get("CC", "") if named is None else named).strip()
+    where, remedy = ("CC=", "unset CC or name") if named is None else ("compiler ", "leave it out or name")
+    if chosen or named is not None:
+        try:
+            command = shlex.split(chosen)
+        except ValueError as error:
+            raise ToolchainError(f"{where}{chosen}: {error}") from error
+        if not command or shutil.which(command[0]) is None:
+            raise ToolchainError(f"{where}{chosen}: no such command; {remedy} an installed C compiler")
+        return command
+    for candidate in CANDIDATES:
+        if shutil.which(candidate) is not None:
+            return [candidate]
+    raise NoCompilerError("no C compiler found (cc, gcc, clang): install one, on Debian with `apt-get install gcc`")
+
+
+def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = ()) -> str:
+    """Runs the compiler and returns what it printed. Raises ToolchainError with its first complaint."""
+    command = [*(compiler or find_compiler()), *arguments]
+    try:
+        done = run(command)
+    except OSError as error:
+        raise ToolchainError(f"{command[0]} cannot be run: {error.strerror}") from error
+    if done.returncode != 0:
+        lines = done.stderr.strip().splitlines()
+        first = next((line for line in lines if "error" in line), lines[0] if lines else "no message")
+        raise ToolchainError(f"{command[0]} refused {what}: {first}")
+    return done.stdout
+
+
+def build_shared(source: Path, library: Path, optimisation: str = "-O2") -> None:
+    """Compiles one C file to a shared library. Raises ToolchainError."""
+    _build(source, library, (*BITS, optimisation))
+
+
+def build_fast(source: Path, library: Path) -> None:
+    """The same for speed on this machine: its bits are not reproducible. Raises ToolchainError."""
+    _build(source, library, FAST)
+
+
+def _build(source: Path, library: Path, how: Sequence[str]) -> None:
+    flags = [*WARNINGS, *how, "-shared", "-fPIC"]
+    run_compiler([*flags, f"-I{source.parent}", str(source), "-o", str(library)], source.name)
+
+
+def preprocess(header: Path) -> str:
+    """A header as the compiler sees it: declarations without directives. Raises ToolchainError."""
+    return run_compiler(["-std=c99", "-E", "-P", "-x", "c", str(header)], header.name)

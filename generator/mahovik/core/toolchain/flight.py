@@ -1,0 +1,31 @@
+"""A program that flies a stand under a flight recorder: to show on a board that its log is replayed bit for bit."""
+
+from __future__ import annotations
+
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.emit.templates import template
+from mahovik.core.stand.model import Stand
+from mahovik.errors import UsageError
+
+
+def flight(stand: Stand, real: str, steps: int, dt: float = 1e-3, torque: float = 0.02) -> dict[str, str]:
+    """C texts by file name for `board.build`: the stand, its recorder, and a `main` that prints the log.
+
+    Torques are drawn anew for each of `steps` steps of `dt` seconds, up to `torque` N m. Raises UsageError: a stand
+    without flywheels, or with run-time wrenches.
+    """
+    generated = generate_all(stand, real)
+    if not stand.flywheels or generated.layout.inputs:
+        raise UsageError(f'stand "{stand.name}": the flight wants flywheels, and no run-time wrenches')
+    precision = generated.program.precision
+    main = template("flight.c.j2").render(
+        name=stand.name,
+        NAME=stand.name.upper(),
+        steps=steps,
+        dt=real_literal(dt, precision),
+        torque=real_literal(torque, precision),
+        unit=real_literal(2.0**-15, precision),
+    )
+    return generated.files | recorder_files(stand, generated) | {"flight.c": main}

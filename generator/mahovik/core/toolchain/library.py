@@ -1,0 +1,134 @@
+"""Emitted C in this process: compiled, loaded by its own header, and called with plain Python data."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import cffi
+
+from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.types import Kind, Struct
+from mahovik.core.toolchain.compiler import build_fast, build_shared, preprocess
+from mahovik.errors import ToolchainError
+
+_SIZE_CHECK = re.compile(r"typedef char \w+\[\(sizeof[^;]*;")
+"""Arrays that have a size only where two headers fit: a matter of the compiler, which has seen them."""
+
+_PATTERN = b"\xa5"
+"""What results hold before a call that must not write them; no number that a stand has is made of it."""
+
+
+class Library:
+    """One stand's C, built into `scratch` from a header and a source that lie side by side; `fast`: for speed.
+
+    The declarations come from the header itself, through the compiler's preprocessor.
+    """
+
+    def __init__(self, header: Path, source: Path, scratch: Path, prefix: str, fast: bool = False) -> None:
+        target = scratch / f"{source.stem}.so"
+        (build_fast if fast else build_shared)(source, target)
+        self._prefix = prefix
+        self._ffi = cffi.FFI()
+        try:
+            # cffi reaches variables only: it takes a `const` object for a constant of the compiler.
+            text = _SIZE_CHECK.sub("", preprocess(header))
+            self._ffi.cdef(text.replace("extern const ", "extern "))
+            self._library = self._ffi.dlopen(str(target))
+        except (cffi.CDefError, OSError) as error:
+            raise ToolchainError(f"{header.name} cannot be read as declarations: {error}") from error
+
+    def has(self, function: str) -> bool:
+        """Is there a public function of that name (without prefix)?"""
+        return hasattr(self._library, f"{self._prefix}_{function}")
+
+    @property
+    def ffi(self) -> cffi.FFI:
+        """What makes and reads data of the library's types, for callers that call one function many times."""
+        return self._ffi
+
+    def function(self, name: str) -> Any:
+        """A public function by its name without prefix, to be called with data of `ffi`."""
+        return getattr(self._library, f"{self._prefix}_{name}")
+
+    def default(self, name: str) -> Any:
+        """Address of a constant of the library, such as `default`."""
+        try:
+            return self._ffi.addressof(self._library, f"{self._prefix}_{name}")
+        except AttributeError as error:
+            raise ToolchainError(f"the C has no constant {self._prefix}_{name}") from error
+
+    def value(self, function: Function, name: str) -> Any:
+        """A constant struct as plain data, by the type of the argument of that name."""
+        argument = next(a for a in function.arguments if a.name == name)
+        return self._plain(self.default("default")[0], argument.type, argument.shape)
+
+    def run(
+        self, function: Function, inputs: Mapping[str, Any], fill: float | None = None, plain: bool = True
+    ) -> tuple[int, dict[str, Any]]:
+        """Calls a public function with inputs by argument name; returns its status and its outputs as plain data.
+
+        Inputs are numbers, lists, dicts, or addresses from `default`. With `fill`, outputs hold that number
+        beforehand, so that a caller can see whether they were written; without `plain` they are not read.
+        """
+        storage = {a.name: self._storage(a, inputs.get(a.name), fill) for a in function.arguments}
+        call = getattr(self._library, f"{self._prefix}_{function.name}")
+        status = call(*storage.values())
+        outputs = {}
+        for a in function.arguments:
+            if a.direction != "in" and plain:
+                stored = storage[a.name]
+                outputs[a.name] = self._plain(stored if a.shape else stored[0], a.type, a.shape)
+        return int(status), outputs
+
+    def probe(self, function: Function, inputs: Mapping[str, Any]) -> tuple[int, bool]:
+        """Calls a public function; returns its status, and whether every byte of its results is as it was."""
+        storage = {}
+        before = {}
+        for a in function.arguments:
+            if a.direction != "out":
+                storage[a.name] = self._storage(a, inputs.get(a.name), None)
+            else:
+                count = int(a.shape[0]) if a.shape else 1
+                storage[a.name] = self._ffi.new(f"{self._c_type(a.type)}[{count}]")
+                held = self._ffi.buffer(storage[a.name])
+                held[:] = _PATTERN * len(held)
+            if a.direction != "in":
+                before[a.name] = bytes(self._ffi.buffer(storage[a.name]))
+        status = getattr(self._library, f"{self._prefix}_{function.name}")(*storage.values())
+        return int(status), all(bytes(self._ffi.buffer(storage[name])) == held for name, held in before.items())
+
+    def _storage(self, a: Argument, value: Any, fill: float | None) -> Any:
+        if isinstance(value, self._ffi.CData):
+            return value
+        if not a.shape and not a.variable.pointer:
+            return 0 if value is None else value
+        kind = self._c_type(a.type)
+        if value is None:
+            value = filled(a.type, a.shape, fill or 0.0)
+        if a.shape:
+            return self._ffi.new(f"{kind}[{int(a.shape[0])}]", value)
+        return self._ffi.new(f"{kind} *", value)
+
+    def _c_type(self, type_: Kind | Struct) -> str:
+        if isinstance(type_, Struct):
+            return f"{self._prefix}_{type_.name}"
+        return {Kind.REAL: f"{self._prefix}_real", Kind.INT: "int"}[type_]
+
+    def _plain(self, stored: Any, type_: Kind | Struct, shape: tuple[Any, ...]) -> Any:
+        if shape:
+            return [self._plain(stored[i], type_, shape[1:]) for i in range(int(shape[0]))]
+        if isinstance(type_, Struct):
+            return {f.name: self._plain(getattr(stored, f.name), f.type, f.shape) for f in type_.fields}
+        return stored
+
+
+def filled(type_: Kind | Struct, shape: tuple[Any, ...], number: float) -> Any:
+    """Plain data of a type with every number the same."""
+    if shape:
+        return [filled(type_, shape[1:], number) for _ in range(int(shape[0]))]
+    if isinstance(type_, Struct):
+        return {f.name: filled(f.type, f.shape, number) for f in type_.fields}
+    return number if type_ is Kind.REAL else int(number)

@@ -1,0 +1,138 @@
+"""Static checks of a delivered folder: warnings of two compilers, an analyser, cppcheck with its MISRA C:2012 addon.
+
+cppcheck reads the C once as it is delivered: a folder has one element type, so there is nothing to configure.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from mahovik.core.toolchain import process
+from mahovik.errors import ToolchainError
+
+WARNINGS = (
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Wundef",
+    "-Wcast-qual",
+    "-Wfloat-equal",
+    "-Werror",
+)
+"""Of both compilers: a warning is an error."""
+
+COMPILERS = ("gcc", "clang")
+
+ANALYSER = ("clang", "-std=c99", "--analyze", "--analyzer-output", "text", "-Xclang", "-analyzer-werror")
+
+CPPCHECK = (
+    "cppcheck",
+    "-q",
+    "--addon=misra",
+    "--enable=warning,portability,performance,style",
+    "--inconclusive",
+    "--std=c99",
+    "--suppress=missingIncludeSystem",
+    "--template={id}:{file}:{line}",
+)
+
+DEVIATIONS = {
+    "2.3": "a type whose only use is that it does not compile with a header of another element type",
+    "2.4": "tags of structs and enums that are used by their typedef alone",
+    "8.7": "functions of the header that no other file of the folder calls: they are the interface",
+    "8.9": "tables that one function of the recorder reads stand at the top of its file",
+    "8.14": "`restrict`: results of internal functions overlap no argument, and the compiler may know",
+    "10.1": "a bit is chosen between by `?:`, an unsigned constant shifted by an int",
+    "10.3": "the outcome of a comparison is kept as an int, 0 or 1, and chooses between reals",
+    "10.4": "statuses are or-ed as bits, an int beside an enumerator; a size beside the constant 0",
+    "10.6": "a constant of 32 bits chosen into a word of 64",
+    "10.8": "a difference of ints, in 0 to 30, as the width of a shift",
+    "12.1": "precedence of * over +, of comparison over &&: formulas as the model writes them, without more brackets",
+    "12.3": "two variables in one declaration, sine and cosine of one phase; and declarations that the addon takes for "
+    "the comma operator",
+    "13.3": "an index that is used and moved on",
+    "14.4": "a bit of a mask as a condition",
+    "15.5": "a function returns where a check fails, before anything is written",
+    "17.8": "an argument passed by value is shifted out byte by byte",
+    "19.2": "a union reads the bits of a real; defined in C99 (6.5.2.3, footnote 82)",
+}
+"""Rules of MISRA C:2012 that the emitted C does not keep, as the addon counts them, with the reason."""
+
+KNOWN = {
+    "incorrectLogicOperator": "`a > 0` or `a <= 0` is false of NaN, and that is what is asked",
+    "oppositeExpression": "the same line",
+    "variableScope": "a local array that stands before the branch which alone reads it",
+}
+"""Findings of cppcheck itself that stay, with the reason."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Where a check complains: the rule without `misra-c2012-`, or cppcheck's name of it."""
+
+    rule: str
+    file: str
+    line: int
+
+    @property
+    def listed(self) -> bool:
+        return self.rule in DEVIATIONS or self.rule in KNOWN
+
+
+def require(tool: str) -> None:
+    """Raises ToolchainError where a tool is missing."""
+    if shutil.which(tool) is None:
+        raise ToolchainError(f"no {tool}: install it, on Debian with `apt-get install {tool}`")
+
+
+def version(tool: str) -> str:
+    """`cppcheck 2.10`: name and number of a tool."""
+    require(tool)
+    done = process.run([tool, "--version"])
+    found = re.search(r"\d+(\.\d+)+", done.stdout)
+    return f"{tool} {found[0] if found else 'of unknown version'}"
+
+
+def warned(folder: Path, files: Sequence[str]) -> list[str]:
+    """What compilers and analyser say, a line a complaint; nothing where all is good."""
+    complaints = []
+    commands = [(compiler, *WARNINGS, "-O2", "-c", "-o", "/dev/null") for compiler in COMPILERS]
+    for command in [*commands, ANALYSER]:
+        require(command[0])
+        for file in files:
+            done = process.run([*command, file], folder)
+            said = [line for line in done.stderr.splitlines() if "warning:" in line or "error:" in line]
+            if done.returncode != 0 and not said:
+                said = [f"{file}: status {done.returncode}"]
+            complaints += [f"{command[0]}{' --analyze' if command is ANALYSER else ''}: {line}" for line in said]
+    return complaints
+
+
+def findings(folder: Path, files: Sequence[str]) -> list[Finding]:
+    """What cppcheck and its addon say. Raises ToolchainError where it cannot run."""
+    require("cppcheck")
+    done = process.run([*CPPCHECK, *files], folder)
+    if done.returncode != 0:
+        raise ToolchainError(f"cppcheck ended with status {done.returncode}: {(done.stdout + done.stderr).strip()}")
+    return [_finding(line) for line in done.stderr.splitlines() if line.strip()]
+
+
+def _finding(line: str) -> Finding:
+    parts = line.rsplit(":", 2)
+    if len(parts) != 3 or not parts[2].isdigit():
+        raise ToolchainError(f"cppcheck printed {line!r}, expected `rule:file:line`")
+    return Finding(parts[0].removeprefix("misra-c2012-"), parts[1], int(parts[2]))
+
+
+def counted(found: Iterable[Finding]) -> Counter[str]:
+    """How often each rule is not kept."""
+    return Counter(each.rule for each in found)

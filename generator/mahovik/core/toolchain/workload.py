@@ -1,0 +1,123 @@
+"""The program that measures a stand's public functions on a target: C text from the program as data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import dimensions
+from mahovik.core.emit.templates import template
+from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.types import Kind, Precision, Struct
+
+LONG_CALL = 100_000
+"""Instructions; a call as long is counted once: the coarsest counter is good to 50 instructions."""
+
+MANY = 50
+
+_OF_THE_STAND = {"stand": "default", "parameters": "default_parameters", "options": "default_options"}
+"""Arguments that the emitted C has constants for."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A printed line: one function on one state. `calls` of them took `instructions`; `stack` in bytes."""
+
+    function: str
+    state: int
+    status: int
+    calls: int
+    instructions: int
+    stack: int
+
+
+def workload(program: Program, states: Sequence[Mapping[str, Any]]) -> str:
+    """C that calls each public function with the arguments of each state, by argument name.
+
+    `x` and what has no constant in the emitted C comes from `states`; a function with `order` is called with 4 and 2.
+    """
+    names = Names(program.name)
+    public = [f for f in program.functions if f.public]
+    taken: dict[str, Argument] = {}
+    written: dict[str, Argument] = {}
+    for f in public:
+        for a in f.arguments:
+            if a.direction != "in":
+                written.setdefault(f"{f.name}_{a.name}", a)
+            if a.direction != "out" and a.name not in (*_OF_THE_STAND, "mounting", "order"):
+                taken.setdefault(a.name, a)
+    calls = []
+    for f in public:
+        orders = (4, 2) if any(a.name == "order" for a in f.arguments) else (0,)
+        for order in orders:
+            label = f.name if order in (0, 4) else f"{f.name}(order=2)"
+            calls.append({"label": label, "text": _call(f, names, order)})
+    return template("workload.c.j2").render(
+        name=program.name,
+        states=len(states),
+        long_call=LONG_CALL,
+        many=MANY,
+        constants=[_constant(a, states, names, program.precision) for a in taken.values()],
+        outputs=[
+            f"static {names.type(a.type)} {key}{''.join(dimensions(names, a.shape))};" for key, a in written.items()
+        ],
+        preparation=list(_preparation(public, names)),
+        calls=calls,
+    )
+
+
+def read(printed: str) -> list[Line]:
+    """The lines of a measuring program's text."""
+    found = []
+    for line in printed.splitlines():
+        name, state, sign, status, calls, instructions, stack = line.split()
+        number = -int(status) if sign == "-" else int(status)
+        found.append(Line(name, int(state), number, int(calls), int(instructions), int(stack)))
+    return found
+
+
+def _preparation(public: Sequence[Function], names: Names) -> list[str]:
+    """What functions read and write in place, filled; the table of `mounts`, made."""
+    lines = []
+    for f in public:
+        for a in f.arguments:
+            if a.direction == "inout":
+                source = names.function(_OF_THE_STAND[a.name]) if a.name in _OF_THE_STAND else f"{a.name}[0]"
+                lines.append(f"{f.name}_{a.name} = {source};")
+        if f.name == "prepare_mounts":
+            lines.append(f"(void){_call(f, names, 0)};")
+    return lines
+
+
+def _call(f: Function, names: Names, order: int) -> str:
+    passed = []
+    for a in f.arguments:
+        if a.direction != "in":
+            passed.append(f"{'' if a.shape else '&'}{f.name}_{a.name}")
+        elif a.name in _OF_THE_STAND:
+            passed.append(f"&{names.function(_OF_THE_STAND[a.name])}")
+        elif a.name == "mounting":
+            passed.append("&prepare_mounts_mounting")
+        elif a.name == "order":
+            passed.append(str(order))
+        else:
+            passed.append(f"{'&' if a.variable.pointer else ''}{a.name}[s]")
+    return f"{names.function(f.name)}({', '.join(passed)})"
+
+
+def _constant(a: Argument, states: Sequence[Mapping[str, Any]], names: Names, precision: Precision) -> str:
+    rows = [_value(a.type, a.shape, state[a.name], precision) for state in states]
+    shape = "".join(dimensions(names, a.shape))
+    return f"static const {names.type(a.type)} {a.name}[STATES]{shape} = {{\n    {f',{chr(10)}    '.join(rows)}\n}};"
+
+
+def _value(type_: Kind | Struct, shape: tuple[Any, ...], value: Any, precision: Precision) -> str:
+    if shape:
+        return f"{{ {', '.join(_value(type_, shape[1:], v, precision) for v in value)} }}"
+    if isinstance(type_, Struct):
+        members = (f".{f.name} = {_value(f.type, f.shape, value[f.name], precision)}" for f in type_.fields)
+        return f"{{ {', '.join(members)} }}"
+    return real_literal(value, precision) if type_ is Kind.REAL else str(int(value))

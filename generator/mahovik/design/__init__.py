@@ -1,8 +1,0 @@
-"""Design: positions, mountings, unbalances of flywheels chosen together with the programme, for a required motion."""
-
-from mahovik.design.designer import Wishes, design_stand
-from mahovik.design.freedom import Freedom
-from mahovik.design.outcome import Outcome
-from mahovik.design.read import freedom_of_keys, load_freedom
-
-__all__ = ["Freedom", "Outcome", "Wishes", "design_stand", "freedom_of_keys", "load_freedom"]

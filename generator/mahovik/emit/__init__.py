@@ -1,5 +1,0 @@
-"""C text of a program: the only place that knows C syntax. No mechanics here."""
-
-from mahovik.emit.generate import generate
-
-__all__ = ["generate"]

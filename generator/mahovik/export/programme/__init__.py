@@ -1,5 +1,0 @@
-"""Flywheel programmes as C: tables, drive torques, how far the tables are from the programme, the files."""
-
-from mahovik.export.programme.files import LIMITS, NODES, Exported, check_belongs, export_programme
-
-__all__ = ["LIMITS", "NODES", "Exported", "check_belongs", "export_programme"]

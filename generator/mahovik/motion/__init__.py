@@ -1,6 +1,0 @@
-"""Regimes: what drives the flywheels, and which wrenches act, in time. Files, interpolation, checks."""
-
-from mahovik.motion.read import load, loads, steady
-from mahovik.motion.regime import Driven, Regime
-
-__all__ = ["Driven", "Regime", "load", "loads", "steady"]

@@ -1,6 +1,0 @@
-"""Servos that make the flywheels follow a programme: the servo file, and what it says."""
-
-from mahovik.motion.servo.model import COORDINATES, Servo, Trim
-from mahovik.motion.servo.read import load_servo, read_servo
-
-__all__ = ["COORDINATES", "Servo", "Trim", "load_servo", "read_servo"]

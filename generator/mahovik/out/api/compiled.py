@@ -1,0 +1,143 @@
+"""A stand's C compiled for this machine, from the store or made anew, with the stand's numbers.
+
+The library is of the stand's structure. Its numbers are tables that every call takes, so that stands of one structure
+share a library.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.program.arrays import (
+    ArrayFunction,
+    filled,
+    from_plain,
+    members_from_plain,
+    members_to_plain,
+    to_plain,
+)
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import Structure, structure
+from mahovik.core.toolchain.arrays import ArrayLibrary, build
+from mahovik.core.toolchain.compiler import find_compiler
+from mahovik.errors import ToolchainError
+from mahovik.out.api import store
+
+if TYPE_CHECKING:
+    from mahovik.core.lower.layout import Layout
+    from mahovik.core.lower.values import Values
+    from mahovik.core.program.function import Program
+
+
+@dataclass(frozen=True, eq=False)
+class Compiled:
+    """The library and its functions by name.
+
+    tables    arguments that hold the numbers of the stand, as the C reads them
+    compiler  the command
+    options   of `inverse`, by the stand file; empty without flywheels
+    inputs    bodies that take a run-time wrench, in order
+    sensors   instruments and points, in order
+    """
+
+    library: ArrayLibrary
+    functions: Mapping[str, ArrayFunction]
+    tables: Mapping[str, NDArray[Any]]
+    compiler: tuple[str, ...]
+    options: Mapping[str, Any]
+    inputs: tuple[str, ...]
+    sensors: tuple[str, ...]
+
+
+def compiled(stand: Stand, real: str, element: np.dtype[Any], compiler: str | None, parallel: bool) -> Compiled:
+    """The library of a stand with its numbers. Raises ToolchainError, UsageError, StandError."""
+    command = tuple(find_compiler(compiler))
+    key, numbers_key = store.library_key(structure(stand), real, command, parallel), store.numbers_key(stand, real)
+    found = store.find(key)
+    if found is not None:
+        try:
+            numbers = store.find_numbers(numbers_key) or _kept(numbers_key, _numbers(stand, real))
+            return _loaded(stand, *found, numbers, element, command, parallel)
+        except (ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is made anew
+            pass
+    # once loaded, the library needs its file no more
+    with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
+        library, facts, numbers = _made(stand, real, command, parallel, Path(scratch))
+        store.keep(key, library, facts)
+        return _loaded(stand, library, facts, _kept(numbers_key, numbers), element, command, parallel)
+
+
+def _kept(key: str, numbers: dict[str, Any]) -> dict[str, Any]:
+    store.keep_numbers(key, numbers)
+    return numbers
+
+
+def _loaded(
+    stand: Stand,
+    library: Path,
+    facts: Mapping[str, Any],
+    numbers: Mapping[str, Any],
+    element: np.dtype[Any],
+    command: tuple[str, ...],
+    parallel: bool,
+) -> Compiled:
+    functions = from_plain(facts["functions"])
+    tables = {name: filled(members_from_plain(of), element, numbers[name]) for name, of in facts["tables"].items()}
+    return Compiled(
+        ArrayLibrary(library, stand.name, [f.name for f in functions], parallel),
+        {f.name: f for f in functions},
+        tables,
+        command,
+        numbers["options"] or {},
+        tuple(facts["inputs"]),
+        tuple(facts["sensors"]),
+    )
+
+
+def _made(
+    stand: Stand, real: str, command: tuple[str, ...], parallel: bool, scratch: Path
+) -> tuple[Path, dict[str, Any], dict[str, Any]]:
+    """Library, facts of the structure, numbers of the stand."""
+    from mahovik.core.emit.arrays import array_functions, array_source, tables
+    from mahovik.core.emit.batch import batch_files
+    from mahovik.core.emit.generate import generate_all
+
+    generated = generate_all(stand, real)
+    files = {**generated.files, **batch_files(stand, generated), **array_source(stand, generated)}
+    facts = {
+        "functions": to_plain(array_functions(generated)),
+        "tables": {name: members_to_plain(of) for name, of in tables(generated).items()},
+        "inputs": list(generated.layout.inputs),
+        "sensors": list(generated.layout.sensors),
+    }
+    return build(files, stand.name, scratch, command, parallel), facts, _plain(generated.values)
+
+
+def _numbers(stand: Stand, real: str) -> dict[str, Any]:
+    """Numbers of a stand whose library is there: nothing is printed or compiled."""
+    from mahovik.core.lower.values import Values
+
+    return _plain(Values(stand, *_lowered(structure(stand), real)))
+
+
+@lru_cache(maxsize=4)
+def _lowered(of: Structure, real: str) -> tuple[Layout, Program]:
+    """The program of a structure; in a campaign over numbers it is always the same."""
+    from mahovik.core.emit.generate import PRECISIONS
+    from mahovik.core.lower.layout import Layout
+    from mahovik.core.lower.program import lower_layout
+
+    layout = Layout(of, PRECISIONS[real])
+    return layout, lower_layout(layout)
+
+
+def _plain(values: Values) -> dict[str, Any]:
+    return {"stand": values.table, "mounting": values.mounting, "options": values.options}

@@ -1,0 +1,285 @@
+"""A stand with its compiled C: what it is, its states, and calls by the names of arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mahovik.core.program.arrays import Passed, record
+from mahovik.core.stand.model import TWIST_LETTERS, Stand
+from mahovik.errors import InputError
+from mahovik.out.api import inputs
+from mahovik.out.api.call import Caller, OnError
+from mahovik.out.api.compiled import compiled
+from mahovik.out.api.fields import Array, field
+from mahovik.out.api.inputs import Given
+from mahovik.out.api.making import attitudes, packed, wrenches
+from mahovik.out.api.results import Result
+from mahovik.out.api.states import States
+
+Real = Literal["double", "float"]
+Wrenches = Mapping[str, ArrayLike] | None
+Locks = Sequence[str] | ArrayLike
+AnyResult = TypeVar("AnyResult", bound=Result)
+
+ELEMENT: Mapping[str, np.dtype[Any]] = {"double": np.dtype(np.float64), "float": np.dtype(np.float32)}
+"""NumPy's name of each element type."""
+
+_METHODS = {"measure": "points", "attitude": "generalized"}
+"""Functions of the C that a model calls otherwise."""
+
+_PLACE = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Offered:
+    """A function of a model. `wide`: by the batch C, many states in a register; else state by state."""
+
+    name: str
+    takes: tuple[str, ...]
+    gives: tuple[str, ...]
+    wide: bool
+
+
+class Built:
+    """A stand with its compiled C: its states, and calls by the names of arguments."""
+
+    def __init__(self, stand: Stand, real: Real, compiler: str | None, threads: int) -> None:
+        """Raises ToolchainError, UsageError, StandError."""
+        self._stand = stand
+        self._real = real
+        self._given = (compiler, threads)
+        self._made = compiled(stand, real, ELEMENT[real], compiler, threads > 1)
+        self._element = ELEMENT[real]
+        self._call = Caller(stand, self._made, self._element, threads)
+        state = next(a for a in self._made.functions["forward"].arguments if a.name == "x")
+        self._state = tuple(field(m, stand, ()) for m in state.members)
+        self._components = state.components
+        self._flywheels = tuple(s.name for s in stand.flywheels)
+        self._bodies = tuple(body.name for body in stand.bodies)
+        self._labels: dict[str, tuple[str, ...]] = {
+            "V_dot": TWIST_LETTERS,
+            "angles": ("psi", "theta", "phi"),
+            "phi_ddot": self._flywheels,
+            "tau": self._flywheels,
+        }
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._stand, self._real, *self._given)
+
+    # -- what it is --------------------------------------------------------------------------------------------------
+
+    @property
+    def stand(self) -> Stand:
+        """The stand it was built of."""
+        return self._stand
+
+    @property
+    def compiler(self) -> str:
+        """Command of the compiler of its C."""
+        return " ".join(self._made.compiler)
+
+    @property
+    def flywheels(self) -> tuple[str, ...]:
+        """Names of the flywheels, in the order of all arrays."""
+        return self._flywheels
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Names of instruments and points, in the order of `points`."""
+        return self._made.sensors
+
+    @property
+    def wrenches(self) -> tuple[str, ...]:
+        """Bodies that take a run-time wrench: those with `wrench_input = true` in the stand file."""
+        return self._made.inputs
+
+    @property
+    def functions(self) -> tuple[Offered, ...]:
+        """What this stand's C offers."""
+        found = []
+        for function, f in self._made.functions.items():
+            method = _METHODS.get(function, function)
+            if method != "quaternion":
+                takes = tuple(a.name for a in f.arguments if a.direction == "in" and a.name not in self._made.tables)
+                gives = ("states",) if "step" in method else tuple(g.name for g in self._call.fields(function))
+                found.append(Offered(method, takes, gives, f.wide))
+        return tuple(found)
+
+    # -- states ------------------------------------------------------------------------------------------------------
+
+    def state(
+        self,
+        *,
+        position: ArrayLike = 0.0,
+        attitude: ArrayLike | None = None,
+        angles: ArrayLike | None = None,
+        V: Given = 0.0,
+        phi: Given = 0.0,
+        phi_dot: Given = 0.0,
+    ) -> States:
+        """One state; see `states`."""
+        x = self.states(None, position=position, attitude=attitude, angles=angles, V=V, phi=phi, phi_dot=phi_dot)
+        if x.batch is not None:
+            raise InputError(f"state: {x.batch} states given, expected one: use states")
+        return x
+
+    def states(
+        self,
+        n: int | None = None,
+        *,
+        position: ArrayLike = 0.0,
+        attitude: ArrayLike | None = None,
+        angles: ArrayLike | None = None,
+        V: Given = 0.0,
+        phi: Given = 0.0,
+        phi_dot: Given = 0.0,
+    ) -> States:
+        """States: n of them, or as many as the arrays given have; one without batch axis where none has.
+
+        position    m; of O1 in E0
+        attitude    quaternion, w first, of x0 = C x1; made unit where it is within 1e-3 of that
+        angles      rad; of the sequence of the stand, instead of `attitude`; neither: aligned with E0
+        V           m/s, rad/s; twist in E1 about O1
+        phi         rad; phases
+        phi_dot     rad/s; speeds
+
+        Raises InputError.
+        """
+        count = len(self._flywheels)
+        parts = {
+            "position": (inputs.read(position, "position", 3, _PLACE, "component"), 3),
+            "attitude": (attitudes(attitude, angles, self._quaternions), 4),
+            "V": (inputs.read(V, "V", 6, TWIST_LETTERS, "component"), 6),
+            "phi": (inputs.read(phi, "phi", count, self._flywheels, "flywheel"), count),
+            "phi_dot": (inputs.read(phi_dot, "phi_dot", count, self._flywheels, "flywheel"), count),
+        }
+        single = n is None and inputs.batch_size({name: part for name, (part, _) in parts.items()}) is None
+        return States(self._stand.name, self._state, packed(parts, n, self._element), single)
+
+    def states_of(self, array: ArrayLike) -> States:
+        """States of an array of all their numbers, (n, 13 + 2 N) or (13 + 2 N,), as `States.array` has them: a copy.
+
+        Quaternions are taken as they are: the C refuses those that are not unit within 1e-3. Raises InputError.
+        """
+        given = inputs.read(array, "states", self._components, (), "component")
+        if given.ndim == 0:
+            raise InputError(f"states: expected shape ({self._components},) or (n, {self._components}), found ()")
+        parts = {"states": (given, self._components)}
+        return States(self._stand.name, self._state, packed(parts, None, self._element), given.ndim == 1)
+
+    def _quaternions(self, angles: Array) -> Array:
+        n = len(angles) if angles.ndim == 2 else 1
+        found, _ = self._call.run("quaternion", {"angles": angles}, n, "raise")
+        return found["attitude"] if angles.ndim == 2 else found["attitude"][0]
+
+    # -- how ---------------------------------------------------------------------------------------------------------
+
+    def _result(
+        self, kind: type[AnyResult], function: str, x: Any, on_error: OnError, wrench: Wrenches, **given: Any
+    ) -> AnyResult:
+        found, status, single = self._calculated(function, x, on_error, wrench, given)
+        return kind(self._call.fields(function), found, status, single)
+
+    def _step(
+        self, function: str, x: Any, dt: float, order: int, on_error: OnError, wrench: Wrenches, **given: Any
+    ) -> States:
+        given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
+        found, _, single = self._calculated(function, x, on_error, wrench, given)
+        return States(self._stand.name, self._state, found["next"], single)
+
+    def _calculated(
+        self, function: str, x: Any, on_error: OnError, wrench: Wrenches, given: Mapping[str, Any]
+    ) -> tuple[dict[str, Array], NDArray[np.int32], bool]:
+        """Outputs, statuses, and whether they are of a single state."""
+        f = self._made.functions.get(function)
+        if f is None:
+            what = "instruments or points" if function == "measure" else "flywheels"
+            raise InputError(f"{_METHODS.get(function, function)}: the stand has no {what}")
+        parts: dict[str, Array] = {}
+        alike: dict[str, Array] = {}
+        if wrench is not None or self._made.inputs:
+            by_body = wrenches(wrench, self._made.inputs, self._bodies)
+        for a in f.arguments:
+            if a.direction != "in" or a.name in self._made.tables:
+                continue
+            if a.name == "x":
+                parts["x"] = self._array(x)
+            elif a.name == "wrench":
+                parts["wrench"] = by_body
+            elif a.order == "alike":
+                value = given[a.name]
+                alike[a.name] = inputs.flags(value, self._flywheels) if a.name == "locked" else value
+            else:
+                parts[a.name] = self._read(a, given[a.name])
+        if not self._flywheels:
+            for name in given.keys() - {a.name for a in f.arguments}:
+                inputs.read(given[name], name, 0, (), "flywheel")
+        n = inputs.batch_size(parts)
+        found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error)
+        return found, status, n is None
+
+    def _array(self, x: Any) -> Array:
+        """States as an array of shape (n, k) or (k,)."""
+        if isinstance(x, States):
+            if x.fields != self._state:
+                raise InputError(f"states of another stand: {x!r}, expected states of {self._stand.name}")
+            return x.array
+        found = inputs.read(x, "states", self._components, (), "component")
+        if found.ndim == 0:
+            raise InputError(f"states: expected States or shape (n, {self._components}), found a number")
+        return found
+
+    def _read(self, a: Passed, value: Any) -> Array:
+        labels = self._labels[a.name]
+        noun = "flywheel" if labels is self._flywheels else "component"
+        return inputs.read(value, a.name, a.components, labels, noun)
+
+    def _number(self, value: float, what: str) -> Array:
+        found = inputs.numbers(value, what)
+        if found.ndim:
+            raise InputError(f"{what}: expected one number for all states, found shape {found.shape}")
+        return np.array([found], dtype=self._element)
+
+    def _options(self, by_flywheel: Mapping[str, Given | None], numbers: Mapping[str, float | None]) -> Array:
+        """The options of `inverse`: those of the stand file, and what is given instead."""
+        f = self._made.functions.get("inverse")
+        if f is None:
+            raise InputError("inverse: the stand has no flywheels")
+        a = next(a for a in f.arguments if a.name == "options")
+        found = np.zeros(1, dtype=record(a.members, self._element))
+        for name, value in self._made.options.items():
+            found[name] = value
+        for name, given in by_flywheel.items():
+            if isinstance(given, Mapping):
+                for i, value in inputs.places(given, name, self._flywheels, "flywheel").items():
+                    found[name][0, i] = self._number(value, f"{name} of {self._flywheels[i]}")[0]
+            elif given is not None:
+                part = inputs.read(given, name, len(self._flywheels), self._flywheels, "flywheel")
+                if part.ndim == 2:
+                    raise InputError(f"{name}: expected shape ({len(self._flywheels)},), the same for all states")
+                found[name] = part
+        for name, number in numbers.items():
+            if number is not None:
+                found[name] = self._number(number, name)
+        return found
+
+    def __repr__(self) -> str:
+        count = self._given[1]
+        how = f"{self._real}, {count} thread{'' if count == 1 else 's'}"
+        return f"<Model of {self._stand.name}: {len(self._flywheels)} flywheels; {how}>"
+
+    def _repr_html_(self) -> str:
+        from mahovik.out.api.show import model
+
+        return model(self)
+
+
+def _order(order: int) -> Array:
+    if order not in (2, 4):
+        raise InputError(f"order: expected 2 or 4, found {order!r:.40}")
+    return np.array([order], dtype=np.int32)

@@ -1,0 +1,227 @@
+"""Compiled functions of a stand for one state or many: what each takes and gives."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from numpy.typing import ArrayLike
+
+from mahovik.core.stand.model import Stand
+from mahovik.errors import InputError
+from mahovik.out.api import results
+from mahovik.out.api.call import OnError
+from mahovik.out.api.core import ELEMENT, Built, Locks, Real, Wrenches
+from mahovik.out.api.inputs import Given
+from mahovik.out.api.states import States
+
+
+def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, threads: int = 1) -> Model:
+    """Compiles the C of a stand for this machine, once: later calls find it in the cache.
+
+    real      element type of the C, "double" or "float"
+    compiler  command of the C compiler; else the environment's CC, else cc, gcc or clang
+    threads   among which the states of a call are shared, by OpenMP; results do not depend on it
+
+    Raises InputError, ToolchainError (no compiler, or it refused the C), UsageError and StandError as `generate`.
+    """
+    if not isinstance(stand, Stand):
+        raise InputError(f"build: expected a Stand, found {type(stand).__name__}: mahovik.load(path) reads one")
+    if real not in ELEMENT:
+        raise InputError(f'build: real: expected "double" or "float", found {real!r:.40}')
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+        raise InputError(f"build: threads: expected a number from 1, found {threads!r:.40}")
+    return Model(stand, real, compiler, threads)
+
+
+class Model(Built):
+    """Functions of a stand for one state or many; made by `mahovik.build`.
+
+    `x` is `States` or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state. Other inputs are arrays of shape
+    (n, k), or (k,) for all states alike, or one number for all, or numbers by the name of the flywheel; what is not
+    given is zero. Results have the batch axis first, and none where all inputs are of one state.
+
+    A state that the C refuses raises RefusedError, which names it; with `on_error="nan"` its results are NaN.
+    Functions may be called from several threads at once; a model can be pickled, and is built again from the cache.
+    """
+
+    # -- functions that have a batch ---------------------------------------------------------------------------------
+
+    def forward(
+        self,
+        x: States | ArrayLike,
+        phi_ddot: Given = 0.0,
+        *,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.Forward:
+        """Acceleration of the carrier for given accelerations of the flywheels, (8).
+
+        phi_ddot  rad/s2
+        wrench    N, N m; by body, in the body's own frame about its origin
+
+        Gives `V_dot`. Batch C. Raises InputError, RefusedError.
+        """
+        return self._result(results.Forward, "forward", x, on_error, wrench, phi_ddot=phi_ddot)
+
+    def coupled(
+        self,
+        x: States | ArrayLike,
+        tau: Given = 0.0,
+        *,
+        locked: Locks = (),
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.Coupled:
+        """Motion of the whole system under given drive torques.
+
+        tau     N m; mount on flywheel
+        locked  names of flywheels that a lock holds at phi'' = 0, or a flag for each; the same for all states
+
+        Gives `V_dot`, `phi_ddot`. Batch C. Raises InputError, RefusedError.
+        """
+        return self._result(results.Coupled, "coupled", x, on_error, wrench, tau=tau, locked=locked)
+
+    def torque(
+        self,
+        x: States | ArrayLike,
+        V_dot: Given = 0.0,
+        phi_ddot: Given = 0.0,
+        *,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.Torque:
+        """Drive torques for a given motion: V_dot m/s2, rad/s2; phi_ddot rad/s2.
+
+        Gives `tau`. Batch C. Raises InputError, RefusedError.
+        """
+        return self._result(results.Torque, "torque", x, on_error, wrench, V_dot=V_dot, phi_ddot=phi_ddot)
+
+    def step(
+        self,
+        x: States | ArrayLike,
+        dt: float,
+        tau: Given = 0.0,
+        *,
+        locked: Locks = (),
+        order: Literal[2, 4] = 4,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> States:
+        """The states a time `dt` (s) later, under drive torques and wrenches held constant.
+
+        order  4: Runge-Kutta; 2: midpoint rule
+
+        Batch C. Raises InputError, RefusedError.
+        """
+        return self._step("step", x, dt, order, on_error, wrench, tau=tau, locked=locked)
+
+    # -- functions for one state, in a loop --------------------------------------------------------------------------
+
+    def step_driven(
+        self,
+        x: States | ArrayLike,
+        dt: float,
+        phi_ddot: Given = 0.0,
+        *,
+        order: Literal[2, 4] = 4,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> States:
+        """The states a time `dt` (s) later, under given flywheel accelerations. State by state.
+
+        Raises InputError, RefusedError.
+        """
+        return self._step("step_driven", x, dt, order, on_error, wrench, phi_ddot=phi_ddot)
+
+    def inverse(
+        self,
+        x: States | ArrayLike,
+        V_dot: Given,
+        *,
+        weight: Given | None = None,
+        limit: Given | None = None,
+        near: float | None = None,
+        damping: float | None = None,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.Inverse:
+        """Flywheel accelerations for a wanted motion of the carrier, (12): least residual, then least weighted phi''.
+
+        weight   of each flywheel in the norm of phi''; of those not given what the stand file says
+        limit    rad/s2; of each |phi''|; of those not given none
+        near     NEAR_SINGULAR below this part of the largest singular value
+        damping  of small singular values, a part of the largest; else none
+
+        Gives `phi_ddot`, `residual`, `sigma`, `rank`, `damped_by`, `limited`, `hardest`; positive statuses say what
+        to know. State by state. Raises InputError, RefusedError.
+        """
+        options = self._options({"weight": weight, "limit": limit}, {"near": near, "damping": damping})
+        return self._result(results.Inverse, "inverse", x, on_error, wrench, V_dot=V_dot, options=options)
+
+    def wrench(self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise") -> results.Wrench:
+        """Total external wrench `F` on the carrier, (7). State by state. Raises InputError, RefusedError."""
+        return self._result(results.Wrench, "wrench", x, on_error, wrench)
+
+    def matrices(
+        self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise"
+    ) -> results.Matrices:
+        """`K`, `K_dot`, `M`, `I`, `J`, `F` of (8). State by state. Raises InputError, RefusedError."""
+        return self._result(results.Matrices, "matrices", x, on_error, wrench)
+
+    def momentum(self, x: States | ArrayLike, *, on_error: OnError = "raise") -> results.Momentum:
+        """`Z`, `Z0`, `energy`, `center_of_mass`, (1), (2). State by state. Raises InputError, RefusedError."""
+        return self._result(results.Momentum, "momentum", x, on_error, None)
+
+    def points(self, x: States | ArrayLike, V_dot: Given = 0.0, *, on_error: OnError = "raise") -> results.Points:
+        """What accelerometers and gyros read at instruments and points. State by state.
+
+        Gives `position`, `C`, `twist`, `specific_force`, `angular_acceleration`, each with an axis of `sensors`.
+        Raises InputError, RefusedError.
+        """
+        return self._result(results.Points, "measure", x, on_error, None, V_dot=V_dot)
+
+    def mounts(
+        self,
+        x: States | ArrayLike,
+        V_dot: Given = 0.0,
+        phi_ddot: Given = 0.0,
+        *,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.Mounts:
+        """Wrench of the mount on each flywheel: bearing loads. State by state. Raises InputError, RefusedError."""
+        return self._result(results.Mounts, "mounts", x, on_error, wrench, V_dot=V_dot, phi_ddot=phi_ddot)
+
+    def generalized(
+        self,
+        x: States | ArrayLike,
+        angles: Given,
+        phi_ddot: Given = 0.0,
+        *,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.Generalized:
+        """The equations in generalized coordinates, (10), (11); `angles`, rad, take the place of the attitude of `x`.
+
+        Gives `A`, `D`, `I0`, `J0`, `q_dot`, `q_ddot`. State by state. Raises InputError, RefusedError.
+        """
+        given = {"angles": angles, "phi_ddot": phi_ddot}
+        return self._result(results.Generalized, "attitude", x, on_error, wrench, **given)
+
+    def forward_jacobian(
+        self, x: States | ArrayLike, phi_ddot: Given = 0.0, *, wrench: Wrenches = None, on_error: OnError = "raise"
+    ) -> results.ForwardSlopes:
+        """Derivatives of `forward` by V, phi, phi', phi''. State by state. Raises InputError, RefusedError."""
+        return self._result(results.ForwardSlopes, "forward_jacobian", x, on_error, wrench, phi_ddot=phi_ddot)
+
+    def coupled_jacobian(
+        self,
+        x: States | ArrayLike,
+        tau: Given = 0.0,
+        *,
+        locked: Locks = (),
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.CoupledSlopes:
+        """Derivatives of `coupled` by V, phi, phi', tau. State by state. Raises InputError, RefusedError."""
+        return self._result(results.CoupledSlopes, "coupled_jacobian", x, on_error, wrench, tau=tau, locked=locked)

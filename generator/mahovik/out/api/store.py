@@ -1,0 +1,151 @@
+"""Compiled stands on disk: libraries of structures with what is known of their functions, and numbers of stands.
+
+Each lies there by a key of all that it depends on.
+
+They lie in the folder of the cache of formulas. An entry is whole or not there; the oldest go where there are many.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from mahovik import __version__
+from mahovik.core.emit.templates import folders
+from mahovik.core.formula import cache as formulas
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import Structure
+from mahovik.core.toolchain.arrays import machine
+
+KEPT = 256
+"""Libraries kept, and as many numbers; the one not used for the longest time goes first."""
+
+_DIGEST = "digest"
+_NUMBERS = ".numbers"
+_PACKAGE = Path(__file__).resolve().parents[2]
+_STAGES = ("emit", "lower", "program", "routines", "toolchain")
+_TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.j2")
+
+
+def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool) -> str:
+    """Structure, element type, compiler with this processor, generator. Raises ToolchainError."""
+    return _key(repr(of), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel))
+
+
+def numbers_key(stand: Stand, real: str) -> str:
+    """Stand, element type, generator."""
+    return _key(repr(asdict(stand)), real)
+
+
+def _key(*parts: str) -> str:
+    return hashlib.sha256("\0".join((*parts, _generator())).encode("utf-8", "replace")).hexdigest()[:32]
+
+
+@cache
+def _generator() -> str:
+    """SHA-256 of all that decides the text of the C and how it is compiled."""
+    paths = [path for stage in _STAGES for path in sorted((_PACKAGE / "core" / stage).rglob("*.py"))]
+    paths += [folder / name for folder in folders() for name in _TEMPLATES if (folder / name).is_file()]
+    found = hashlib.sha256(f"{__version__}\0{formulas.source_hash()}".encode())
+    for path in paths:
+        found.update(path.name.encode() + b"\0" + path.read_bytes())
+    return found.hexdigest()
+
+
+def folder() -> Path | None:
+    """Where the libraries lie; None where there is no cache."""
+    place = formulas.folder()
+    return None if place is None else place / "models"
+
+
+def find(name: str) -> tuple[Path, dict[str, Any]] | None:
+    """The library of a key with the facts kept beside it; None where there is no whole entry.
+
+    Its bytes are checked first: loading half a library would end the process.
+    """
+    place = folder()
+    if place is None:
+        return None
+    library = place / f"{name}.so"
+    try:
+        facts = json.loads((place / f"{name}.json").read_bytes())
+        if not isinstance(facts, dict) or facts.get(_DIGEST) != _digest(library.read_bytes()):
+            return None
+        os.utime(library)  # used just now
+    except (OSError, ValueError, RecursionError):
+        return None
+    return library, facts
+
+
+def find_numbers(name: str) -> dict[str, Any] | None:
+    """The numbers of a key; None where there is no whole entry."""
+    place = folder()
+    if place is None:
+        return None
+    path = place / f"{name}{_NUMBERS}"
+    try:
+        digest, _, content = path.read_bytes().partition(b"\n")
+        if digest.decode("ascii") != _digest(content):
+            return None
+        os.utime(path)
+        found: dict[str, Any] = json.loads(content)
+    except (OSError, ValueError, RecursionError):
+        return None
+    return found
+
+
+def keep_numbers(name: str, numbers: Mapping[str, Any]) -> None:
+    """Puts numbers there. Where that cannot be done nothing is kept."""
+    place = folder()
+    if place is None:
+        return
+    with contextlib.suppress(OSError):
+        place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        content = json.dumps(numbers, default=float).encode()
+        _write(place / f"{name}{_NUMBERS}", _digest(content).encode() + b"\n" + content)
+        _forget(place, f"*{_NUMBERS}")
+
+
+def keep(name: str, library: Path, facts: Mapping[str, Any]) -> None:
+    """Puts a library there with its facts. Where that cannot be done nothing is kept."""
+    place = folder()
+    if place is None:
+        return
+    with contextlib.suppress(OSError):
+        place.mkdir(mode=0o700, parents=True, exist_ok=True)  # what lies here is executed
+        content = library.read_bytes()
+        _write(place / f"{name}.so", content)
+        _write(place / f"{name}.json", json.dumps({**facts, _DIGEST: _digest(content)}).encode())
+        _forget(place, "*.so")
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
+
+
+def _write(path: Path, content: bytes) -> None:
+    handle, draft = tempfile.mkstemp(dir=path.parent, prefix=path.stem, suffix=".tmp")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        os.replace(draft, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(draft)
+        raise
+
+
+def _forget(place: Path, which: str) -> None:
+    """Removes the oldest of too many entries."""
+    ages = sorted((path.stat().st_mtime, path) for path in place.glob(which))
+    for _, path in ages[:-KEPT]:
+        for each in (path, path.with_suffix(".json")):
+            each.unlink(missing_ok=True)

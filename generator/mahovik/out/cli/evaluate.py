@@ -1,0 +1,68 @@
+"""`mahovik eval`: states in, values out, one JSON object a line."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import nullcontext
+from typing import TYPE_CHECKING
+
+import click
+
+from mahovik.errors import UsageError
+from mahovik.out.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.out.cli.progress import progress
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
+    from mahovik.proof.verify.backends import Backend
+
+
+@click.command(name="eval")
+@stand_argument
+@click.option(
+    "--backend",
+    type=click.Choice(["c", "numpy", "casadi"]),
+    default="c",
+    show_default=True,
+    help="c: the generated C; numpy: the literal reference; casadi: the second derivation.",
+)
+@real_option
+def evaluate(stand_file: str, backend: str, real: str) -> None:
+    """Evaluate states from standard input.
+
+    One JSON object a line, a result line for each, in order.
+
+    A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
+    """
+    if real == "float" and backend != "c":
+        raise UsageError(f"--real float: only --backend c has it, not {backend}")
+    stand = load_stand(stand_file)
+    chosen = _backend(stand, backend, real)
+    from mahovik.proof.verify.evaluate import lines_of, results
+
+    failed = 0
+    piped = not (sys.stdin.isatty() or sys.stdout.isatty())  # else the lines themselves show how far it is
+    with progress("states evaluated") if piped else nullcontext() as stage:
+        for done, (line, good) in enumerate(results(stand, chosen, lines_of(sys.stdin.buffer), real), start=1):
+            failed += not good
+            sys.stdout.write(line + "\n")
+            sys.stdout.flush()  # line by line, so that a program can hold a conversation
+            if stage is not None:
+                stage.at(done)
+    if failed:
+        click.echo(f"error: {failed} of the states cannot be evaluated, see their lines", err=True)
+        raise SystemExit(1)
+
+
+def _backend(stand: Stand, name: str, real: str) -> Backend:
+    if name == "numpy":
+        from mahovik.proof.verify.backends import NumpyBackend
+
+        return NumpyBackend(stand)
+    if name == "casadi":
+        from mahovik.proof.second import Second
+
+        return Second(stand)
+    from mahovik.proof.verify.c_backend import CBackend
+
+    return CBackend(stand, real)

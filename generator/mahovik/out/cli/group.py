@@ -1,0 +1,128 @@
+"""What all commands share: errors as lines, and a guess where a command is misspelt."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import click
+
+from mahovik.errors import MahovikError
+from mahovik.nearest import meant
+from mahovik.out.cli.json_output import print_failure
+
+INTERRUPTED = 130
+"""Exit status after Ctrl-C: 128 and the number of the signal, as shells have it."""
+
+INTERRUPTION = "error: interrupted; no file is half written"
+
+
+@contextlib.contextmanager
+def _formulas() -> Iterator[None]:
+    """Formulas of the derivation from the cache; what was derived is kept, whatever the command ends in."""
+    from mahovik.core.formula.derived import leave_cache, use_cache
+
+    use_cache(lambda line: click.echo(f"warning: {line}", err=True))
+    try:
+        yield
+    finally:
+        leave_cache()
+
+
+@contextlib.contextmanager
+def _usage_in_a_line() -> Iterator[None]:
+    """Wrong options and arguments as one line, like all bad input: click takes four. Help where nothing was given."""
+    try:
+        yield
+    except click.exceptions.NoArgsIsHelpError:
+        raise
+    except click.UsageError as error:
+        what = " ".join(error.format_message().split()).rstrip(".").replace(". Did you mean", ", did you mean")
+        see = "" if error.ctx is None else f"; see {error.ctx.command_path} --help"
+        click.echo(f"error: {what}{see}", err=True)
+        raise SystemExit(error.exit_code) from None
+
+
+class Commands(click.Group):
+    """A group whose commands end in `error: ...` lines and an exit status; no traceback for a user's mistake."""
+
+    def __init__(self, *given: Any, **more: Any) -> None:
+        super().__init__(*given, **more)
+        self._sections: dict[str, list[str]] = {}
+
+    def add_section(self, title: str, commands: Iterable[click.Command]) -> None:
+        """Adds commands, which the help shows under this heading."""
+        for command in commands:
+            self.add_command(command)
+            assert command.name is not None
+            self._sections.setdefault(title, []).append(command.name)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Section by section, a line a command; no empty lines between, so that all is seen at once."""
+        if not self._sections:
+            super().format_commands(ctx, formatter)
+            return
+        width = max(len(name) for name in self.commands)
+        formatter.write_paragraph()
+        for title, names in self._sections.items():
+            formatter.write_heading(title)
+            formatter.indent()
+            limit = formatter.width - width - 6
+            formatter.write_dl([(n.ljust(width), self.commands[n].get_short_help_str(limit)) for n in names])
+            formatter.dedent()
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Where commands have sections, the options are in the line of usage: only the commands follow."""
+        if self._sections:
+            self.format_commands(ctx, formatter)
+        else:
+            super().format_options(ctx, formatter)
+
+    def make_context(self, *given: Any, **more: Any) -> click.Context:
+        """As click's, which makes status 1 of Ctrl-C."""
+        try:
+            with _usage_in_a_line():
+                return super().make_context(*given, **more)
+        except KeyboardInterrupt:
+            click.echo(INTERRUPTION, err=True)
+            raise SystemExit(INTERRUPTED) from None
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            with _formulas(), _usage_in_a_line():
+                return super().invoke(ctx)
+        except MahovikError as error:
+            lines = str(error).splitlines() or [type(error).__name__]
+            for line in lines:
+                click.echo(f"error: {line}", err=True)
+            if error.exit_status == 1:
+                print_failure(ctx, lines)
+            ctx.exit(error.exit_status)
+        except KeyboardInterrupt:
+            # a command that keeps what it has so far says so itself
+            click.echo(INTERRUPTION, err=True)
+            ctx.exit(INTERRUPTED)
+        except BrokenPipeError:
+            # the reader has left (`| head`): nothing more can be said, and nothing may be flushed at exit
+            with contextlib.suppress(OSError, ValueError):
+                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            ctx.exit(1)
+        except OSError as error:
+            where = f"{error.filename}: " if error.filename else ""
+            click.echo(f"error: {where}{error.strerror or error}", err=True)
+            ctx.exit(2)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """In the order in which one uses them."""
+        return list(self.commands)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name = args[0]
+        if self.get_command(ctx, name) is None and not name.startswith("-"):
+            ctx.fail(f'no such command "{name}"{meant(name, self.commands)}')
+        return super().resolve_command(ctx, args)

@@ -1,0 +1,212 @@
+"""`mahovik plan`: flywheel motions that make the carrier move as required."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import click
+
+from mahovik.errors import UsageError
+from mahovik.out.cli.arguments import console, load_stand, stand_argument, table
+from mahovik.out.cli.group import INTERRUPTED
+from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.progress import progress
+
+if TYPE_CHECKING:
+    from mahovik.core.motion.programme import Programme
+    from mahovik.core.motion.required.model import Winding
+    from mahovik.use.plan import Plan
+    from mahovik.use.plan.wishes import Method
+
+
+@click.command(short_help="Find a programme that moves the carrier as required.")
+@stand_argument
+@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="What is required.")
+@click.option("-o", "output", metavar="P.json", type=click.Path(), required=True, help="The programme.")
+@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="A cut-off.")
+@click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Of the starts.")
+@click.option("--winding", metavar="any|spin|rock|N,N,..", help="Turns a period; in place of the motion file's.")
+@click.option(
+    "--keep", metavar="K", type=click.IntRange(1, 99), default=1, show_default=True, help="Best K, into P.2.json ..."
+)
+@click.option(
+    "--method",
+    type=click.Choice(["fourier", "ocp-partition", "ocp"]),
+    default="fourier",
+    show_default=True,
+    help="fourier; (13) by IPOPT from there: six flywheels follow from the others, or (12) as constraints.",
+)
+@click.option("--partition", metavar="w1,w2,..", help="The six that follow, (13); without it the best six.")
+@json_option("Print figures and status as JSON.")
+def plan(
+    stand_file: str,
+    motion_file: str,
+    output: str,
+    seconds: float | None,
+    seed: int,
+    winding: str | None,
+    keep: int,
+    method: Method,
+    partition: str | None,
+    as_json: bool,
+) -> None:
+    """Plan a programme: flywheel motions that make the carrier move exactly as required.
+
+    What is out of reach is refused at once, with what is missing. What is found is verified by the literal reference.
+    Ctrl-C gives the best so far. --time cuts the search; where run-ups come after it they have half of the time. The
+    verification of what is given is never cut.
+
+    Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
+    """
+    stand = load_stand(stand_file)
+    from mahovik.core.motion.programme import programme_text
+    from mahovik.core.motion.required import load_motion
+    from mahovik.proof.verify.files import probe, write_all
+    from mahovik.use.plan import Wishes, plan_motion
+
+    motion = load_motion(Path(motion_file), stand)
+    chosen = _winding(winding, len(stand.flywheels), motion.periodic)
+    paths = [
+        Path(output).with_suffix(f".{k}{Path(output).suffix}") if k > 1 else Path(output) for k in range(1, keep + 1)
+    ]
+    for path in paths:
+        if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
+            raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
+        probe(path)
+    with progress("searching") as stage:
+        six = None if partition is None else tuple(partition.split(","))
+        wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
+        found = plan_motion(stand, motion, wishes, lambda state: stage.say(state.words))
+    for line in found.warnings:
+        click.echo(f"warning: {line}", err=True)
+    texts = {path.name: programme_text(each) for path, each in zip(paths, found.programmes, strict=False)}
+    write_all(paths[0].parent, texts)  # all or none
+    if as_json:
+        print_json(_plain(found, paths))
+    else:
+        for path, programme in zip(paths, found.programmes, strict=False):
+            _report(programme, path)
+        _say(found)
+    if found.programmes and len(found.programmes) < keep:
+        _leftover(paths[len(found.programmes) :], f"{len(found.programmes)} of {keep} programmes found")
+    _end(found)
+
+
+def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
+    """The option's value. Raises UsageError."""
+    if given is None:
+        return None
+    if not periodic:
+        raise UsageError("--winding goes with a periodic motion; this one is finite")
+    if given in {"any", "spin", "rock"}:
+        return cast("Winding", given)
+    try:
+        turns = tuple(int(each) for each in given.split(","))
+    except ValueError:
+        raise UsageError(f"--winding {given}: expected any, spin, rock or {N} whole numbers, as 1,-1,0") from None
+    if len(turns) != N:
+        raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
+    return turns
+
+
+def _report(programme: Programme, path: Path) -> None:
+    """Figures of a programme that is written."""
+    from rich.text import Text
+
+    report: Any = programme.report
+    out = console()
+    out.print(Text(f"{click.format_filename(path)}   {report['kind']}, winding {list(programme.winding)}"))
+    rows = table("flywheel", "peak speed, rad/s>", "peak acceleration, rad/s2>", "peak torque, N m>")
+    peaks = zip(report["peak_speed"], report["peak_acceleration"], report["peak_torque"], strict=True)
+    for name, row in zip(programme.flywheels, peaks, strict=True):
+        rows.add_row(Text(name), *(f"{x:.4g}" for x in row))
+    out.print(rows)
+    figures = {
+        "residual": report["residual"],
+        "simulation error": report.get("simulation_error"),
+        "largest Floquet multiplier": report.get("largest_multiplier"),
+        "objective": report["objective"],
+        "least singular value": report["least_singular_value"],
+        "sign changes of det I": report["det_I_sign_changes"],
+    }
+    out.print(", ".join(f"{name} {value:.3g}" for name, value in figures.items() if value is not None))
+    if "ocp" in report:
+        _report_ocp(report["method"], report["ocp"])
+    for key, name in (("runup", "run-up"), ("rundown", "run-down")):
+        if "deviation" in report.get(key, {}):
+            strayed = [report[key]["deviation"][kind] for kind in ("linear", "angular")]
+            largest = (
+                f"{1e3 * x['largest']:.3g} {unit} at {x['t']:.3g} s"
+                for x, unit in zip(strayed, ("mm", "mrad"), strict=True)
+            )
+            out.print(f"{name}: terminal error {report[key]['terminal_error']:.2g}, deviation {', '.join(largest)}")
+
+
+def _report_ocp(method: str, ocp: Any) -> None:
+    """How (13) was solved, and where its partition holds."""
+    raw = ocp["raw_residual"]
+    then = "" if raw is None else f", then refined; residual between the nodes {raw:.2g} before that"
+    click.echo(f"{method}: {ocp['ipopt']}, {ocp['iterations']} iterations{then}")
+    click.echo(f"objective {ocp['objective_of_start']:.5g} of the start, {ocp['objective']:.5g} now")
+    six = ocp["partition"]
+    if six["regular"]:
+        held = f"det I+ != 0, least singular value {six['least_singular_value']:.3g} at {six['least_at']:.4g} s"
+    else:
+        held = "det I+ = 0 at " + ", ".join(f"{t:.4g}" for t in six["det_zero_at"]) + " s"
+    below = "".join(f"; below {six['threshold']:g} in {a:.4g} .. {b:.4g} s" for a, b in six["below_threshold"])
+    click.echo(f"partition {','.join(six['plus'])}: {held}{below}")
+
+
+def _leftover(paths: list[Path], found: str) -> None:
+    """Fewer than --keep: programmes of an earlier run under the other names would be taken for some of this one."""
+    click.echo(f"warning: {found}", err=True)
+    for path in paths:
+        if path.is_file():
+            path.unlink()
+            click.echo(f"warning: {click.format_filename(path)} is removed: it was of an earlier run", err=True)
+
+
+def _plain(found: Plan, paths: list[Path]) -> dict[str, Any]:
+    """For --json; SI."""
+    return {
+        "status": found.status,
+        "reason": found.reason,
+        "words": found.words,
+        "warnings": found.warnings,
+        "interrupted": found.interrupted,
+        "effort": found.effort,
+        "programmes": [
+            {"file": str(path), "flywheels": each.flywheels, "winding": each.winding, **each.report}
+            for path, each in zip(paths, found.programmes, strict=False)
+        ],
+    }
+
+
+def _say(found: Plan) -> None:
+    """The status with its reason, and what it took."""
+    click.echo(found.status if found.reason is None else f"{found.status} {found.reason}")
+    if found.status == "OK_LIMIT":
+        for line in found.words:
+            click.echo(line)
+    if found.effort:
+        spread = found.effort["objective_spread"]
+        tried = ", ".join(f"{number} {kind}" for kind, number in found.effort["windings_tried"].items())
+        within = f"{found.effort['found']} programmes found inside the bounds"
+        click.echo(f"{found.effort['starts']} starts ({tried or 'none'}), {within}", nl=False)
+        click.echo(f", objective {min(spread):.4g} to {max(spread):.4g}" if spread else "")
+
+
+def _end(found: Plan) -> None:
+    """What went wrong; exit status."""
+    if found.status != "OK_LIMIT":
+        for line in found.words:
+            click.echo(line, err=True)
+    if found.effort and found.effort["cut_by_time"]:
+        click.echo("warning: --time cut the search: another run may find more", err=True)
+    if found.interrupted:
+        best = "this is the best so far" if found.programmes else "nothing was found yet, nothing is written"
+        click.echo(f"interrupted: {best}", err=True)
+        raise SystemExit(INTERRUPTED)
+    if found.status != "OK":
+        raise SystemExit(1)

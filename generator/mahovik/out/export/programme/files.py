@@ -1,0 +1,198 @@
+"""A programme's C files beside those of its stand; refused where tables are not good enough, or of another stand."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, replace
+from math import inf
+from typing import Any
+
+from mahovik.core.emit.generate import PRECISIONS
+from mahovik.core.emit.programme import Facts, programme_files
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.programme.form import Form
+from mahovik.core.lower.programme.play import Player
+from mahovik.core.lower.programme.program import ProgrammeProgram, lower_programme
+from mahovik.core.motion.programme import Programme, RunUpTable
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import structure
+from mahovik.errors import CheckError, StateError, UsageError
+from mahovik.out.export.programme.accuracy import Errors, errors
+from mahovik.out.export.programme.carrier import Array, Prescribed
+from mahovik.out.export.programme.tables import Table, Torques, fourier_table, quintic_table
+from mahovik.proof.verify.programme.finding import tolerance_for
+from mahovik.proof.verify.programme.identity import motion_finding, stand_finding
+
+LIMITS = {"double": 1e-6, "float": 1e-3}
+"""Largest relative residual that a table may add."""
+
+NODES = {"double": 256, "float": 64}
+"""Nodes of a period that a quintic table has unless told otherwise."""
+
+WRONG = 10.0
+"""Times what `verify-programme` accepts of the residual, or the limit if that is more: above, it is no programme."""
+
+LEAST, MOST_NODES = 32, 1 << 14
+"""Nodes a period, and in all, that a run-up has at least and at most."""
+
+
+@dataclass(frozen=True)
+class Exported:
+    """Files by name; what is to be said of them, a line each; the tables and their program, for who wants to run it."""
+
+    files: dict[str, str]
+    lines: tuple[str, ...]
+    made: ProgrammeProgram
+    tables: tuple[Table, ...]
+    errors: tuple[Errors, ...]
+
+
+def export_programme(
+    stand: Stand,
+    programme: Programme,
+    motion: RequiredMotion | None = None,
+    kind: str = "quintic",
+    nodes: int | None = None,
+    real: str = "double",
+    limit: float | None = None,
+    source: str = "programme",
+) -> Exported:
+    """C of a programme. With the motion that it was planned for, drive torques are in the tables, and the residual that
+    these add is measured; without it the error of the accelerations is. `source` names the programme in messages.
+
+    CheckError where programme, stand and motion do not belong together, or the error is above the limit; UsageError.
+    """
+    check_belongs(stand, programme, motion, source)
+    if kind == "fourier" and not programme.periodic:
+        raise UsageError(f"{source}: is finite: a Fourier table is for periodic ones; give --table quintic")
+    if kind == "fourier" and nodes is not None:
+        raise UsageError("--nodes: a Fourier table has none: leave it out")
+    count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
+    if not 0 < most < inf:
+        raise UsageError(f"--limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
+    layout = Layout(structure(stand), PRECISIONS[real])
+    prescribed = None if motion is None else Prescribed(stand, motion, programme)
+    first = _course(programme, layout, prescribed, kind, count)
+    found = [_finished(layout, first, prescribed)]
+    given = found[0][1].given
+    accepted = max(WRONG * tolerance_for(stand, None).residual, most)
+    if given is not None and given > accepted:
+        raise CheckError(
+            f"{source}: its relative residual is {given:.2e}, so it does not give the motion {programme.motion} (below "
+            f"{accepted:g} it would): `mahovik verify-programme` says more; nothing was written"
+        )
+    if found[0][1].judged > most:
+        raise CheckError(_too_coarse(source, first, found[0][1], most, real))
+    for part, finite in (("runup", programme.runup), ("rundown", programme.rundown)):
+        if finite is not None:
+            table = _finite(layout, part, finite, LEAST * finite.duration / programme.span, most, source)
+            found.append(_finished(layout, _with_torques(table, finite, prescribed, source), None))
+    tables, measured = tuple(t for t, _ in found), tuple(e for _, e in found)
+    made = lower_programme(layout, [t.form for t in tables])
+    player = Player(made, {t.form.part: t.value for t in tables})
+    lines = tuple(line for t, e in found for line in said(t, e, layout))
+    numbers = tuple((t.form.part, t.span, t.value) for t in tables)
+    facts = Facts(programme.motion, numbers, tuple(_measured(t, e) for t, e in found), lines, most)
+    files = programme_files(stand, made, player.golden(), facts)
+    return Exported(files, (*lines, f"limit {most:g}"), made, tables, measured)
+
+
+def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
+    """Raises CheckError where a programme is of another stand, or a motion not the one that it was planned for."""
+    whose = stand_finding(stand, programme)
+    if not whose.passed:
+        raise CheckError(
+            f"{source}: {whose.words}: give the stand file that it was planned for, or plan again; nothing was written"
+        )
+    if motion is None:
+        return
+    wanted = motion_finding(motion, programme)
+    if not wanted.passed:
+        raise CheckError(f"{source}: {wanted.words}: give the motion that it was planned for; nothing was written")
+
+
+def _course(programme: Programme, layout: Layout, prescribed: Prescribed | None, kind: str, count: int) -> Table:
+    """The table of the programme itself."""
+    torques: Torques | None = None if prescribed is None else prescribed.torques
+    if kind == "fourier":
+        return fourier_table(programme, layout.count, torques, layout.precision.name)
+    form = Form("", "quintic", count, programme.periodic, torques is not None, layout.count)
+    return quintic_table(form, programme.at, programme.span, programme.winding, torques)
+
+
+def _finished(layout: Layout, table: Table, prescribed: Prescribed | None) -> tuple[Table, Errors]:
+    """A table with its errors."""
+    made = lower_programme(layout, [table.form])
+    player = Player(made, {table.form.part: table.value})
+    return table, errors(player, made.courses[0], table, layout.precision, prescribed)
+
+
+def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: float, source: str) -> Table:
+    """A run-up or run-down without torques, with as many nodes as the limit asks for, a power of two."""
+    rows = 8
+    while rows < least:
+        rows *= 2
+    while True:
+        form = Form(part, "quintic", rows, False, False, layout.count)
+        table = quintic_table(form, finite.at, finite.duration, (0,) * int(layout.count), None)
+        error = _finished(layout, table, None)[1].judged
+        if error <= most:
+            return table
+        if rows >= MOST_NODES:
+            raise CheckError(
+                f"{source}: {part}: with {rows} nodes the error of a table is {error:.2e} of the largest acceleration, "
+                f"above {most:g}: give a larger --limit; nothing was written"
+            )
+        rows *= 2
+
+
+def _with_torques(table: Table, finite: RunUpTable, prescribed: Prescribed | None, source: str) -> Table:
+    """A run-up or run-down with the drive torques of a carrier that is free on the way."""
+    if prescribed is None:
+        return table
+    carrier, up = prescribed, table.form.part == "runup"
+
+    def torques(t: Array) -> Array:
+        try:
+            return carrier.free_torques(finite, up, t)
+        except StateError as error:
+            raise CheckError(f"{source}: {table.form.part}: {error}; nothing was written") from None
+
+    form = replace(table.form, torque=True)
+    return quintic_table(form, finite.at, finite.duration, (0,) * int(form.count), torques)
+
+
+def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str) -> str:
+    what = "the relative residual that the table adds" if found.added is not None else "the table's relative error"
+    remedies = []
+    if table.form.kind == "quintic" and table.form.rows < 4096:
+        remedies.append(f"more nodes (--nodes {2 * table.form.rows})")
+    remedies += ["--real double"] if real == "float" else []
+    remedies.append("a larger --limit")
+    return f"{source}: {what} is {found.judged:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
+
+
+def _measured(table: Table, found: Errors) -> dict[str, Any]:
+    """Size and errors of a table as data; what was not measured is left out."""
+    known = {name: value for name, value in asdict(found).items() if value is not None}
+    form = table.form
+    return {"part": form.part or "programme", "kind": form.kind, "rows": form.rows, "span": table.span, "errors": known}
+
+
+def said(table: Table, found: Errors, layout: Layout) -> list[str]:
+    """What is said of a table, a line each: its size, then its errors."""
+    form = table.form
+    name = {"": "programme", "runup": "run-up", "rundown": "run-down"}[form.part]
+    parts = f"{form.rows} {'intervals' if form.kind == 'quintic' else 'harmonics'}"
+    lines = [f"{name}: {form.kind}, {parts}, {layout.precision.name}, {table.span:g} s"]
+    lines.append(
+        f"{name}: largest error: angle {found.phi:.1e} rad, speed {found.phi_dot:.1e} rad/s, "
+        f"acceleration {found.phi_ddot:.1e} rad/s2, together {found.relative:.1e} of the largest acceleration"
+    )
+    if found.tau is not None:
+        lines.append(f"{name}: largest error of the drive torques {found.tau:.1e} N m, of {found.tau_peak:.3g} N m")
+    else:
+        lines.append(f"{name}: no drive torques: no motion was given")
+    if found.added is not None:
+        lines.append(f"{name}: relative residual {found.given:.1e}, the table adds {found.added:.1e}")
+    return lines

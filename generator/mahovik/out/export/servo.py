@@ -1,0 +1,147 @@
+"""A programme's tables with the servos that follow it, as C: gains computed, the sampled loop checked, an example."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.emit.generate import PRECISIONS
+from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.servo import ServoTables, servo_files
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.servo.form import ServoForm, TrimForm
+from mahovik.core.lower.servo.golden import golden
+from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.servo import COORDINATES, Servo
+from mahovik.core.program.function import Program
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import structure
+from mahovik.errors import UsageError
+from mahovik.out.export.programme import Exported, check_belongs, export_programme
+from mahovik.use.control.gains import gains, rotor_inertia, samples
+from mahovik.use.control.stability import Margins, check, delay
+from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
+
+PERIODS = 10
+"""Of the example's run."""
+
+
+@dataclass(frozen=True)
+class ExportedServo:
+    """Files of the servo and of its programme by name; what is to be said, a line each; program, form, numbers."""
+
+    servo: dict[str, str]
+    programme: Exported
+    lines: tuple[str, ...]
+    program: Program
+    form: ServoForm
+    tables: ServoTables
+    margins: Margins
+    loop: Mapping[str, Any]
+
+
+def export_servo(
+    stand: Stand,
+    programme: Programme,
+    motion: RequiredMotion | None,
+    servo: Servo,
+    real: str = "double",
+    kind: str = "quintic",
+    sources: tuple[str, str] = ("programme", "servo"),
+) -> ExportedServo:
+    """C of a programme and of the servos that follow it. `sources` name programme and servo in messages.
+
+    CheckError where the sampled loop is not stable with enough margin, the programme is not good enough, or stand,
+    programme and motion do not belong together; UsageError where torques or a trim are wanted without the motion.
+    """
+    if motion is None and (servo.feedforward or servo.trim is not None):
+        what = "feedforward" if servo.feedforward else "trim"
+        raise UsageError(
+            f"{sources[1]}: {what}: needs the motion of the programme: give --motion MOTION.json, or {what} = false"
+        )
+    check_belongs(stand, programme, motion, sources[0])
+    found = check(stand, servo, sources[1])
+    ticks, periods = samples(servo, programme.span, sources[1])
+    layout = Layout(structure(stand), PRECISIONS[real])
+    trim, design, lines = None, None, said(stand, servo, found, ticks, periods)
+    if servo.trim is not None and motion is not None:
+        made = design_trim(stand, motion, programme, servo.trim)
+        trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics)
+        design = trim_members(made, motion, programme, servo.period)
+        lines = (*lines, said_of_trim(made))
+    tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0])
+    form = ServoForm(layout.count, trim)
+    program = lower_servo(layout, form)
+    values = gains(stand, servo, programme.span)
+    tables = ServoTables(values, design, servo.period, ticks, periods, lines, _loop(layout, programme, motion, servo))
+    files = servo_files(stand, program, form, tables, golden(program, form, values, design), servo.name)
+    return ExportedServo(files, tabled, lines, program, form, tables, found, tables.loop)
+
+
+def said(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -> tuple[str, ...]:
+    """What was computed, a line each."""
+    J, late = rotor_inertia(stand), delay(stand, servo)
+    parts = [f"bandwidth {_hertz(servo.bandwidth)}, damping ratio {servo.damping_ratio:g}"]
+    parts += [] if servo.integral is None else [f"integral {_hertz(servo.integral)}"]
+    parts += [] if servo.speed_filter is None else [f"speed filter {_hertz(servo.speed_filter)}"]
+    less = "" if math.isinf(found.less) else f" up, {found.less:.1f} down"
+    lines = [
+        f"servo: {', '.join(parts)}; rotors of {J.min():.4g} to {J.max():.4g} kg m2",
+        f"servo: {servo.period * 1e3:g} ms a sample, {late * 1e3:g} ms of delay; {ticks} samples are {periods} "
+        f"period{'s' if periods > 1 else ''}",
+        f"servo: stable, largest pole {found.radius:.4f}; gain margin {found.gain:.1f}{less}, phase margin "
+        f"{found.phase:.0f} deg, {found.delay * 1e3:.2f} ms of further delay; on this carrier rotors are up to "
+        f"{found.lightness:.3f} times as light",
+    ]
+    return tuple(lines)
+
+
+def said_of_trim(made: TrimDesign) -> str:
+    """What the trim corrects, and how fast."""
+    trim = made.trim
+    names = ", ".join(COORDINATES[i] for i in trim.coordinates)
+    return (
+        f"trim: {trim.harmonics} harmonics of {names}, {made.rank} directions; a round of "
+        f"{trim.settling + trim.averaging} periods leaves {made.radius:.3f} of an error, by the nominal model"
+    )
+
+
+def _loop(layout: Layout, programme: Programme, motion: RequiredMotion | None, servo: Servo) -> dict[str, Any]:
+    """What the example has beside tables: where the carrier starts, delays, how long it runs."""
+
+    def literals(values: Any) -> str:
+        return ", ".join(real_literal(float(v), layout.precision) for v in values)
+
+    q, q_dot = np.zeros(6), np.zeros(6)
+    if motion is not None:
+        course = motion.at(np.zeros(1), programme.bias)
+        q, q_dot = course.q[0], course.q_dot[0]
+    wait = math.floor(servo.latency / servo.period + 1e-9)
+    part = max(0.0, servo.latency - wait * servo.period)
+    part = part if part > 1e-9 * servo.period else 0.0
+    count = math.floor(programme.span / servo.period * (PERIODS if programme.periodic else 1))
+    last = math.floor(programme.span / servo.period * (PERIODS - 1 if programme.periodic else 0.9))
+    return {
+        "motion": programme.motion,
+        "cyclic": programme.periodic,
+        "torque": motion is not None,
+        "feedforward": servo.feedforward,
+        "wait": wait,
+        "before": real_literal(part, layout.precision) if part else "",
+        "after": real_literal(servo.period - part, layout.precision),
+        "q": literals(q),
+        "q_dot": literals(q_dot),
+        "wrench": 6 * len(layout.inputs),
+        "samples": count,
+        "last": last,
+    }
+
+
+def _hertz(omega: float) -> str:
+    return f"{omega / (2 * math.pi):.4g} Hz"

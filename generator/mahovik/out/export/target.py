@@ -1,0 +1,73 @@
+"""A small project that runs a stand's self-test on a board: C, startup, linker script, Makefile, README."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+
+from mahovik import __version__
+from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.templates import template
+from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.board import board_files, link_flags, selftest_main
+from mahovik.core.toolchain.compiler import BITS
+from mahovik.core.toolchain.targets import TARGETS, Target
+from mahovik.errors import UsageError
+from mahovik.nearest import meant
+
+SWEEP = 20
+"""States of the self-test's sweep."""
+
+
+def exportable(name: str) -> Target:
+    """The target of that name. Raises UsageError for an unknown one, and for two compilers in one project."""
+    target = TARGETS.get(name)
+    if target is None:
+        raise UsageError(f'unknown target "{name}"{meant(name, TARGETS)}')
+    if target.linker:
+        raise UsageError(f"{name} is compiled and linked by two compilers: export {name.partition('-')[0]} instead")
+    return target
+
+
+def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
+    """The project's files, text by file name. Raises StandError."""
+    delivered = firmware(stand, real)
+    known = {"README.md", *(f"{stand.name}{end}" for end in (".h", ".c", "_selftest.c"))}
+    files = {**delivered, **board_files(target), "main.c": selftest_main(stand.name, SWEEP)}
+    hosted = target.family == "hosted"
+    sources = sorted(name for name in files if name.endswith((".c", ".S")))
+    flags = target.compiler[1:]
+    words = {
+        "name": stand.name,
+        "NAME": stand.name.upper(),
+        "real": real,
+        "title": target.title,
+        "compiler": target.compiler[0],
+        "hosted": hosted,
+        "emulator": shlex.join(target.emulator),
+    }
+    files["Makefile"] = template("board/Makefile.j2").render(
+        **words,
+        machine=shlex.join(flags),
+        optimisation=target.optimisation,
+        bits=shlex.join(BITS),
+        mhz=f" -DBOARD_MHZ={target.mhz}u" if target.mhz else "",
+        link=shlex.join(link_flags(target)),
+        objects=[f"{Path(name).stem}.o" for name in sources],
+        headers=sorted(name for name in files if name.endswith(".h")),
+        startup_in_assembler="startup.S" in files,
+    )
+    files["README.md"] = template("board/project.md.j2").render(
+        **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
+        command=f"mahovik export target {target.name} STAND.toml --real {real}",
+        generator=f"mahovik {__version__}",
+        packages=f"; Debian: apt-get install {' '.join(target.packages)}",
+        startup="startup.S" if "startup.S" in files else "startup.c",
+        others=sorted(delivered.keys() - known),
+        fpu=bool(target.real),
+        vector="-fno-tree-vectorize" in flags and not hosted,
+        ticks="ticks of the processor's clock; compile with -DBOARD_MHZ=1000u"
+        if target.mhz
+        else "retired instructions",
+    )
+    return files

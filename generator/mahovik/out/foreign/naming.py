@@ -1,0 +1,38 @@
+"""Names of other programs as names of a stand, which become C identifiers."""
+
+from __future__ import annotations
+
+import re
+
+from mahovik.core.stand.names import name_problem, stand_name_problem
+
+
+class Names:
+    """Gives each body and point a name of its own that a stand file takes."""
+
+    def __init__(self) -> None:
+        self._taken = {"carrier"}
+
+    def name(self, given: str, fallback: str) -> str:
+        """The name itself where it will do; else letters, digits and _ of it, with a number where it is taken."""
+        plain = _identifier(given, fallback)
+        if name_problem(plain) is not None:
+            plain += "_"
+        name, number = plain, 2
+        while name in self._taken:
+            name, number = f"{plain}_{number}", number + 1
+        self._taken.add(name)
+        return name
+
+
+def stand_name(given: str) -> str:
+    """The name of a model as the name of a stand."""
+    plain = _identifier(given, "stand")
+    return f"{plain}_" if stand_name_problem(plain) is not None else plain
+
+
+def _identifier(given: str, fallback: str) -> str:
+    plain = re.sub(r"[^A-Za-z0-9_]+", "_", given).strip("_")[:60]
+    if not plain:
+        return fallback
+    return f"_{plain}" if plain[0].isdigit() else plain

@@ -1,0 +1,102 @@
+"""Panels of a programme: the carrier's required and achieved motion, speeds, torques, residual; run-up, run-down."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from mahovik.core.motion.programme import Angles, Programme
+from mahovik.out.report.plot.panel import Array, Panel, family, limit
+from mahovik.proof.verify.programme.along import twist
+from mahovik.proof.verify.programme.finding import tolerance_for
+from mahovik.proof.verify.programme.residual import along
+from mahovik.proof.verify.programme.scale import Scale, scale_of
+from mahovik.proof.verify.programme.simulation import simulate
+
+if TYPE_CHECKING:
+    from mahovik.core.motion.required import RequiredMotion
+    from mahovik.core.motion.required.model import Each
+    from mahovik.core.stand.model import Stand
+
+POINTS = 400
+"""Along each line of a programme."""
+
+ROUNDING = 1e-6
+"""mm, mrad: less is not looked at closely."""
+
+NEAR = 0.3
+"""A bound is drawn where the lines reach this share of it."""
+
+RPM = 30 / np.pi
+AXES = ("x", "y", "z")
+ANGLES = ("psi", "theta", "phi")
+
+
+def panels(
+    programme: Programme, stand: Stand | None = None, motion: RequiredMotion | None = None, times: int | None = None
+) -> list[Panel]:
+    """All that can be shown: motion, torques and residual need the stand and the motion. Raises StateError.
+
+    `times` of the residual and the torques; None: 20 a node of the programme.
+    """
+    t = np.linspace(0.0, programme.span, POINTS + 1)
+    found = programme.at(t)
+    if stand is None or motion is None:
+        return [*_wheels(programme, t, found, None), *_transients(programme)]
+    scale = scale_of(stand, motion, programme)
+    seen = along(stand, motion, programme, scale, times)
+    residual = family(("of (12), relative",), seen.t, np.maximum(seen.residual, 1e-17)[:, None])
+    level = tolerance_for(stand, None).residual
+    return [
+        *_carrier(programme, stand, motion, scale, t),
+        *_wheels(programme, t, found, motion),
+        _bounded("drive torque, N m", programme, seen.t, seen.tau, motion.bounds.torque),
+        Panel("residual", (*residual, limit(f"accepted: {level:g}", seen.t, level)), log=True),
+        *_transients(programme),
+    ]
+
+
+def _carrier(programme: Programme, stand: Stand, motion: RequiredMotion, scale: Scale, t: Array) -> list[Panel]:
+    """The carrier by (8) from the required state at t = 0, beside what is required; each less its mean."""
+    course = motion.at(t, programme.bias)
+    start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    y = simulate(stand, programme.at, start, t, scale, programme.span / 16)
+    mean = course.q[:-1].mean(axis=0)
+    required, achieved = 1e3 * (course.q - mean), 1e3 * (y[:, :6] - mean)
+    found = []
+    for part, names, unit in ((slice(0, 3), AXES, "O1, mm"), (slice(3, 6), ANGLES, "attitude, mrad")):
+        lines = family(names, t, achieved[:, part])
+        wanted = family(["", "", ""], t, required[:, part], dashed=True)
+        found.append(Panel(f"{unit}, about the mean; dashed: required", (*lines, *wanted), least=ROUNDING))
+    return found
+
+
+def _wheels(programme: Programme, t: Array, angles: Angles, motion: RequiredMotion | None) -> list[Panel]:
+    bounds = motion.bounds if motion is not None else None
+    speed = bounds.speed if bounds is not None else None
+    acceleration = bounds.acceleration if bounds is not None else None
+    return [
+        _bounded("speed, rpm", programme, t, RPM * angles.phi_dot, speed, RPM),
+        _bounded("acceleration, rad/s2", programme, t, angles.phi_ddot, acceleration),
+    ]
+
+
+def _bounded(quantity: str, programme: Programme, t: Array, columns: Array, bound: Each, unit: float = 1.0) -> Panel:
+    """A line a flywheel; the bound, where it is the same for all."""
+    lines = family(programme.flywheels, t, columns)
+    if bound is None or len(set(bound)) > 1:
+        return Panel(quantity, lines)
+    level = unit * bound[0]
+    found = [limit("", t, sign * level) for sign in (1, -1) if (sign * columns).max(initial=0.0) > NEAR * level]
+    return Panel(quantity, (*lines, *found), note=f"bound: {level:.6g}")
+
+
+def _transients(programme: Programme) -> list[Panel]:
+    """Speeds from rest, and back to it."""
+    found = []
+    for name, table in (("run-up", programme.runup), ("run-down", programme.rundown)):
+        if table is not None:
+            t = np.linspace(0.0, table.duration, POINTS + 1)
+            found.append(Panel(f"{name}: speed, rpm", family(programme.flywheels, t, RPM * table.at(t).phi_dot)))
+    return found

@@ -1,0 +1,135 @@
+"""Panels of a sweep of speeds: Campbell diagram, amplitudes of orders, RMS, waterfall of spectra."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from mahovik.out.report.plot.panel import Array, Dots, Line, Panel
+from mahovik.use.study.response.sweep import OrderLine, Step, Sweep
+
+RPM = 30.0 / np.pi
+
+DECADES = 4.0
+"""Below the largest amplitude that are shown."""
+
+CASCADE = 24
+"""Spectra in a waterfall at most."""
+
+ORDERS = 8
+"""Lines in a panel at most."""
+
+
+def panels(found: Sweep) -> list[Panel]:
+    """What there is to see; of one speed alone its spectrum."""
+    what = f"{found.quantity} of {found.point}, {found.unit}"
+    steps = [step for step in found.steps if step.problem is None and step.turning.base]
+    largest = max((float(step.sizes[1:].max(initial=0.0)) for step in steps), default=0.0)
+    if largest == 0.0:
+        return [Panel(f"{what}: nothing moves", ())]
+    floor = largest * 10.0**-DECADES
+    if len(found.steps) == 1:
+        return [_spectrum(found.steps[0], what, floor)]
+    lines = found.lines()[:ORDERS]
+    top = 1.05 * max(float(step.frequencies[step.sizes > floor].max(initial=0.0)) for step in steps)
+    return [
+        _campbell(found, steps, lines, top, floor),
+        _orders(found, lines, floor),
+        _waterfall(found, steps, top, floor),
+    ]
+
+
+def _swept(found: Sweep) -> str:
+    asked = found.asked
+    return "speed, rpm" if asked.swept is None else f"speed of {asked.names[asked.swept]}, rpm"
+
+
+def _span(found: Sweep) -> tuple[float, float]:
+    """Of the speeds, rpm."""
+    return RPM * float(found.values.min()), RPM * float(found.values.max())
+
+
+def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top: float, floor: float) -> Panel:
+    """Natural frequencies over speed, lines of orders, and by colour the amplitude of every harmonic."""
+    speed = RPM * found.values
+    drawn = [Line("", speed, line.frequency, 6, dashed=True, tag=_first(line.name)) for line in lines]
+    most = max((len(step.natural) for step in steps), default=0)
+    for k in range(most):
+        row = np.array([step.natural[k] if k < len(step.natural) else np.nan for step in found.steps])
+        drawn.append(Line("", speed, row, 1))
+    x, y, value = (np.concatenate(each) for each in zip(*(_seen(step, floor) for step in steps), strict=True))
+    dots = Dots(x, y, value, f"{found.quantity}, {found.unit}", floor)
+    note = "red: natural frequencies; dashed: orders"
+    return Panel(
+        f"Campbell diagram of {found.point}: frequency, Hz", tuple(drawn), note=note, dots=dots,
+        abscissa=_swept(found), height=1.8, span=_span(found), top=top,
+    )  # fmt: skip
+
+
+def _first(name: str) -> str:
+    """Of the names of an order the first: "2 x w1" of "2 x w1, w2 = 1 x w3"."""
+    return re.split(" = |, ", name, maxsplit=1)[0]
+
+
+def _short(name: str) -> str:
+    """Flywheels between the first and the last left out where there are more than three: a legend has little room."""
+    parts = [part.split(", ") for part in name.split(" = ")]
+    return " = ".join(f"{part[0]} .. {part[-1]}" if len(part) > 3 else ", ".join(part) for part in parts)
+
+
+def _seen(step: Step, floor: float) -> tuple[Array, Array, Array]:
+    kept = np.flatnonzero(step.sizes > floor)
+    kept = kept[kept > 0]
+    return np.full(len(kept), RPM * step.value), step.frequencies[kept], step.sizes[kept]
+
+
+def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
+    """Amplitudes of the orders and RMS over speed."""
+    speed = RPM * found.values
+    kept = [line for line in lines if line.largest > floor]
+    drawn = [Line(_short(line.name), speed, _above(line.size, floor), i) for i, line in enumerate(kept)]
+    drawn.append(Line("RMS", speed, _above(np.linalg.norm(found.rms(), axis=1), floor), None))
+    if found.band is not None:
+        low, high = found.band
+        within = np.linalg.norm(found.rms(found.band), axis=1)
+        drawn.append(Line(f"RMS {low:g}..{high:g} Hz", speed, _above(within, floor), None, dashed=True))
+    quantity = f"{found.quantity} of {found.point}, {found.unit}: amplitude of orders, RMS"
+    return Panel(quantity, tuple(drawn), log=True, abscissa=_swept(found), height=1.3, span=_span(found))
+
+
+def _above(values: Array, floor: float) -> Array:
+    """What is below the floor is not drawn."""
+    return np.where(values > floor, values, np.nan)
+
+
+def _waterfall(found: Sweep, steps: list[Step], top: float, floor: float) -> Panel:
+    """Spectra at their speeds: heights by powers of ten above the floor, all decades as high as two spectra apart."""
+    chosen = steps[:: -max(1, -(-len(steps) // CASCADE))][::-1]  # the fastest among them
+    speeds = RPM * np.array([step.value for step in chosen])
+    apart = float(np.ptp(speeds)) / max(len(chosen) - 1, 1) or 1.0
+    drawn = []
+    for step, speed in zip(chosen, speeds, strict=True):
+        _, y, value = _seen(step, floor)
+        x = np.concatenate([[0.0], np.repeat(y, 3), [top]])
+        height = 2.0 * apart * np.log10(value / floor) / DECADES
+        peaks = np.stack([np.zeros_like(height), height, np.zeros_like(height)], axis=1).ravel()
+        drawn.append(Line("", x, speed + np.concatenate([[0.0], peaks, [0.0]]), 0))
+    note = f"heights: {DECADES:g} decades of {found.unit} are two spectra apart"
+    return Panel(
+        f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", height=1.8, span=(0.0, top)
+    )
+
+
+def _spectrum(step: Step, what: str, floor: float) -> Panel:
+    """Amplitudes at one speed, and natural frequencies."""
+    _, y, value = _seen(step, floor)
+    top = 1.1 * float(y.max(initial=0.0))
+    x = np.concatenate([[0.0], np.repeat(y, 3), [top]])
+    peaks = np.stack([np.full_like(value, floor), value, np.full_like(value, floor)], axis=1).ravel()
+    sticks = np.concatenate([[floor], peaks, [floor]])
+    drawn = [Line("amplitude", x, sticks, 0)]
+    for k, frequency in enumerate(step.natural[step.natural < top]):
+        name = "natural frequency" if k == 0 else ""
+        drawn.append(Line(name, np.full(2, frequency), np.array([floor, value.max()]), 1, dashed=True))
+    return Panel(what, tuple(drawn), log=True, abscissa="frequency, Hz", height=1.5, span=(0.0, top))

@@ -1,0 +1,156 @@
+"""Panels of a run that `mahovik simulate` wrote: motion of carrier and points, speeds and torques of the flywheels."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mahovik.errors import UsageError
+from mahovik.out.report.plot import following
+from mahovik.out.report.plot.panel import Array, Line, Panel
+from mahovik.use.simulate.output import IDENTITY
+
+SUFFIXES = (".csv", ".parquet")
+
+RPM = 30 / np.pi
+
+MOST = 6
+"""Points whose readings are shown."""
+
+_POINT = re.compile(r"force_x (\w+) \[m/s2\]")
+_FLYWHEEL = re.compile(r"(phi_dot|tau|margin) (\w+) \[[^]]*\]")
+
+
+def read(path: Path) -> dict[str, Array]:
+    """The columns of a run by their whole names. Raises UsageError."""
+    try:
+        found = _csv(path) if path.suffix == ".csv" else _parquet(path)
+    except OSError as error:
+        raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except (ValueError, csv.Error) as error:
+        raise UsageError(f"{path}: no run of `mahovik simulate`: {error}") from None
+    if "t [s]" not in found or not len(found["t [s]"]):
+        raise UsageError(f'{path}: no run of `mahovik simulate`: expected a column "t [s]" and rows')
+    return found
+
+
+def identity(path: Path) -> dict[str, str] | None:
+    """Whose run a file says it is: name, structure and physics of the stand; None where it does not say.
+
+    Raises UsageError.
+    """
+    if path.suffix == ".csv":
+        return None
+    try:
+        given = (_parquet_module(path).read_schema(path).metadata or {}).get(IDENTITY.encode())
+        found = None if given is None else json.loads(given)
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: no run of `mahovik simulate`: {error}") from None
+    return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else None
+
+
+def _csv(path: Path) -> dict[str, Array]:
+    with path.open(encoding="utf-8", newline="") as file:
+        head, *rows = list(csv.reader(file)) or [[]]
+    if any(len(row) != len(head) for row in rows):
+        raise ValueError(f"a row has not as many numbers as there are names, {len(head)}")
+    data = np.array(rows, dtype=np.float64).reshape(len(rows), len(head))
+    return {name: data[:, i] for i, name in enumerate(head)}
+
+
+def _parquet(path: Path) -> dict[str, Array]:
+    with path.open("rb") as file:
+        table = _parquet_module(path).read_table(file)
+    return {name: np.asarray(table[name], dtype=np.float64) for name in table.column_names}
+
+
+def _parquet_module(path: Path) -> Any:
+    try:
+        return import_module("pyarrow.parquet")
+    except ImportError:
+        raise UsageError(f'{path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
+
+
+def panels(columns: Mapping[str, Array]) -> list[Panel]:
+    """What there is of: place of O1, turn and velocities of the carrier, speeds and torques of the flywheels, margins
+    of motors, readings of points.
+
+    Of a run that follows a programme: what is required beside what is achieved, and the error; only the last has all
+    of the run.
+    """
+    t = columns["t [s]"]
+    if following.follows(columns):
+        carrier, columns = following.panels(columns), following.end(columns)
+        t = columns["t [s]"]
+    else:
+        place = _group("O1, mm, from the start", t, columns, [f"{a} [m]" for a in "xyz"], 1e3, from_start=True)
+        carrier = [place, _turn(t, columns)]
+    found = [
+        *carrier,
+        _group("carrier, m/s, in E1", t, columns, [f"v_{a} [m/s]" for a in "xyz"]),
+        _group("carrier, rad/s, in E1", t, columns, [f"omega_{a} [rad/s]" for a in "xyz"]),
+        *(_flywheels(quantity, t, columns, kind, unit) for quantity, kind, unit in _WHEELS),
+        *_points(t, columns),
+    ]
+    return [panel for panel in found if panel.lines]
+
+
+_WHEELS = (("speed, rpm", "phi_dot", RPM), ("drive torque, N m", "tau", 1.0), ("margin of motors, N m", "margin", 1.0))
+
+
+def _group(
+    quantity: str,
+    t: Array,
+    columns: Mapping[str, Array],
+    names: Sequence[str],
+    unit: float = 1.0,
+    from_start: bool = False,
+) -> Panel:
+    there = [name for name in names if name in columns]
+    lines = []
+    for i, name in enumerate(there):
+        y = columns[name] - columns[name][0] if from_start else columns[name]
+        lines.append(Line(name.split(" ")[0], t, unit * y, i))
+    return Panel(quantity, tuple(lines))
+
+
+def _points(t: Array, columns: Mapping[str, Array]) -> list[Panel]:
+    """Specific force of the first points, on their own axes."""
+    names = [match[1] for column in columns if (match := _POINT.fullmatch(column))]
+    panels = [
+        _group(f"specific force at {name}, m/s2", t, columns, [f"force_{a} {name} [m/s2]" for a in "xyz"])
+        for name in names[:MOST]
+    ]
+    if len(names) > MOST:
+        panels[-1] = replace(panels[-1], note=f"and {len(names) - MOST} more points in the run")
+    return panels
+
+
+def _turn(t: Array, columns: Mapping[str, Array]) -> Panel:
+    """Rotation vector of the carrier from its attitude at the start, in E1."""
+    from scipy.spatial.transform import Rotation
+
+    names = ("qx", "qy", "qz", "qw")
+    if any(name not in columns for name in names):
+        return Panel("", ())
+    attitude = Rotation.from_quat(np.stack([columns[name] for name in names], axis=1))
+    vector = 1e3 * (attitude[0].inv() * attitude).as_rotvec()
+    lines = tuple(Line(f"about {a}", t, vector[:, i], i) for i, a in enumerate("xyz"))
+    return Panel("turn, mrad, from the start", lines)
+
+
+def _flywheels(quantity: str, t: Array, columns: Mapping[str, Array], kind: str, unit: float) -> Panel:
+    found: list[Line] = []
+    for name, column in columns.items():
+        match = _FLYWHEEL.fullmatch(name)
+        if match and match[1] == kind:
+            found.append(Line(match[2], t, unit * column, len(found)))
+    return Panel(quantity, tuple(found))

@@ -1,0 +1,202 @@
+"""Three views of the stand, to scale: bodies, spin axes, unbalance, ties."""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy as np
+
+from mahovik.core.emit.templates import template
+from mahovik.out.report.stand.labels import Box
+from mahovik.out.report.stand.material import Material
+from mahovik.out.report.stand.projection import Array, Projection, arrow, line, n, path, round_length, text
+from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.shape import Shape, shape_of
+from mahovik.out.report.stand.views import (
+    DYNAMIC,
+    STATIC,
+    Magnified,
+    View,
+    axis_length,
+    is_cut,
+    leg_end,
+    moved,
+    names,
+    spin_length,
+)
+
+WIDTH, HEIGHT = 940.0, 760.0
+"""px that the three views may take together."""
+
+MARGIN, TITLE = 16.0, 18.0
+"""px about each view for words, and above it for its title."""
+
+KEYS = (250.0, 118.0)
+"""px that scale bar and arrows of the legend need."""
+
+
+def section(material: Material) -> Section | None:
+    """The section: always there."""
+    shape = shape_of(material.stand)
+    svg, left_out = draw(shape)
+    words = names(shape)
+    html = template("report_drawing.html.j2").render(
+        svg=svg,
+        marks=_marks(shape),
+        numbered=[(w, d.name) for w, d in zip(words, shape.flywheels, strict=True) if w != d.name],
+        left_out=left_out,
+        bare=[d.name for d in shape.flywheels if not d.equivalent],
+    )
+    return Section("drawing", "Drawing", html)
+
+
+def basis(shape: Shape) -> Array:
+    """Rows right, depth (away from the eye), up of the front view: up is the axis of E1 nearest to against gravity."""
+    axis = int(np.argmax(np.abs(shape.up)))
+    up = np.sign(shape.up[axis]) * np.eye(3)[axis]
+    right = np.eye(3)[1 if axis == 0 else 0]
+    return np.stack([right, np.cross(up, right), up])
+
+
+def magnified(shape: Shape) -> Magnified:
+    """The largest unbalance of each kind as long as the largest disc is wide, or a tenth of the stand."""
+    largest = max((d.radius for d in shape.flywheels), default=0.0)
+    wide = max(1.2 * largest, 0.1 * shape.size)
+
+    def times(of: list[Array]) -> float:
+        most = max((float(np.hypot(*each)) for each in of), default=0.0)
+        return wide / most if most else 0.0
+
+    return Magnified(times([d.static for d in shape.flywheels]), 0.8 * times([d.dynamic for d in shape.flywheels]))
+
+
+def draw(shape: Shape) -> tuple[str, int]:
+    """The drawing as SVG, and how many names had no room. Third-angle: top above the front, right side beside it."""
+    axes, length = basis(shape), magnified(shape)
+    low, high = _extent(shape, axes, length)
+    size = high - low
+    room = np.array([WIDTH - 4 * MARGIN, HEIGHT - 4 * MARGIN - 2 * TITLE])
+    scale = float(min(room / np.maximum([size[0] + size[1], size[1] + size[2]], 1e-9)))
+    w, d, h = scale * size
+    column, row = w + 2 * MARGIN, d + 2 * MARGIN + TITLE
+
+    def view(title: str, x: int, y: int, flip: float, at: tuple[float, float]) -> View:
+        """Paper x along axis x of the basis, paper y up along axis y, from `low` up."""
+        width, height = scale * size[x], scale * size[y]
+        bottom = low[y] if flip > 0 else -high[y]
+        frame = Box(0.0, 0.0, width + 2 * MARGIN, height + 2 * MARGIN + TITLE)
+        origin = (MARGIN - scale * low[x], TITLE + MARGIN + height + scale * bottom)
+        return moved(View(title, Projection(axes[x], flip * axes[y], scale, origin), frame), *at)
+
+    views = [
+        view("top", 0, 1, 1.0, (0.0, 0.0)),
+        view("front", 0, 2, 1.0, (0.0, row)),
+        view("right side", 1, 2, 1.0, (column, row)),
+    ]
+    total = (column + d + 2 * MARGIN, row + h + 2 * MARGIN + TITLE)
+    found = [each.draw(shape, length) for each in views]
+    for x0, y0, x1, y1 in ((column, 0.0, column, total[1]), (0.0, row, total[0], row)):
+        found.append(line(np.array([x0, y0]), np.array([x1, y1]), "stroke:var(--line)"))
+    beside = d + 2 * MARGIN >= KEYS[0] and row >= KEYS[1]
+    keys = (column + 8, row - KEYS[1]) if beside else (8.0, total[1] + 4)
+    found.append(_keys(shape, scale, length, keys))
+    width = max(total[0], 0.0 if beside else KEYS[0] + 16)
+    height = total[1] + (0.0 if beside else KEYS[1])
+    head = (
+        f'<svg class="drawing" viewBox="0 0 {n(width)} {n(height)}" width="{n(width)}" height="{n(height)}" '
+        'xmlns="http://www.w3.org/2000/svg" font-size="12" role="img" '
+        f'aria-label="{escape("Three views of the stand, third-angle projection, to scale")}">'
+    )
+    return head + "".join(found) + "</svg>", max(each.left_out for each in views)
+
+
+def _extent(shape: Shape, axes: Array, length: Magnified) -> tuple[Array, Array]:
+    """Least and largest coordinates of all that is drawn, along right, depth, up; m."""
+    low, high = [np.zeros(3)], [np.zeros(3)]
+
+    def add(at: Array, half: Array | float = 0.0) -> None:
+        low.append(axes @ at - half)
+        high.append(axes @ at + half)
+
+    for solid in shape.solids:
+        add(solid.center, np.linalg.norm(axes @ solid.axes, axis=1))
+    for disc in shape.flywheels:
+        normal = np.abs(axes @ disc.C[:, 0])
+        half = disc.radius * np.sqrt(np.maximum(1 - normal**2, 0.0)) + disc.thickness / 2 * normal
+        add(disc.center, half)
+        add(disc.center + spin_length(disc) * disc.C[:, 0])
+        add(disc.center + length.static * (disc.C[:, 1:] @ disc.static))
+        add(disc.center + length.dynamic * (disc.C[:, 1:] @ disc.dynamic))
+    for k in range(3):
+        add(axis_length(shape) * np.eye(3)[k])
+    for place in (*(leg.carrier for leg in shape.legs), *(at for _, at in shape.points), shape.center_of_mass):
+        add(place)
+    for leg in shape.legs:
+        add(leg_end(shape, leg))
+    return np.min(low, axis=0), np.max(high, axis=0)
+
+
+def _keys(shape: Shape, scale: float, length: Magnified, at: tuple[float, float]) -> str:
+    """Scale bar, arrows of known size, and the sign of third-angle projection."""
+    x, y = at
+    bar = round_length(0.6 * KEYS[0] / scale)
+    found = _bar(np.array([x, y + 14.0]), scale * bar, f"{1e3 * bar:g} mm" if bar < 1.0 else f"{bar:g} m")
+    row = y + 42.0
+    for name, times, unit, factor, paint, dashed, heads in (
+        ("static unbalance", length.static, "g mm", 1e6, STATIC, False, 1),
+        ("dynamic unbalance", length.dynamic, "g mm²", 1e9, DYNAMIC, True, 2),
+    ):
+        if times > 0.0:
+            amount = round_length(60.0 / (scale * times))
+            start = np.array([x, row - 4.0])
+            found += arrow(start, start + np.array([scale * times * amount, 0.0]), paint, 1.7, dashed, heads)
+            found += text(np.array([x + 70.0, row]), f"{name}, {_amount(factor * amount)} {unit}")
+            row += 22.0
+    return found + _third_angle(np.array([x + 16.0, row + 8.0]))
+
+
+def _amount(x: float) -> str:
+    """A round number; thousands apart from 10 000 on."""
+    return f"{x:,.0f}".replace(",", "\u202f") if x >= 1e4 else f"{x:g}"
+
+
+def _bar(at: Array, length: float, words: str) -> str:
+    """Scale bar in five parts, dark and light."""
+    found, part = "", length / 5
+    for k in range(5):
+        corners = [at + np.array([(k + i) * part, j * 5.0]) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        found += path(corners, f"fill:var(--{'paper' if k % 2 else 'ink'});stroke:var(--ink)", closed=True)
+    return found + text(at + np.array([length + 6.0, 7.0]), words)
+
+
+def _third_angle(at: Array) -> str:
+    """Truncated cone: seen from its small end at the left, from the side at the right."""
+    style, thin = "fill:none;stroke:var(--ink);stroke-width:1.1", "stroke:var(--muted);stroke-width:.7"
+    found = "".join(f'<circle cx="{n(at[0])}" cy="{n(at[1])}" r="{r}" style="{style}"/>' for r in (4, 8))
+    cone = [at + np.array(c) for c in ((20.0, -4.0), (38.0, -8.0), (38.0, 8.0), (20.0, 4.0))]
+    found += path(cone, style, closed=True)
+    found += line(at + np.array([-11.0, 0.0]), at + np.array([42.0, 0.0]), thin + ";stroke-dasharray:7 2 2 2")
+    return found + text(at + np.array([54.0, 4.0]), "third-angle projection")
+
+
+def _marks(shape: Shape) -> list[tuple[str, str]]:
+    """What signs mean, in words: those that are in this drawing."""
+    cut = any(is_cut(shape, leg) for leg in shape.legs)
+    known = (
+        ("large outline", "carrier: its equivalent ellipsoid of inertia", True),
+        ("x, y, z", "axes of the carrier E1, at its origin O1", True),
+        ("quartered circle", "centre of mass of the whole", True),
+        ("discs", "flywheels: equivalent cylinders; the arrow of the same colour is the spin axis, end on a dot in a "
+         "circle (to the eye) or a cross (away from it)", bool(shape.flywheels)),
+        ("solid arrows", "static unbalance: to the centre of mass", any(d.static.any() for d in shape.flywheels)),
+        ("dashed, two heads", "dynamic unbalance: along (−J₁₂, −J₁₃) about the flywheel's origin",
+         any(d.dynamic.any() for d in shape.flywheels)),
+        ("dash-dotted", "instruments: equivalent ellipsoids of inertia, squares where there is none",
+         bool(shape.instruments)),
+        ("triangle", "centre of buoyancy of the whole", shape.buoyancy is not None),
+        ("dotted circle", "suspension: a 6x6 between O1 and the ground, it has no shape", shape.suspended),
+        ("zigzags", "legs to the ground (hatched), carrier at q = 0" + (", long ones cut off" if cut else ""),
+         bool(shape.legs)),
+        ("crosses", "points", bool(shape.points)),
+    )  # fmt: skip
+    return [(sign, meaning) for sign, meaning, there in known if there]

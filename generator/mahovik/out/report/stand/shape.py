@@ -1,0 +1,182 @@
+"""What a stand looks like as far as its file says: equivalent ellipsoids and discs, axes, unbalance, ties; all in E1.
+
+The file gives no shapes. A carrier or an instrument is drawn as the homogeneous ellipsoid of its mass, centre of mass
+and inertia; a flywheel as the homogeneous cylinder of its mass and of its inertia along and across its axis.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.definite import mount_of, placement
+from mahovik.core.stand.model import Body, Flywheel, Instrument, Stand
+from mahovik.core.stand.physical import inertia_about_center, inertia_about_origin
+from mahovik.core.stand.summary import summarize
+
+Array = NDArray[np.float64]
+
+BARE = 0.04
+"""Radius of what has no mass of its own, as a share of the distance of the farthest body."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """Carrier or instrument: its ellipsoid of inertia has its centre at `center` (3, m) and the columns of `axes`
+    (3x3, m) as semi-axes, all zero where the body has no inertia. `origin` (3), `C` (3x3): its frame in E1."""
+
+    name: str
+    origin: Array
+    C: Array
+    center: Array
+    axes: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Disc:
+    """A flywheel at phi = 0: the cylinder of its mass and inertia, about its axis.
+
+    center          3, m: on the axis, where the centre of mass is along it
+    C               3x3: axes of Es as columns; the first is the spin axis
+    radius, thickness   m; thickness 0 where the inertia is that of a flat disc or flatter
+    equivalent      False where there is no mass, so that the radius is a mere mark
+    static          2, kg m: first moment across the axis, along axes 2 and 3 of Es
+    dynamic         2, kg m2: (-J12, -J13) about the origin of Es
+    """
+
+    name: str
+    center: Array
+    C: Array
+    radius: float
+    thickness: float
+    equivalent: bool
+    static: Array
+    dynamic: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Tie:
+    """A leg: its point on the carrier in E1, and on the ground in E0 (3 each, m)."""
+
+    carrier: Array
+    ground: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """All of a stand that can be drawn. `center_of_mass` of the whole at phi = 0; `buoyancy`: its centre, or None.
+
+    `points`: names and places in E1. `suspended`: whether a suspension acts at O1. `up`: unit vector against gravity in
+    E0, along z where there is none.
+    """
+
+    carrier: Solid
+    instruments: tuple[Solid, ...]
+    flywheels: tuple[Disc, ...]
+    legs: tuple[Tie, ...]
+    points: tuple[tuple[str, Array], ...]
+    center_of_mass: Array
+    buoyancy: Array | None
+    suspended: bool
+    up: Array
+
+    @property
+    def solids(self) -> tuple[Solid, ...]:
+        """Carrier, then instruments."""
+        return (self.carrier, *self.instruments)
+
+    @property
+    def size(self) -> float:
+        """Distance from O1 to the farthest of the bodies, m; above zero."""
+        far = [float(np.linalg.norm(s.center) + np.abs(s.axes).max()) for s in self.solids]
+        far += [float(np.linalg.norm(d.center) + d.radius) for d in self.flywheels]
+        return max(far) or 1.0
+
+    def extent(self, axes: Array) -> Array:
+        """How far the bodies reach from O1 along each row of `axes` (3x3), m."""
+        far = [np.abs(axes @ s.center) + np.linalg.norm(axes @ s.axes, axis=1) for s in self.solids]
+        far += [np.abs(axes @ d.center) + d.radius for d in self.flywheels]
+        return np.asarray(np.max(far, axis=0))
+
+
+def shape_of(stand: Stand) -> Shape:
+    """The shape of a stand."""
+    solids = [_solid(stand, body) for body in (stand.carrier, *stand.instruments)]
+    places = [placement_in_carrier(stand, s) for s in stand.flywheels]
+    reach = [float(np.linalg.norm(s.center) + np.abs(s.axes).max()) for s in solids]
+    mark = BARE * (max([*reach, *(float(np.linalg.norm(at)) for at, _ in places)]) or 1.0)
+    frames = {s.name: s for s in solids}
+    gravity = np.array(stand.gravity)
+    strength = float(np.linalg.norm(gravity))
+    return Shape(
+        carrier=solids[0],
+        instruments=tuple(solids[1:]),
+        flywheels=tuple(_disc(s, *place, mark) for s, place in zip(stand.flywheels, places, strict=True)),
+        legs=tuple(Tie(np.array(leg.carrier), np.array(leg.ground)) for leg in stand.legs),
+        points=tuple((p.name, frames[p.mount].origin + frames[p.mount].C @ np.array(p.position)) for p in stand.points),
+        center_of_mass=np.array(summarize(stand).center_of_mass),
+        buoyancy=_buoyancy(stand),
+        suspended=stand.suspension is not None,
+        up=-gravity / strength if strength else np.array([0.0, 0.0, 1.0]),
+    )
+
+
+def placement_in_carrier(stand: Stand, body: Instrument | Flywheel) -> tuple[Array, Array]:
+    """Origin (3, m) and axes (3x3, columns) of a body in E1; a flywheel's at phi = 0."""
+    at, C = placement(body)
+    mount = mount_of(stand, body)
+    if mount is None:
+        return at, C
+    origin, axes = placement(mount)
+    return origin + axes @ at, axes @ C
+
+
+def ellipsoid(body: Body) -> Array:
+    """Semi-axes (columns, m, in the body's axes) of the homogeneous ellipsoid with the body's mass and inertia.
+
+    a_i^2 = 5/(2 m) (J_j + J_k - J_i) of the principal moments about the centre of mass; zero without mass.
+    """
+    if not body.mass > 0.0:
+        return np.zeros((3, 3))
+    moments, axes = np.linalg.eigh(inertia_about_center(body))
+    squares = 2.5 / body.mass * (moments.sum() - 2 * moments)
+    return np.asarray(axes * np.sqrt(np.maximum(squares, 0.0)))
+
+
+def _solid(stand: Stand, body: Body) -> Solid:
+    origin, C = placement_in_carrier(stand, body) if isinstance(body, Instrument) else (np.zeros(3), np.eye(3))
+    return Solid(body.name, origin, C, origin + C @ np.array(body.center_of_mass), C @ ellipsoid(body))
+
+
+def _disc(flywheel: Flywheel, origin: Array, C: Array, mark: float) -> Disc:
+    """R^2 = 2 J11/m, h^2 = 12 Jt/m - 3 R^2 with the mean Jt of J22, J33, all about the centre of mass."""
+    mass, center = flywheel.mass, np.array(flywheel.center_of_mass)
+    central, J = inertia_about_center(flywheel), inertia_about_origin(flywheel)
+    real = mass > 0.0 and bool(central[0, 0] > 0.0)
+    square = 2 * float(central[0, 0]) / mass if real else mark**2
+    across = 6 * float(central[1, 1] + central[2, 2]) / mass - 3 * square if real else 0.0
+    return Disc(
+        name=flywheel.name,
+        center=origin + center[0] * C[:, 0],
+        C=C,
+        radius=float(np.sqrt(square)),
+        thickness=float(np.sqrt(max(across, 0.0))),
+        equivalent=real,
+        static=mass * center[1:],
+        dynamic=-J[0, 1:],
+    )
+
+
+def _buoyancy(stand: Stand) -> Array | None:
+    """Centre of buoyancy of the whole in E1 at phi = 0, m."""
+    total, moment = 0.0, np.zeros(3)
+    for body in stand.bodies:
+        if body.buoyancy is not None:
+            at, C = (np.zeros(3), np.eye(3))
+            if isinstance(body, Instrument | Flywheel):
+                at, C = placement_in_carrier(stand, body)
+            total += body.buoyancy.displaced_mass
+            moment += body.buoyancy.displaced_mass * (at + C @ np.array(body.buoyancy.center))
+    return moment / total if total else None

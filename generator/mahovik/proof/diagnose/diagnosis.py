@@ -1,0 +1,154 @@
+"""A diagnosis: asking a program, searching its error, and what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.proof.diagnose.predict import Part, Predictions
+from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
+from mahovik.proof.diagnose.sheet import sheet
+from mahovik.proof.diagnose.states import FIRST, separating_states
+from mahovik.proof.reference.array import Array
+from mahovik.proof.verify.backends import WANTS
+from mahovik.proof.verify.bounds import BOUNDS
+from mahovik.proof.verify.harness import askable
+from mahovik.proof.verify.states import Request
+
+Outcome = Literal["equal", "rounding", "named", "unknown", "nothing"]
+
+Answers = Callable[[Request], Mapping[str, Any]]
+"""What a program said to a request: empty where it refused."""
+
+
+@dataclass(frozen=True)
+class Cause:
+    """What a program is found to have: one fault, or two at once.
+
+    parts    faults, each with the flywheel it is in alone, or None
+    share    part of the fault's error that is there, 1.0 for a whole fault
+    score    0: it explains the error to rounding; 1: it explains nothing
+    only_in  quantities in which the error is, where the fault would spoil others as well; else empty
+    """
+
+    parts: tuple[Part, ...]
+    share: float
+    score: float
+    only_in: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What the error of a program looks like.
+
+    outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float;
+                named: `causes`; unknown: an error that the dictionary does not explain; nothing: no answers
+    causes      the best first; more than one where the stand cannot tell them apart
+    confidence  0 to 1: how well the first explains the error, and how much worse the best of the others does
+    others      the next best, for what they are worth
+    unseen      names of faults that have no effect on this stand, in what the program offers
+    wrong       quantities with an error, as want: quantity
+    """
+
+    outcome: Outcome
+    causes: tuple[Cause, ...] = ()
+    confidence: float = 0.0
+    others: tuple[Cause, ...] = ()
+    unseen: tuple[str, ...] = ()
+    wrong: tuple[str, ...] = ()
+
+
+class Clinic:
+    """Diagnoses programs of one stand: the states, the reference's answers and what the faults predict are kept."""
+
+    def __init__(self, stand: Stand, seed: int = 1, wants: Sequence[str] = ()) -> None:
+        self._stand = stand
+        states = separating_states(stand, seed)
+        asked = [
+            (number, Request(f"{name}, {want}", state, (want,)))
+            for number, (name, state) in enumerate(states)
+            for want in wants or WANTS
+            if askable(state, want) and (stand.flywheels or want != "inverse")
+        ]
+        self.whole = sheet(stand, [request for _, request in asked])
+        searched = {request.id for number, request in asked if number < FIRST}
+        count = sum(request.id in searched for request in self.whole.requests)
+        self._first = self.whole.head(count).expected.size
+        self.predictions = Predictions(stand, self.whole, count)
+
+    @property
+    def requests(self) -> tuple[Request, ...]:
+        """What to ask a program."""
+        return self.whole.requests
+
+    def diagnose(self, answers: Answers) -> Diagnosis:
+        """The diagnosis of a program by its answers to `requests`."""
+        found = self.whole.filled(answers)
+        if not np.isfinite(found).any():
+            return Diagnosis("nothing")
+        fine, coarse = (self._evidence(found, real) for real in ("double", "float"))
+        if not self._wrong(fine):
+            return Diagnosis("equal")
+        if not self._wrong(coarse):  # no larger than rounding of float: only a perfect likeness is a fault
+            strict = self._searched(fine, freely=False)
+            exact = strict.outcome == "named" and strict.causes[0].score <= EXACT
+            return strict if exact else replace(strict, outcome="rounding", causes=(), others=(), confidence=0.0)
+        double = self._searched(fine)
+        if double.outcome == "named" and double.causes[0].score <= EXACT:
+            return double
+        single = self._searched(coarse)
+        return max((double, single), key=lambda each: (each.outcome == "named", -_score(each)))
+
+    def _evidence(self, found: Array, real: str) -> Evidence:
+        e = self.whole.over_scale(found - self.whole.expected)
+        return Evidence(e, self.whole.noise(BOUNDS[real]), self.whole.block, self._first)
+
+    def _wrong(self, evidence: Evidence) -> tuple[str, ...]:
+        """Quantities with an error beyond rounding."""
+        there = np.abs(np.nan_to_num(evidence.e, nan=0.0)) > evidence.noise
+        blocks = sorted({int(i) for i in evidence.block[there]})
+        return tuple(f"{want}: {quantity}" for want, quantity in (self.whole.quantities[i] for i in blocks))
+
+    def _searched(self, evidence: Evidence, freely: bool = True) -> Diagnosis:
+        wrong = self._wrong(evidence)
+        search = Search(self._stand, evidence, self.predictions)
+        ranked = search.ranked(freely)
+        unseen = tuple(part.fault.name for (part,) in search.unseen())
+        if not ranked or not ranked[0].named:
+            nearest = tuple(_cause(each, wrong) for each in ranked[:3])
+            return Diagnosis("unknown", (), 0.0, nearest, unseen, wrong)
+        best = ranked[0]
+        rest = [each for each in ranked[1:] if not each.repeats(best)]
+        twins = search.twins(best, rest)
+        others = [each for each in rest if each not in twins]
+        if best.share == 1.0:  # a part of another fault that looks the same is no news
+            twins = [each for each in twins if each.share == 1.0 and len(each.suspect) == len(best.suspect)]
+        return Diagnosis(
+            "named",
+            tuple(_cause(each, wrong) for each in (best, *twins)),
+            _confidence(best, others),
+            tuple(_cause(each, wrong) for each in others[:3]),
+            unseen,
+            wrong,
+        )
+
+
+def _cause(finding: Finding, wrong: Sequence[str]) -> Cause:
+    only = tuple(wrong) if finding.match.absent and finding.named else ()
+    return Cause(finding.suspect, finding.share, finding.match.score, only)
+
+
+def _score(diagnosis: Diagnosis) -> float:
+    return diagnosis.causes[0].score if diagnosis.causes else 1.0
+
+
+def _confidence(best: Finding, others: Sequence[Finding]) -> float:
+    """(1 - score) (1 - score / next score)."""
+    score = best.match.score
+    next_score = min((each.match.score for each in others), default=1.0)
+    apart = 1.0 - min(score / next_score, 1.0) if next_score > 0.0 else 0.0
+    return (1.0 - score) * apart

@@ -1,0 +1,74 @@
+"""States at which faults look different from one another: everything at once, then one kind of motion at a time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from types import MappingProxyType
+from typing import cast
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.state import Quaternion, State
+
+FIRST = 3
+"""So many states from the first have everything in them: they see all that can be seen, and suffice to search by."""
+
+ALONE = 4
+"""So many flywheels, at most, have a state in which they alone turn."""
+
+
+def separating_states(stand: Stand, seed: int = 1) -> list[tuple[str, State]]:
+    """States with their names, the same for the same seed; without stand.md's extremes, which rounding disturbs."""
+    rng = np.random.default_rng(seed)
+    found = [
+        ("all 1", _wrenched(stand, _by_angles(stand, rng), rng)),
+        ("all 2", _wrenched(stand, _by_quaternion(stand, rng), rng)),
+        ("all 3", _by_angles(stand, rng)),
+    ]
+    assert len(found) == FIRST
+    N = len(stand.flywheels)
+    zeros, zero6 = (0.0,) * N, (0.0,) * 6
+
+    def quiet(state: State) -> State:
+        return replace(state, phi_ddot=zeros, V_dot=zero6, tau=zeros)
+
+    states = {
+        "at rest": quiet(replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros)),
+        "flywheels turn": quiet(replace(_by_angles(stand, rng), V=zero6)),
+        "flywheels accelerate": replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros, V_dot=zero6),
+        "carrier moves": quiet(replace(_by_angles(stand, rng), phi_dot=zeros)),
+        "carrier accelerates": replace(_by_angles(stand, rng), V=zero6, phi_dot=zeros, phi_ddot=zeros),
+        "no acceleration": quiet(_by_quaternion(stand, rng)),
+    }
+    found += states.items()
+    for k in range(min(N, ALONE)):
+        state = _by_angles(stand, rng)
+        alone = tuple(x if i == k else 0.0 for i, x in enumerate(state.phi_dot))
+        found.append((f"{stand.flywheels[k].name} turns", replace(state, phi_dot=alone)))
+    return found
+
+
+def _by_angles(stand: Stand, rng: np.random.Generator) -> State:
+    """An ordinary state with attitude angles well off their singularity."""
+    psi, phi = rng.uniform(-math.pi, math.pi, 2)
+    theta = rng.uniform(0.3, 1.2) * rng.choice([-1.0, 1.0])
+    return replace(_plain(stand, rng), angles=(float(psi), float(theta), float(phi)), quaternion=None)
+
+
+def _by_quaternion(stand: Stand, rng: np.random.Generator) -> State:
+    q = rng.normal(size=4)
+    q /= np.linalg.norm(q)
+    return replace(_plain(stand, rng), angles=None, quaternion=cast(Quaternion, tuple(map(float, q))))
+
+
+def _plain(stand: Stand, rng: np.random.Generator) -> State:
+    return replace(random_state(stand, rng), wrench=MappingProxyType({}))
+
+
+def _wrenched(stand: Stand, state: State, rng: np.random.Generator) -> State:
+    """The state with a run-time wrench on every body."""
+    wrench = {body.name: cast(Vec6, tuple(map(float, rng.normal(size=6) * 5))) for body in stand.bodies}
+    return replace(state, wrench=MappingProxyType(wrench))

@@ -1,0 +1,127 @@
+"""index.html of a folder of evidence: a table, then a section for each piece; no script, nothing is loaded."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup
+
+from mahovik import __version__
+from mahovik.core.emit.generate import described
+from mahovik.core.emit.templates import template
+from mahovik.core.stand.identity import identities
+from mahovik.proof.evidence.piece import Subject, Table, Verdict
+
+if TYPE_CHECKING:
+    from mahovik.proof.evidence.collect import Collected
+
+LONG = 14
+"""Rows of a table from which on it is closed until it is asked for."""
+
+GENERAL = (
+    ("Sine, cosine, square root, arc tangent: error bounds, operation by operation", "docs/mathematics.md"),
+    ("Faults planted in emitted C and in the derivations, and what caught each", "docs/planted-faults.md"),
+    ("Equation, derivation, function, lines, and the tests that notice a mutant of it", "docs/traceability.md"),
+    ("Every file reader on spoiled input; millions of executions of the C of the example stands", "docs/fuzzing.md"),
+    ("Largest differences to other multibody programs over the example stands", "docs/judges.md"),
+)
+"""What is shown once for the generator and not for a stand; where, in its repository."""
+
+_STYLE = {
+    Verdict.PASSED: "good",
+    Verdict.FAILED: "bad",
+    Verdict.MISSING: "open",
+    Verdict.LEFT_OUT: "open",
+    Verdict.NOTHING: "open",
+}
+
+
+def html(subject: Subject, found: Sequence[Collected]) -> str:
+    """The page."""
+    names = identities(subject.stand)
+    return template("evidence.html.j2").render(
+        name=subject.stand.name,
+        bodies=described(subject.stand),
+        real=subject.real,
+        structure=names.structure,
+        physics=names.physics,
+        version=__version__,
+        extent="full" if subject.full else "quick",
+        stand_file=subject.stand_file,
+        conclusion=conclusion(found),
+        style="bad" if _failed(found) else "good" if _complete(found) else "open",
+        general=GENERAL,
+        pieces=[_piece(each) for each in found],
+    )
+
+
+def conclusion(found: Sequence[Collected]) -> str:
+    """The verdict over all, in one line."""
+    counts = Counter(each.outcome.verdict for each in found)
+    ran = counts[Verdict.PASSED] + counts[Verdict.FAILED]
+    words = f"{counts[Verdict.PASSED]} of {ran} pieces passed" if ran else "no piece was run"
+    if bad := _failed(found):
+        words += f"; FAILED: {', '.join(bad)}"
+    for verdict in (Verdict.MISSING, Verdict.LEFT_OUT, Verdict.NOTHING):
+        if names := [each.piece.name for each in found if each.outcome.verdict is verdict]:
+            words += f"; {verdict.value}: {', '.join(names)}"
+    return words
+
+
+def _failed(found: Sequence[Collected]) -> list[str]:
+    return [each.piece.name for each in found if each.outcome.verdict is Verdict.FAILED]
+
+
+def _complete(found: Sequence[Collected]) -> bool:
+    return all(each.outcome.verdict is Verdict.PASSED for each in found)
+
+
+def _piece(each: Collected) -> dict[str, Any]:
+    piece, outcome = each.piece, each.outcome
+    return {
+        "name": piece.name,
+        "title": piece.title,
+        "verdict": outcome.verdict.value,
+        "style": _STYLE[outcome.verdict],
+        "figure": outcome.figure,
+        "shows": _text(piece.shows),
+        "limits": _text(piece.limits),
+        "command": _command(each.command),
+        "tools": ", ".join(outcome.tools),
+        "notes": [_text(note) for note in outcome.notes],
+        "table": _table(outcome.table),
+        "files": [f"raw/{piece.name}/{name}" for name in outcome.files],
+    }
+
+
+def _table(table: Table | None) -> dict[str, Any] | None:
+    if table is None:
+        return None
+    right = [name.endswith(">") for name in table.head]
+    return {
+        "head": [
+            (name.removesuffix(">"), "number" if is_right else "")
+            for name, is_right in zip(table.head, right, strict=True)
+        ],
+        "rows": [
+            [(cell, "number" if is_right else "") for cell, is_right in zip(row, right, strict=True)]
+            for row in table.rows
+        ],
+        "closed": len(table.rows) >= LONG,
+        "count": len(table.rows),
+    }
+
+
+def _command(text: str) -> Markup:
+    """A command whose words are not broken at their hyphens."""
+    return Markup(" ").join(Markup(f"<span>{escape(word)}</span>") for word in text.split(" "))
+
+
+def _text(text: str) -> Markup:
+    """A paragraph; code between backticks."""
+    pieces = enumerate(re.split(r"`([^`]*)`", text))
+    return Markup("").join(Markup(f"<code>{escape(p)}</code>" if i % 2 else escape(p)) for i, p in pieces)

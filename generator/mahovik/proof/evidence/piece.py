@@ -1,0 +1,138 @@
+"""A piece of evidence: what it shows and what it does not, how it is run, and how it came out."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from importlib.util import find_spec
+from pathlib import Path
+
+from mahovik.core.stand.model import Stand
+
+
+class Verdict(Enum):
+    """How a piece came out, in the words of the page."""
+
+    PASSED = "passed"
+    FAILED = "FAILED"
+    MISSING = "not run: tool missing"
+    LEFT_OUT = "left out by option"
+    NOTHING = "nothing to judge"
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What the evidence is of, and where it is collected.
+
+    folder   of the evidence: the delivered C lies in `c/`, the stand file beside it
+    scratch  for what is not kept
+    full     everything, for as long as it takes; else a selection, minutes
+    seconds  of fuzzing
+    """
+
+    stand: Stand
+    real: str
+    folder: Path
+    scratch: Path
+    full: bool = False
+    seconds: int = 20
+
+    @property
+    def c(self) -> Path:
+        """The delivered C."""
+        return self.folder / "c"
+
+    @property
+    def option(self) -> str:
+        """The element type as an option of a command; nothing for double."""
+        return "" if self.real == "double" else f" --real {self.real}"
+
+    @property
+    def stand_file(self) -> str:
+        """Name of the copy of the stand file."""
+        return f"{self.stand.name}.toml"
+
+    @property
+    def sources(self) -> list[str]:
+        """C for firmware in the delivered folder."""
+        return [f"{self.stand.name}.c", f"{self.stand.name}_recorder.c"]
+
+
+@dataclass(frozen=True)
+class Need:
+    """A tool without which a piece cannot run, whether it is here, and the command that installs it."""
+
+    name: str
+    found: Callable[[], bool]
+    install: str
+
+
+def program(name: str, install: str = "") -> Need:
+    """A program on the path; `install`: by default the Debian package of its name."""
+    return Need(name, lambda: shutil.which(name) is not None, install or f"apt-get install {name}")
+
+
+def module(name: str, install: str) -> Need:
+    """A Python package."""
+    return Need(name, lambda: find_spec(name) is not None, install)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Figures of a piece; columns whose name ends in ">" are right-aligned."""
+
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a piece came out.
+
+    figure  what is said of it in the summary, in one line
+    tools   what did it, with versions
+    notes   sentences for its section: what is missing, what was found
+    files   what is kept, content by name
+    """
+
+    verdict: Verdict
+    figure: str
+    tools: tuple[str, ...] = ()
+    table: Table | None = None
+    notes: tuple[str, ...] = ()
+    files: Mapping[str, str | bytes] = field(default_factory=dict)
+
+
+Tell = Callable[[str], None]
+"""Says what is being done, in a few words."""
+
+
+def _nothing(_: Subject) -> Sequence[Need]:
+    return ()
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One piece.
+
+    shows    what a reader may conclude where it has passed
+    limits   what it does not show
+    command  runs it again, in a copy of the folder
+    run      raises MahovikError, which is a failure
+    needs    tools it cannot do without
+    """
+
+    name: str
+    title: str
+    shows: str
+    limits: str
+    command: Callable[[Subject], str]
+    run: Callable[[Subject, Tell], Outcome]
+    needs: Callable[[Subject], Sequence[Need]] = _nothing
+
+
+def judged(good: bool) -> Verdict:
+    """The verdict of something that ran."""
+    return Verdict.PASSED if good else Verdict.FAILED

@@ -1,0 +1,119 @@
+"""Where each body is in the carrier: its Theta, its transfer L to E1 about O1, and its twist."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.inertia import added_mass, spatial_inertia
+from mahovik.proof.reference.rotation import C1, fixed_rotation, flywheel_mounting, flywheel_rotation
+from mahovik.proof.reference.screw import T, block_diagonal, f, wrench_to_parent
+
+
+@dataclass(frozen=True, eq=False)
+class Fixed:
+    """A body at rest in E1: the carrier or an instrument.
+
+    L (6x6) carries its wrenches to E1 about O1; Theta (6x6) is about its own origin; Lambda (6x6) is about O1
+    in E1.
+    """
+
+    body: Carrier | Instrument
+    L: Array
+    Theta: Array
+    Lambda: Array
+
+    def twist(self, V: Array) -> Array:
+        """Twist (6; m/s, rad/s) in its own frame, of the carrier's V (6)."""
+        return self.L.T @ V
+
+
+@dataclass(frozen=True, eq=False)
+class Spinning:
+    """A flywheel at its phase phi (rad), with its speed phi_dot (rad/s) relative to its mount. L, Theta: see Fixed."""
+
+    body: Flywheel
+    L: Array
+    Theta: Array
+    phi: float
+    phi_dot: float
+
+    def twist(self, V: Array) -> Array:
+        """V_s = Ls^T V + f phi_s' (6; m/s, rad/s) in Es, of the carrier's V (6)."""
+        return self.L.T @ V + f * self.phi_dot
+
+
+@dataclass(frozen=True, eq=False)
+class Mounted:
+    """A flywheel at whatever phase. Theta: see Fixed.
+
+    L_mount (6x6) of its mount; T (6x6) and C (3x3) of its place and its axes at phase zero, in the mount.
+    """
+
+    body: Flywheel
+    L_mount: Array
+    T: Array
+    C: Array
+    Theta: Array
+
+    def at(self, phi: float, phi_dot: float) -> Spinning:
+        """The flywheel at the phase phi (rad) with the speed phi_dot (rad/s): Ls = Lp T [C C1(phi)]."""
+        L = self.L_mount @ (self.T @ block_diagonal(self.C @ C1(phi)))
+        return Spinning(self.body, L, self.Theta, phi, phi_dot)
+
+
+@dataclass(frozen=True, eq=False)
+class Bodies:
+    """What of a stand's bodies no state changes, in the file's order."""
+
+    fixed: tuple[Fixed, ...]
+    mounted: tuple[Mounted, ...]
+
+
+def bodies_of(stand: Stand) -> Bodies:
+    """The bodies of a stand."""
+    mounted = (
+        Mounted(s, mount_transfer(stand, s.mount), T(np.array(s.position)), flywheel_mounting(s), spatial_inertia(s))
+        for s in stand.flywheels
+    )
+    return Bodies(fixed_bodies(stand), tuple(mounted))
+
+
+def instrument_transfer(instrument: Instrument) -> Array:
+    """Lp (6x6) of an instrument: origin Op, axes C3 C2 C1, both in E1."""
+    return wrench_to_parent(np.array(instrument.position), fixed_rotation(*instrument.angles))
+
+
+def mount_transfer(stand: Stand, mount: str) -> Array:
+    """L (6x6) of the mount named: E for the carrier, Lp for an instrument."""
+    if mount == stand.carrier.name:
+        return np.eye(6)
+    return next(instrument_transfer(p) for p in stand.instruments if p.name == mount)
+
+
+def flywheel_transfer(stand: Stand, flywheel: Flywheel, phi: float) -> Array:
+    """Ls (6x6) of a flywheel at the phase phi: Ls = Lp L_{s in p} where an instrument p bears it."""
+    L_in_mount = wrench_to_parent(np.array(flywheel.position), flywheel_rotation(flywheel, phi))
+    return mount_transfer(stand, flywheel.mount) @ L_in_mount
+
+
+Placed = Fixed | Spinning
+
+
+def fixed_bodies(stand: Stand) -> tuple[Fixed, ...]:
+    """Carrier and instruments, in the file's order."""
+    carrier = Fixed(stand.carrier, np.eye(6), spatial_inertia(stand.carrier), added_mass(stand.carrier.added_mass))
+    return (
+        carrier,
+        *(Fixed(p, instrument_transfer(p), spatial_inertia(p), added_mass(p.added_mass)) for p in stand.instruments),
+    )
+
+
+def spinning_bodies(mounted: Sequence[Mounted], state: State) -> tuple[Spinning, ...]:
+    """Flywheels at the phases and speeds of the state, in the file's order."""
+    return tuple(s.at(phi, phi_dot) for s, phi, phi_dot in zip(mounted, state.phi, state.phi_dot, strict=True))

@@ -1,0 +1,37 @@
+"""Coupled: motion of carrier and flywheels for given drive torques, 6 + N unknowns."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.linear import solve
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.screw import Phi, f, spin
+
+
+def full_mass_matrix(at: Pieces) -> Array:
+    """[[K, I], [I^T, Theta_ff]] ((6+N)x(6+N)), symmetric positive definite."""
+    return np.block([[at.K, at.I], [at.I.T, at.Theta_ff]])
+
+
+def torque_velocity_terms(at: Pieces) -> Array:
+    """f^T (-phi_s' Theta_s [<e>] Ls^T V + Phi(V_s) Theta_s V_s) (N, N m): tau_s of velocities only."""
+    terms = np.zeros(len(at.flywheels))
+    for row, s in enumerate(at.flywheels):
+        V_s = s.twist(at.V_r)
+        terms[row] = f @ (-s.phi_dot * s.Theta @ spin @ s.L.T @ at.V_r + Phi(V_s) @ s.Theta @ V_s)
+    return terms
+
+
+def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
+    """V* (6; m/s2, rad/s2) in E1 and phi'' (N, rad/s2) for the whole drive torques tau (N, N m).
+
+    K V* + I phi'' = F - M V - J phi';  I^T V* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
+    With a stream, for V_r.
+    """
+    fP = np.array([f @ at.P[s.body.name] for s in at.flywheels], dtype=np.float64)
+    right = np.concatenate([at.F - bias(at), tau - torque_velocity_terms(at) + fP])
+    solution = solve(full_mass_matrix(at), right)
+    return at.V_dot(solution[:6]), solution[6:]

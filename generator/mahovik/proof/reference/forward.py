@@ -1,0 +1,18 @@
+"""Forward: the carrier's acceleration for given flywheel accelerations, (8)."""
+
+from __future__ import annotations
+
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.linear import solve
+from mahovik.proof.reference.pieces import Pieces
+
+
+def bias(at: Pieces) -> Array:
+    """M V + J phi' (6; N, N m) of (8): all velocity terms together. With a stream, at V_r."""
+    return at.M @ at.V_r + at.J @ at.phi_dot
+
+
+def forward(at: Pieces, phi_ddot: Array) -> Array:
+    """V* (6; m/s2, rad/s2) in E1 by (8), phi_ddot (N, rad/s2): K V* + M V + sum_s (I_s phi_s'' + J_s phi_s') = F."""
+    V_r_dot = solve(at.K, at.F - bias(at) - at.I @ phi_ddot)
+    return at.V_dot(V_r_dot)

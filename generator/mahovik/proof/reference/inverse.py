@@ -1,0 +1,80 @@
+"""Inverse problem, (12): flywheel accelerations for a prescribed acceleration of the carrier."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.pieces import Pieces
+
+
+@dataclass(frozen=True)
+class Cuts:
+    """Thresholds of rank and status (stand.md, for double).
+
+    rank     of the first singular value: those below are taken as zero
+    near     of the first singular value: a smallest kept one below this is NEAR_SINGULAR
+    reached  scaled residual over scaled demand above this is UNREACHABLE
+    """
+
+    rank: float = 1e-9
+    near: float = 1e-6
+    reached: float = 1e-9
+
+
+CUTS = Cuts()
+"""Those of stand.md for double."""
+
+
+@dataclass(frozen=True, eq=False)
+class Inverse:
+    """phi_ddot (N, rad/s2), status (names joined by |), residual (6; N, N m), sigma (min(6, N)), rank."""
+
+    phi_ddot: Array
+    status: str
+    residual: Array
+    sigma: Array
+    rank: int
+
+
+def inverse_root(S: Array) -> Array:
+    """S^-1/2 of a symmetric positive definite S: G^-1 of S = G G^T.
+
+    Any such factor gives the same singular values, norms and answer; this one loses no digits to mixed units.
+    """
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(S)))
+
+
+def demand(at: Pieces, V_dot: Array) -> Array:
+    """I phi'' of (12): F - K V_r* - M V_r - J phi' (6; N, N m), for V_dot (6) relative to E0."""
+    return at.F - at.K @ at.V_r_dot(V_dot) - bias(at)
+
+
+def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS) -> Inverse:
+    """Least residual of (12) in the K^-1 norm, then least phi'' in the Theta_ff norm; no limits, no damping.
+
+    By the singular values of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes.
+    """
+    K_root, Theta_root = inverse_root(at.K), inverse_root(at.Theta_ff)
+    wanted = demand(at, V_dot)
+    U, sigma, Vt = np.linalg.svd(K_root @ at.I @ Theta_root.T, full_matrices=False)
+    rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
+    scaled = Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank])
+    phi_ddot = Theta_root.T @ scaled
+    residual = wanted - at.I @ phi_ddot
+    return Inverse(phi_ddot, status(at, K_root @ wanted, K_root @ residual, sigma, rank, cuts), residual, sigma, rank)
+
+
+def status(at: Pieces, scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, cuts: Cuts) -> str:
+    """Names of stand.md joined by |, in the order of their bits."""
+    names = []
+    if rank and sigma[rank - 1] < cuts.near * sigma[0]:
+        names.append("NEAR_SINGULAR")
+    if np.linalg.norm(scaled_residual) > cuts.reached * np.linalg.norm(scaled_demand):
+        names.append("UNREACHABLE")
+    if rank < min(6, len(at.flywheels)):
+        names.append("RANK_DEFICIENT")
+    return "|".join(names) or "OK"

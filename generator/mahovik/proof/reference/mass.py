@@ -1,0 +1,63 @@
+"""Matrices of the quasi-velocity form: K of (2), K* of (6), M, I, J of (9). All in E1 about O1."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.bodies import Fixed, Placed, Spinning
+from mahovik.proof.reference.screw import Phi, f, spin
+
+
+def added_mass_matrix(fixed: Sequence[Fixed]) -> Array:
+    """Lambda_1 + sum_p Lambda_p (6x6; kg, kg m, kg m2) of (2)."""
+    return np.asarray(sum((p.Lambda for p in fixed), np.zeros((6, 6))))
+
+
+def bodies_matrix(fixed: Sequence[Fixed], flywheels: Sequence[Spinning]) -> Array:
+    """Theta_1 + sum_p Lp Theta_p Lp^T + sum_s Ls Theta_s Ls^T (6x6; kg, kg m, kg m2): (2) without added mass."""
+    bodies: tuple[Placed, ...] = (*fixed, *flywheels)
+    return np.asarray(sum((k.L @ k.Theta @ k.L.T for k in bodies), np.zeros((6, 6))))
+
+
+def mass_matrix(fixed: Sequence[Fixed], flywheels: Sequence[Spinning]) -> Array:
+    """K (6x6; kg, kg m, kg m2) of (2): all bodies, flywheels locked, with added mass."""
+    return bodies_matrix(fixed, flywheels) + added_mass_matrix(fixed)
+
+
+def mass_matrix_rate(flywheels: Sequence[Spinning]) -> Array:
+    """K* = sum_s Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (6x6; kg/s, kg m/s, kg m2/s), (6)."""
+    return np.asarray(
+        sum(
+            (s.L @ (spin @ s.Theta - s.Theta @ spin) @ s.L.T * s.phi_dot for s in flywheels),
+            np.zeros((6, 6)),
+        )
+    )
+
+
+def velocity_matrix(K: Array, K_dot: Array, V: Array) -> Array:
+    """M = Phi K + K* (6x6), (9). With a stream, V is V_r."""
+    return Phi(V) @ K + K_dot
+
+
+def coupling(flywheels: Sequence[Spinning]) -> Array:
+    """I = |I_2 ... I_m| (6xN; kg m, kg m2), I_s = Ls Theta_s f, (9)."""
+    I = np.zeros((6, len(flywheels)))
+    for column, s in enumerate(flywheels):
+        I[:, column] = s.L @ s.Theta @ f
+    return I
+
+
+def coupling_bias(flywheels: Sequence[Spinning], V: Array) -> Array:
+    """J = |J_2 ... J_m| (6xN), J_s = (Phi Ls + Ls [<e>] phi_s') Theta_s f, (9). With a stream, V is V_r."""
+    J, Phi_V = np.zeros((6, len(flywheels))), Phi(V)
+    for column, s in enumerate(flywheels):
+        J[:, column] = (Phi_V @ s.L + s.L @ spin * s.phi_dot) @ s.Theta @ f
+    return J
+
+
+def spin_inertia(flywheels: Sequence[Spinning]) -> Array:
+    """Theta_ff = diag(f^T Theta_s f) (NxN, kg m2)."""
+    return np.diag([f @ s.Theta @ f for s in flywheels])

@@ -1,0 +1,181 @@
+"""Rotations: elementary ones, the carrier's three sequences with their kinematics (10), mountings.
+
+A rotation C is active: [e1] = [e0] C, so x0 = C x1. Angles in rad.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from mahovik.core.stand.model import Flywheel, MountingAngles, Sequence, Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.screw import cross
+
+# the axes that psi, theta, phi turn about, 0..2
+AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
+
+
+def C1(angle: float) -> Array:
+    """Elementary rotation (3x3) about the first axis."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def C2(angle: float) -> Array:
+    """Elementary rotation (3x3) about the second axis."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+
+
+def C3(angle: float) -> Array:
+    """Elementary rotation (3x3) about the third axis."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+ELEMENTARY = (C1, C2, C3)
+
+
+def attitude(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
+    """C (3x3): ship C3(psi) C2(theta) C1(phi), aircraft C2(psi) C3(theta) C1(phi), Euler C3 C1 C3."""
+    if sequence == "ship":
+        return C3(psi) @ C2(theta) @ C1(phi)
+    if sequence == "aircraft":
+        return C2(psi) @ C3(theta) @ C1(phi)
+    return C3(psi) @ C1(theta) @ C3(phi)
+
+
+def quaternion_rotation(w: float, x: float, y: float, z: float) -> Array:
+    """C (3x3) of a unit quaternion, w first."""
+    return np.array(
+        [
+            [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+        ]
+    )
+
+
+def carrier_rotation(stand: Stand, state: State) -> Array:
+    """C (3x3) of the carrier: of its angles or its quaternion; of neither: aligned with E0."""
+    if state.quaternion is not None:
+        return quaternion_rotation(*state.quaternion)
+    if state.angles is not None:
+        return attitude(stand.angles, *state.angles)
+    return np.eye(3)
+
+
+def fixed_rotation(psi: float, theta: float, phi: float) -> Array:
+    """C (3x3) of an instrument or a point in its mount: always C3(psi) C2(theta) C1(phi)."""
+    return C3(psi) @ C2(theta) @ C1(phi)
+
+
+def flywheel_rotation(flywheel: Flywheel, phi: float) -> Array:
+    """Cs (3x3) of a flywheel in its mount at the phase phi: C3(psi_s) C2(theta_s) C1(zero + phi), or by axes."""
+    # C1(zero) C1(phi) is C1(zero + phi) without the rounding of that sum, 1e-9 where phi is 1e7
+    return flywheel_mounting(flywheel) @ C1(phi)
+
+
+def flywheel_mounting(flywheel: Flywheel) -> Array:
+    """Cs (3x3) at phase zero: C3(psi_s) C2(theta_s) C1(zero), or by axes.
+
+    By axes: the first column is along `axis`, the second along the part of `zero` across it.
+    """
+    mounting = flywheel.mounting
+    if isinstance(mounting, MountingAngles):
+        return C3(mounting.psi) @ C2(mounting.theta) @ C1(mounting.zero)
+    axis, zero = np.array(mounting.axis), np.array(mounting.zero)
+    first = axis / math.hypot(*axis)
+    across = zero - first * (first @ zero)
+    second = across / math.hypot(*across)
+    return np.column_stack([first, second, np.cross(first, second)])
+
+
+def rotation_vector(C: Array) -> Array:
+    """Rotation vector (3, rad, length <= pi) of C (3x3): axis times angle, the same in both frames.
+
+    Through the unit quaternion of the largest component, which loses no digits at 0 nor at pi.
+    """
+    squares = np.array(  # 4 w^2, 4 x^2, 4 y^2, 4 z^2
+        [
+            1 + C[0, 0] + C[1, 1] + C[2, 2],
+            1 + C[0, 0] - C[1, 1] - C[2, 2],
+            1 - C[0, 0] + C[1, 1] - C[2, 2],
+            1 - C[0, 0] - C[1, 1] + C[2, 2],
+        ]
+    )
+    wx, wy, wz = C[2, 1] - C[1, 2], C[0, 2] - C[2, 0], C[1, 0] - C[0, 1]
+    xy, xz, yz = C[0, 1] + C[1, 0], C[0, 2] + C[2, 0], C[1, 2] + C[2, 1]
+    rows = np.array(  # row i is the quaternion times 4 of its component i
+        [
+            [squares[0], wx, wy, wz],
+            [wx, squares[1], xy, xz],
+            [wy, xy, squares[2], yz],
+            [wz, xz, yz, squares[3]],
+        ]
+    )
+    row = rows[int(np.argmax(squares))]
+    w, vector = row[0] / math.hypot(*row), row[1:] / math.hypot(*row)
+    if w < 0:  # of the two quaternions, the one of the turn by no more than pi
+        w, vector = -w, -vector
+    sine = math.hypot(*vector)
+    if sine == 0.0:
+        return np.zeros(3)
+    return np.asarray(2.0 * math.atan2(sine, w) / sine * vector)
+
+
+def angle_rates_to_omega(sequence: Sequence, psi: float, theta: float, phi: float) -> Array:
+    """B (3x3) of (10): omega = B (psi', theta', phi'), omega in E1. psi is not in it.
+
+    Each rate turns about its own axis, carried to E1 by the rotations that come after it in the sequence.
+    """
+    del psi
+    a, b, c = (np.eye(3)[axis] for axis in AXES[sequence])
+    _, R_theta, R_phi = (ELEMENTARY[axis] for axis in AXES[sequence])
+    return np.column_stack([R_phi(phi).T @ R_theta(theta).T @ a, R_phi(phi).T @ b, c])
+
+
+def angle_rates_to_omega_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
+    """B' (3x3, 1/s) along the motion; `rates` (3, rad/s): psi', theta', phi'. R' = R <axis> angle'."""
+    _, theta, phi = angles
+    _, theta_dot, phi_dot = rates
+    a, b, c = (np.eye(3)[axis] for axis in AXES[sequence])
+    _, R_theta, R_phi = (ELEMENTARY[axis] for axis in AXES[sequence])
+    Rb, Rc = R_theta(theta), R_phi(phi)
+    Rb_dot, Rc_dot = Rb @ cross(b) * theta_dot, Rc @ cross(c) * phi_dot
+    return np.column_stack([Rc_dot.T @ Rb.T @ a + Rc.T @ Rb_dot.T @ a, Rc_dot.T @ b, np.zeros(3)])
+
+
+def kinematic_matrix(sequence: Sequence, angles: Array) -> Array:
+    """A = diag(C^T, B) (6x6) of (10): V = A q', q = (O1 in E0, psi, theta, phi)."""
+    A = np.zeros((6, 6))
+    A[:3, :3] = attitude(sequence, *angles).T
+    A[3:, 3:] = angle_rates_to_omega(sequence, *angles)
+    return A
+
+
+def kinematic_matrix_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
+    """D = A' (6x6, 1/s) of (10) along the motion; `rates` (3, rad/s): psi', theta', phi'. C' = C <omega>."""
+    omega = angle_rates_to_omega(sequence, *angles) @ rates
+    C_dot = attitude(sequence, *angles) @ cross(omega)
+    D = np.zeros((6, 6))
+    D[:3, :3] = C_dot.T
+    D[3:, 3:] = angle_rates_to_omega_rate(sequence, angles, rates)
+    return D
+
+
+SINGULAR = 1e-6  # stand.md: |cos theta| (Euler: |sin theta|) below this is an error of `generalized`
+
+
+def check_attitude(sequence: Sequence, angles: Array) -> None:
+    """Raise StateError where A of (10) is singular, or so near to it that q' means nothing."""
+    name, value = ("sin", math.sin(angles[1])) if sequence == "euler" else ("cos", math.cos(angles[1]))
+    if abs(value) < SINGULAR:
+        raise StateError(
+            f"angles: singular attitude of the {sequence} sequence, |{name} theta| = {abs(value):.3g}; "
+            f"`generalized` needs at least {SINGULAR:g}"
+        )

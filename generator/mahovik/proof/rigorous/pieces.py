@@ -1,0 +1,91 @@
+"""The pieces of (2)-(9) at one state, as sums over bodies. SI, in E1 about O1 unless said otherwise."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from flint import arb_mat
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.rigorous.ball import column, cross, part, zeros
+from mahovik.proof.rigorous.bodies import Placed, Spinning, added_mass, fixed_bodies, flywheels
+from mahovik.proof.rigorous.rotation import carrier_rotation
+from mahovik.proof.rigorous.screw import ANGULAR, Phi, f, spin, stacked, transfer
+from mahovik.proof.rigorous.wrenches import external_wrenches
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """What the equations are made of.
+
+    L1           6x6: transfer from E1 to E0
+    V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)
+    drift        6: (omega x C^T u, 0), so that V* = V_r* - drift
+    fixed        carrier and instruments
+    flywheels    flywheels at their phases
+    bodies       6x6: K without added mass
+    Lambda       6x6: all added mass
+    K, K_dot, M  6x6, (2), (6), (9); M at V_r
+    I, J         6 by flywheel, (9); J at V_r
+    P            wrench by body, 6 each, in the body's frame about its origin
+    F            6, (7)
+    """
+
+    L1: arb_mat
+    V: arb_mat
+    V_r: arb_mat
+    drift: arb_mat
+    fixed: tuple[Placed, ...]
+    flywheels: tuple[Spinning, ...]
+    bodies: arb_mat
+    Lambda: arb_mat
+    K: arb_mat
+    K_dot: arb_mat
+    M: arb_mat
+    I: tuple[arb_mat, ...]
+    J: tuple[arb_mat, ...]
+    P: Mapping[str, arb_mat]
+    F: arb_mat
+
+    @property
+    def bias(self) -> arb_mat:
+        """M V + sum_s J_s phi_s' (6; N, N m) of (8), at V_r."""
+        return sum((J * s.phi_dot for J, s in zip(self.J, self.flywheels, strict=True)), self.M * self.V_r)
+
+
+def pieces(stand: Stand, state: State) -> Pieces:
+    """The pieces of `stand` at `state`, at the working precision. StateError where a leg has no length."""
+    C = carrier_rotation(stand, state)
+    u = C.transpose() * column(stand.stream or (0.0, 0.0, 0.0))
+    V = column(state.V)
+    V_r = V - stacked(u, zeros(3))
+    fixed, spinning = fixed_bodies(stand), flywheels(stand, state)
+    everywhere = (*fixed, *spinning)
+    e = spin()
+    bodies = sum((k.L * k.Theta * k.L.transpose() for k in everywhere), zeros(6, 6))
+    Lambda = added_mass(stand)
+    K = bodies + Lambda
+    K_dot = sum(
+        (s.L * (e * s.Theta - s.Theta * e) * s.L.transpose() * s.phi_dot for s in spinning),
+        zeros(6, 6),
+    )
+    P = external_wrenches(stand, state, C, V, V_r, everywhere)
+    return Pieces(
+        L1=transfer(column(state.position), C),
+        V=V,
+        V_r=V_r,
+        drift=stacked(cross(part(V, ANGULAR)) * u, zeros(3)),
+        fixed=fixed,
+        flywheels=spinning,
+        bodies=bodies,
+        Lambda=Lambda,
+        K=K,
+        K_dot=K_dot,
+        M=Phi(V_r) * K + K_dot,
+        I=tuple(s.L * s.Theta * f() for s in spinning),
+        J=tuple((Phi(V_r) * s.L + s.L * e * s.phi_dot) * s.Theta * f() for s in spinning),
+        P=P,
+        F=sum((k.L * P[k.body.name] for k in everywhere), zeros(6)),
+    )

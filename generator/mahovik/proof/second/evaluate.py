@@ -1,0 +1,172 @@
+"""The second derivation as a backend of the evaluation contract."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import cached_property, lru_cache
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from mahovik.core.stand.model import Leg, Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.second import points, problems
+from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.kinematics import generalized
+from mahovik.proof.second.laws import suspension_displacement
+from mahovik.proof.second.rotation import Array, attitude
+from mahovik.proof.second.system import System
+
+PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
+    "momentum": problems.momentum,
+    "forward": problems.forward,
+    "torque": problems.torque,
+    "coupled": problems.coupled,
+    "points": points.points,
+}
+"""Wants that are CasADi functions of the state."""
+
+WANTS = ("momentum", "forward", "torque", "coupled", "generalized", "points")
+"""Every want that the second derivation has."""
+
+SHORTEST_LEG = 1e-9
+"""m; a shorter leg has no direction."""
+
+Values = dict[str, Any]
+
+
+class Second:
+    """The second derivation of one stand. CasADi functions are built where they are first asked for, and kept."""
+
+    name = "casadi"
+
+    def __init__(self, stand: Stand) -> None:
+        self.stand = stand
+        self._functions: dict[str, Expr] = {}
+
+    @cached_property
+    def system(self) -> System:
+        """The stand's equations as expressions."""
+        return System(self.stand)
+
+    def function(self, want: str) -> Expr:
+        """The CasADi function of a want of PROBLEMS.
+
+        Inputs by the names of `System.inputs`; results by theirs after the want's: `forward_V_dot`, `points_C`.
+        """
+        if want not in self._functions:
+            found = PROBLEMS[want](self.system)
+            inputs = self.system.inputs
+            self._functions[want] = ca.Function(
+                want, list(inputs.values()), list(found.values()), list(inputs), [f"{want}_{name}" for name in found]
+            )
+        return self._functions[want]
+
+    def evaluate(self, state: State, want: Sequence[str]) -> Values:
+        """What `want` names, under the names of the contract: arrays in SI, V and V_dot relative to E0, in E1.
+
+        Raises StateError for wants that are unknown, not there or contradict each other, a state that does not fit the
+        stand or the want, a leg shorter than SHORTEST_LEG, and results that are not finite.
+        """
+        check_want(want)
+        self._check_state(state)
+        with np.errstate(all="ignore"):  # what is not finite is found below
+            inputs = self.arguments(state)
+            for leg in self.stand.legs:
+                _check_leg(leg, inputs)
+            found: Values = {}
+            for each in want:
+                found |= self._generalized(state, inputs) if each == "generalized" else self._solve(each, inputs)
+        for name, value in found.items():
+            if not _finite(value):
+                raise StateError(f"{name}: not finite at this state")
+        return found
+
+    def arguments(self, state: State) -> dict[str, Any]:
+        """Arguments of the functions at a state, by name: those of `System.inputs`."""
+        stand = self.stand
+        C = attitude(stand.angles, state)
+        law, zero = stand.suspension, np.zeros(6)
+        names = ("position", "V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau")
+        return {
+            **{name: np.array(getattr(state, name), dtype=np.float64) for name in names},
+            "C": C,
+            "displacement": suspension_displacement(law, stand.angles, state.position, C) if law else zero,
+            "wrench": np.column_stack([state.wrench.get(body.name, zero) for body in stand.bodies]),
+        }
+
+    def _solve(self, want: str, inputs: dict[str, Any]) -> Values:
+        if want == "points" and not points.names(self.stand):
+            return {"points": {}}
+        if want == "momentum" and not any(body.mass for body in self.stand.bodies):
+            raise StateError("momentum: no body of the stand has a mass, so there is no center_of_mass")
+        found = self.function(want)(**inputs)
+        values = {name.removeprefix(f"{want}_"): value.full() for name, value in found.items()}
+        if want == "points":
+            return {"points": self._by_point(values)}
+        return {name: float(value[0, 0]) if name == "energy" else value[:, 0] for name, value in values.items()}
+
+    def _by_point(self, values: dict[str, Array]) -> dict[str, dict[str, Array]]:
+        names = points.names(self.stand)
+        split = {name: np.split(value, len(names), axis=1) for name, value in values.items()}
+        return {
+            point: {name: split[name][k] if name == "C" else split[name][k][:, 0] for name in points.QUANTITIES}
+            for k, point in enumerate(names)
+        }
+
+    def _generalized(self, state: State, inputs: dict[str, Any]) -> Values:
+        if state.quaternion is not None:
+            raise StateError("quaternion: `generalized` needs `angles`")
+        V_dot = self._solve("forward", inputs)["V_dot"]
+        try:
+            return generalized(self.stand.angles, state.angles or (0.0, 0.0, 0.0), inputs["V"], V_dot)
+        except np.linalg.LinAlgError as error:
+            raise StateError(f"generalized: {error}") from None
+
+    def _check_state(self, state: State) -> None:
+        N = len(self.stand.flywheels)
+        for name, count in (("V", 6), ("V_dot", 6), ("phi", N), ("phi_dot", N), ("phi_ddot", N), ("tau", N)):
+            found = len(getattr(state, name))
+            if found != count:
+                raise StateError(f"{name}: expected {count} numbers, found {found}")
+        names = [body.name for body in self.stand.bodies]
+        for name in state.wrench:
+            if name not in names:
+                raise StateError(f"wrench: {name!r} is no body of the stand; known are " + ", ".join(names))
+
+
+def evaluate(stand: Stand, state: State, want: Sequence[str]) -> Values:
+    """See Second.evaluate. The functions of the last few stands are kept."""
+    return _second(stand).evaluate(state, want)
+
+
+@lru_cache(maxsize=8)
+def _second(stand: Stand) -> Second:
+    return Second(stand)
+
+
+def check_want(want: Sequence[str]) -> None:
+    """StateError where a want is missing, not there, or one of two that give one name two values."""
+    if not want:
+        raise StateError("want: empty; name at least one of " + ", ".join(WANTS))
+    for name in want:
+        if name not in WANTS:
+            raise StateError(f"want: the second derivation (casadi) has no {name!r}; it has " + ", ".join(WANTS))
+    if "forward" in want and "coupled" in want:
+        raise StateError("want: 'forward' and 'coupled' both give 'V_dot'; ask for them in two states")
+
+
+def _check_leg(leg: Leg, inputs: dict[str, Any]) -> None:
+    away = inputs["position"] + inputs["C"] @ np.array(leg.carrier) - np.array(leg.ground)
+    length = math.hypot(*away)
+    if length < SHORTEST_LEG:
+        raise StateError(f"leg between ground {leg.ground} and carrier {leg.carrier}: length {length:.3g} m is zero")
+
+
+def _finite(value: Any) -> bool:
+    if isinstance(value, dict):
+        return all(_finite(each) for each in value.values())
+    return bool(np.isfinite(value).all())

@@ -1,0 +1,111 @@
+"""The linear model by automatic differentiation: A, B, C, D of deviations from a motion, for comparison."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import casadi as ca
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.evaluate import Second
+from mahovik.proof.second.points import names
+from mahovik.proof.second.rotation import Array, by_angles, rotation_vector
+
+SMALL = 0.02
+"""rad: a rotation vector below it is differentiated as a series, exact to rounding there."""
+
+
+class Matrices(NamedTuple):
+    """x' = A x + B u, y = C x + D u.
+
+    x: place of O1 and rotation vector from the pose in the motion, on E1 as it is there (6), deviations of V (6), phi,
+    phi' (N); u: drive torques (N), wrench on the carrier in E1 about O1 (6); y: displacement, velocity, acceleration in
+    E0 of every instrument and point, on its axes in the motion (3 each).
+    """
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+
+
+def linear(stand: Stand, state: State) -> Matrices:
+    """About the motion through `state` with its phi''; V* and drive torques are Lagrange's. Raises StateError."""
+    second = Second(stand)
+    V_dot = second.evaluate(state, ["forward"])["V_dot"]
+    moving = replace(state, V_dot=tuple(V_dot.tolist()))
+    tau = second.evaluate(moving, ["torque"])["tau"]
+    N = len(stand.flywheels)
+    x, u = ca.MX.sym("x", 12 + 2 * N), ca.MX.sym("u", N + 6)
+    e, eta, V, phi, phi_dot = ca.vertsplit(x, [0, 3, 6, 12, 12 + N, 12 + 2 * N])
+    at = second.arguments(moving)
+    place, C = at["position"] + at["C"] @ e, ca.DM(at["C"]) @ _turned(eta)
+    given: dict[str, Any] = {
+        **at,
+        "position": place,
+        "C": C,
+        "displacement": _displacement(stand, at["C"], place, C),
+        "V": at["V"] + V,
+        "phi": at["phi"] + phi,
+        "phi_dot": at["phi_dot"] + phi_dot,
+        "tau": tau + u[:N],
+        "wrench": ca.horzcat(at["wrench"][:, 0] + u[N:], at["wrench"][:, 1:]),
+    }
+    found = second.function("coupled")(**given)
+    rate = found["coupled_V_dot"]
+    drift = _drift(e, eta, at["V"], given["V"])
+    x_dot = ca.vertcat(*drift, rate, phi_dot, found["coupled_phi_ddot"])
+    y = ca.vertcat(ca.MX.zeros(0), *_outputs(second, moving, {**given, "V_dot": rate}))
+    parts = [ca.jacobian(f, z) for f in (x_dot, y) for z in (x, u)]
+    values = ca.Function("linear", [x, u], parts)(np.zeros(12 + 2 * N), np.zeros(N + 6))
+    return Matrices(*(each.full() for each in values))
+
+
+def _turned(eta: Expr) -> Expr:
+    """exp<eta> to the second order: exact for first derivatives at zero."""
+    return ca.MX.eye(3) + ca.skew(eta) + ca.skew(eta) @ ca.skew(eta) / 2
+
+
+def _drift(e: Expr, eta: Expr, V0: Array, V: Expr) -> tuple[Expr, Expr]:
+    """Rates of place and rotation vector, seen from axes that move with the motion itself at V0."""
+    v0, omega0, v, omega = V0[:3], V0[3:], V[:3], V[3:]
+    shift = _turned(eta) @ v - v0 - ca.cross(omega0, e)
+    turn = (omega + ca.cross(eta, omega) / 2) - (omega0 - ca.cross(eta, omega0) / 2)
+    return shift, turn
+
+
+def _displacement(stand: Stand, C0: Array, place: Expr, C: Expr) -> Expr:
+    """Of the suspension: place and rotation vector from its equilibrium. Not right at half a turn."""
+    law = stand.suspension
+    if law is None:
+        return ca.MX.zeros(6)
+    equilibrium = by_angles(stand.angles, ca.DM(law.angles))
+    R = equilibrium.T @ C
+    odd = ca.vertcat(R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]) / 2
+    if float(np.linalg.norm(rotation_vector(equilibrium.full().T @ C0))) < SMALL:
+        s2 = ca.sumsqr(odd)  # of the sine of the angle: arcsine over sine
+        vector = odd * (1 + s2 / 6 + 3 * s2**2 / 40 + 5 * s2**3 / 112 + 35 * s2**4 / 1152)
+    else:
+        sine = ca.norm_2(odd)
+        vector = odd / sine * ca.atan2(sine, (ca.trace(R) - 1) / 2)
+    return ca.vertcat(C.T @ (place - ca.DM(law.position)), vector)
+
+
+def _outputs(second: Second, state: State, given: dict[str, Any]) -> Iterator[Expr]:
+    """Place, velocity and acceleration (less gravity, a constant) in E0 of every point, on its axes as they are."""
+    known = names(second.stand)
+    if not known:
+        return
+    still = second.evaluate(state, ["points"])["points"]
+    found = second.function("points")(**given)
+    for k, name in enumerate(known):
+        to_own = still[name]["C"].T
+        axes = to_own @ found["points_C"][:, 3 * k : 3 * k + 3]
+        yield to_own @ found["points_position"][:, k]
+        yield axes @ found["points_twist"][:3, k]
+        yield axes @ found["points_specific_force"][:, k]

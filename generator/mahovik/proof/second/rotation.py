@@ -1,0 +1,89 @@
+"""Rotations by angles, of expressions and of numbers alike, and the attitude of a state."""
+
+from __future__ import annotations
+
+import math
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence, Vec3
+from mahovik.core.stand.state import Quaternion, State
+from mahovik.proof.second.chart import Expr
+
+Array = NDArray[np.float64]
+
+AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (3, 2, 1), "aircraft": (2, 3, 1), "euler": (3, 1, 3)}
+"""Axes about which psi, theta, phi turn, one after the other, each about the axis where the last turn left it."""
+
+
+def elementary(axis: int, angle: Expr) -> Expr:
+    """C1, C2 or C3 of an angle (rad): the active rotation about axis 1, 2 or 3 (3x3)."""
+    c, s = ca.cos(angle), ca.sin(angle)
+    rows = {
+        1: ((1, 0, 0), (0, c, -s), (0, s, c)),
+        2: ((c, 0, s), (0, 1, 0), (-s, 0, c)),
+        3: ((c, -s, 0), (s, c, 0), (0, 0, 1)),
+    }[axis]
+    return ca.vertcat(*(ca.horzcat(*row) for row in rows))
+
+
+def by_angles(sequence: Sequence, angles: Expr) -> Expr:
+    """C (3x3) of the angles psi, theta, phi (rad) of a sequence."""
+    first, second, third = AXES[sequence]
+    return elementary(first, angles[0]) @ elementary(second, angles[1]) @ elementary(third, angles[2])
+
+
+def fixed(angles: Vec3) -> Array:
+    """C3(psi) C2(theta) C1(phi) (3x3) of an instrument or a point."""
+    return np.asarray(by_angles("ship", ca.DM(angles)).full())
+
+
+def mounting(given: MountingAngles | MountingAxes) -> Array:
+    """Axes of a flywheel in its mount's frame at phi_s = 0 (3x3)."""
+    if isinstance(given, MountingAngles):
+        return fixed((given.psi, given.theta, given.zero))
+    first = _unit(np.array(given.axis))
+    zero = _unit(np.array(given.zero))
+    second = _unit(zero - first * float(first @ zero))
+    return np.column_stack([first, second, np.cross(first, second)])
+
+
+def _unit(a: Array) -> Array:
+    scaled = a / np.abs(a).max()  # first, so that squares neither overflow nor vanish
+    return np.asarray(scaled / math.hypot(*scaled))
+
+
+def attitude(sequence: Sequence, state: State) -> Array:
+    """C (3x3), x0 = C x1, of a state in angles, in a quaternion, or in neither (aligned with E0)."""
+    if state.quaternion is not None:
+        return by_quaternion(state.quaternion)
+    return np.asarray(by_angles(sequence, ca.DM(state.angles or (0.0, 0.0, 0.0))).full())
+
+
+def by_quaternion(quaternion: Quaternion) -> Array:
+    """C (3x3) of a unit quaternion, w first: the vector part of q (0, x) q^-1, column by column."""
+    w, *vector = quaternion
+    a = np.array(vector)
+    return np.column_stack([(w * w - a @ a) * e + 2 * a * (a @ e) + 2 * w * np.cross(a, e) for e in np.eye(3)])
+
+
+def rotation_vector(C: Array) -> Array:
+    """Vector (3; rad, of length <= pi) of a rotation C (3x3): C = exp<x>.
+
+    Through the quaternion with w >= 0, whose outer product with itself is linear in C; the column with the largest
+    diagonal is taken, so that no digits are lost at any angle.
+    """
+    trace = float(np.trace(C))
+    odd = np.array([C[2, 1] - C[1, 2], C[0, 2] - C[2, 0], C[1, 0] - C[0, 1]])
+    outer = np.zeros((4, 4))  # 4 q q^T, w first
+    outer[0, 0] = 1 + trace
+    outer[0, 1:] = outer[1:, 0] = odd
+    outer[1:, 1:] = C + C.T + (1 - trace) * np.eye(3)
+    q = outer[int(np.argmax(np.diag(outer)))]
+    q = q / math.hypot(*q) * (-1.0 if q[0] < 0 else 1.0)
+    sine = math.hypot(*q[1:])
+    if sine == 0.0:
+        return np.zeros(3)
+    return np.asarray(q[1:] * (2 * math.atan2(sine, q[0]) / sine))

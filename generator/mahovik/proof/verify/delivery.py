@@ -1,0 +1,242 @@
+"""The delivered folder on disk: written whole or not at all, never over what is somebody else's, and checked.
+
+A file is the generator's own where the folder's manifest lists it with the hash it still has, or where it is C of
+this stand that was generated before there were manifests.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from mahovik.core.emit.generate import LANES, PRECISIONS, generate
+from mahovik.core.emit.header import read_header
+from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
+from mahovik.core.stand.content import content
+from mahovik.core.stand.model import Stand
+from mahovik.errors import UsageError
+from mahovik.proof.verify.cost_files import COST, FIGURES, is_figures, is_page, speaks_of
+from mahovik.proof.verify.files import write_all
+
+_MARK = "Generated: change the stand file instead."
+
+
+@dataclass(frozen=True)
+class Delivered:
+    """Paths that were written, manifest last, and what was done beside that, a line each."""
+
+    paths: tuple[Path, ...]
+    notes: tuple[str, ...]
+
+
+def deliver(
+    folder: Path,
+    stand: Stand,
+    real: str,
+    files: Mapping[str, str],
+    project: str = "",
+    lanes: int = 1,
+    fast: bool = False,
+) -> Delivered:
+    """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
+
+    Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
+    folder or the reverse. COST.md of the same C stays and is listed, and so do accepted figures; a COST.md of other
+    C, and what an older generator left, is removed.
+    """
+    old = _manifest(folder)
+    _refuse_foreign(folder, stand, files, old)
+    if old is not None and bool(old.get("project")) != bool(project):
+        what = f"the project of target {old['project']}" if old.get("project") else "what `mahovik generate` delivers"
+        raise UsageError(f"{folder}: holds {what}: choose another folder, nothing was written")
+    _refuse_changed(folder, old)
+    cost = _text(folder, COST)
+    kept = _kept(folder, stand, files)
+    stale = [n for n in _unchanged(folder, old) if n not in files and n not in kept]
+    if cost is not None and not kept and COST not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
+        stale.append(COST)
+    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast)})
+    notes = []
+    for name in stale:
+        (folder / name).unlink(missing_ok=True)
+        why = "speaks of other C: measure again with `mahovik cost`" if name == COST else "is no longer delivered"
+        notes.append(f"{folder / name} was removed: it {why}")
+    return Delivered(paths, tuple(notes))
+
+
+def differences(
+    folder: Path, stand: Stand, real: str, files: Mapping[str, str], lanes: int = 1, fast: bool = False
+) -> list[str]:
+    """What in the folder is not as `deliver` would leave it, a line each; none: it is what the stand file gives.
+
+    A folder of the other element type, of another number of lanes, or fast where that was not asked for, differs in
+    every file: that is said in one line.
+    """
+    header = read_header(folder, stand.name)
+    if header is not None and header.real is not None and header.real != real:
+        there = header.real
+        return [f"{folder}: its C is {there}, asked was for {real}: give --real {there}, or generate it again"]
+    if header is not None and header.fast != fast:
+        words = ("fast", "not") if header.fast else ("not fast", "for fast")
+        remedy = "give --fast" if header.fast else "leave --fast out"
+        return [f"{folder}: its C is {words[0]}, asked was {words[1]}: {remedy}, or generate it again"]
+    if header is not None and header.lanes != lanes:
+        remedy = f"give --lanes {header.lanes}, or generate it again"
+        return [f"{folder}: its C has lanes {header.lanes}, asked was for {lanes}: {remedy}"]
+    found = []
+    for name, text in files.items():
+        path = folder / name
+        if not path.is_file():
+            found.append(f"{path}: is missing")
+        elif path.read_bytes() != text.encode("utf-8"):
+            found.append(f"{path}: is not what the generator makes of the stand file")
+    cost = _text(folder, COST)
+    if cost is not None and not speaks_of(cost, stand, files):
+        found.append(f"{folder / COST}: speaks of other C")
+    kept = _kept(folder, stand, files) | ({COST: cost} if cost is not None else {})
+    path = folder / NAME
+    if not path.is_file():
+        found.append(f"{path}: is missing")
+    elif (listed := path.read_text(encoding="utf-8", errors="replace")) != manifest(
+        stand, real, {**files, **kept}, lanes=lanes, fast=fast
+    ):
+        unlisted = [name for name, text in kept.items() if f'"{name}": "{digest(text)}"' not in listed]
+        found += [f"{folder / name}: is not what {NAME} lists" for name in unlisted]
+        found.append(f"{path}: does not list these files")
+    return found
+
+
+def add_to_delivery(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
+    """Writes more files, such as COST.md, and lists them in the folder's manifest where there is one."""
+    old = _manifest(folder)
+    if old is None:
+        return write_all(folder, files)
+    listed = {**old["files"], **{name: digest(text) for name, text in files.items()}}
+    return write_all(folder, {**files, NAME: as_text({**old, "files": dict(sorted(listed.items()))})})
+
+
+def require_place_for_cost(folder: Path, stand: Stand) -> None:
+    """Raises UsageError unless COST.md and cost.json of a stand may be written into a folder.
+
+    That is one that is new or empty, or that holds this stand's C as its file gives it; COST.md and cost.json there
+    must be ours.
+    """
+    old = _manifest(folder)
+    if old is not None:
+        _refuse_stand(folder, stand, old)
+        if old.get("fast"):
+            raise UsageError(
+                f"{folder}: holds C of --fast, for the host alone: `mahovik generate` without it first, "
+                "nothing was written"
+            )
+        if _text(folder, f"{stand.name}.c") != generate(stand, old["real"], lanes_of(old))[f"{stand.name}.c"]:
+            raise UsageError(
+                f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
+            )
+    elif folder.is_dir() and any(each.name not in (COST, FIGURES) for each in folder.iterdir()):
+        raise UsageError(
+            f"{folder}: is neither empty nor a folder of `mahovik generate`: choose another, nothing was written"
+        )
+    _refuse_changed(folder, old)
+    for name, ours in ((COST, is_page), (FIGURES, is_figures)):
+        text = _text(folder, name)
+        if text is not None and not ours(text, stand):
+            raise UsageError(
+                f"{folder / name}: was not written by mahovik for {stand.name}: move it away or choose another folder, "
+                "nothing was written"
+            )
+
+
+def accepted_figures(folder: Path, stand: Stand) -> str | None:
+    """Text of the cost.json of a stand in a folder, None where there is none.
+
+    Raises UsageError where it is of somebody else, or not as it was written.
+    """
+    _refuse_changed(folder, _manifest(folder), (FIGURES,))
+    text = _text(folder, FIGURES)
+    if text is not None and not is_figures(text, stand):
+        raise UsageError(f"{folder / FIGURES}: no figures of `mahovik cost` for {stand.name}: choose another folder")
+    return text
+
+
+def delivered_lanes(folder: Path) -> int:
+    """The lanes of the C in a folder, by its manifest; 1 where there is none. Raises UsageError."""
+    found = _manifest(folder)
+    return 1 if found is None else lanes_of(found)
+
+
+def lanes_of(found: Mapping[str, Any]) -> int:
+    """The lanes that a manifest tells; 1 where it was written before there were any."""
+    return int(found.get("lanes", 1))
+
+
+def _manifest(folder: Path) -> dict[str, Any] | None:
+    """The manifest of a folder; None where there is none. Raises UsageError where it is not ours."""
+    path = folder / NAME
+    if not path.is_file():
+        return None
+    try:
+        found = json.loads(content(path).decode("utf-8"))
+        known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
+        known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
+        known = known and found.get("lanes", 1) in LANES
+        if known and isinstance(found["files"], dict):
+            return dict(found)
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        pass
+    raise UsageError(f"{path}: is not a manifest of mahovik: choose another folder, nothing was written")
+
+
+def _refuse_foreign(folder: Path, stand: Stand, files: Mapping[str, str], old: Mapping[str, Any] | None) -> None:
+    """Raises UsageError for the first file that would be overwritten and is not ours."""
+    if old is not None:
+        _refuse_stand(folder, stand, old)
+    for name, text in files.items():
+        path = folder / name
+        if not path.is_file():
+            continue  # what is no file at all is refused where it is written
+        there = path.read_bytes()
+        listed = old["files"].get(name) if old is not None else None
+        marked = _MARK.encode() in there and f'of the stand "{stand.name}"'.encode() in there
+        if there == text.encode("utf-8") or listed == digest(there) or (old is None and marked):
+            continue
+        why = "was changed by hand" if listed is not None else "was not written by mahovik"
+        raise UsageError(f"{path}: {why}: move it away or choose another folder, nothing was written")
+
+
+def _refuse_stand(folder: Path, stand: Stand, old: Mapping[str, Any]) -> None:
+    if old["stand"] != stand.name:
+        raise UsageError(f'{folder}: holds the C of stand "{old["stand"]}": choose another folder, nothing was written')
+
+
+def _refuse_changed(folder: Path, old: Mapping[str, Any] | None, names: Sequence[str] = (COST, FIGURES)) -> None:
+    """Raises UsageError for a file of `mahovik cost` that is not as the manifest has it."""
+    for name in names:
+        path = folder / name
+        listed = old["files"].get(name) if old is not None else None
+        if listed is not None and path.is_file() and digest(path.read_bytes()) != listed:
+            raise UsageError(f"{path}: was changed by hand: restore it or move it away, nothing was written")
+
+
+def _unchanged(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
+    """Files that the old manifest lists and that still have their hash: these may be removed."""
+    if old is None:
+        return []
+    names = [n for n in old["files"] if Path(n).name == n and (folder / n).is_file()]
+    return [n for n in names if digest((folder / n).read_bytes()) == old["files"][n]]
+
+
+def _kept(folder: Path, stand: Stand, files: Mapping[str, str]) -> dict[str, str]:
+    """What of `mahovik cost` stays beside delivered files, by name: COST.md of the same C, figures of the stand."""
+    cost, figures = _text(folder, COST), _text(folder, FIGURES)
+    found = {COST: cost} if cost is not None and speaks_of(cost, stand, files) else {}
+    return found | ({FIGURES: figures} if figures is not None and is_figures(figures, stand) else {})
+
+
+def _text(folder: Path, name: str) -> str | None:
+    path = folder / name
+    return path.read_text(encoding="utf-8", errors="replace") if path.is_file() else None

@@ -1,0 +1,85 @@
+"""The states of a verification: ordinary and extreme ones, the same for the same seed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any, cast
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.wrenches import suspension_displacement
+from mahovik.proof.verify.states import MAX_PHASE
+
+CUT = {"double": 1e-6, "float": 1e-5}
+"""rad; nearer than this to a half turn of the suspension, rounding decides which way it is turned back."""
+
+LEAST_EXPONENT = {"double": -310, "float": -43}
+"""Of tiny numbers: those below 1e-308, in float 1e-38, are subnormal."""
+
+
+def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bool = True) -> list[tuple[str, State]]:
+    """`count` states with their names, `KIND NUMBER`: two ordinary, one extreme, and so on.
+
+    Every fourth ordinary one has a run-time wrench on every body, where `wrenches` allows it. For float every number
+    is one of float, but for the quaternion: it has unit length in double.
+    """
+    found = []
+    rng = np.random.default_rng(seed)
+    for number, kind in zip(range(count), _kinds(), strict=False):
+        state = _one(stand, rng, kind, real)
+        while _on_the_cut(stand, state, CUT[real]):
+            state = _one(stand, rng, "random", real)
+        if not wrenches and kind == "wrenched":
+            state = replace(state, wrench=MappingProxyType({}))
+        found.append((f"{kind} {number}", rounded(state) if real == "float" else state))
+    return found
+
+
+def _kinds() -> Iterator[str]:
+    yield "rest"
+    extremes = [kind for kind in EXTREMES if kind != "rest"]
+    number = 0
+    while True:
+        yield "random"
+        yield "wrenched" if number % 2 else "random"
+        yield extremes[number % len(extremes)]
+        number += 1
+
+
+def _one(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
+    if kind in EXTREMES:
+        return extreme_state(stand, rng, kind, MAX_PHASE[real], LEAST_EXPONENT[real])
+    state = random_state(stand, rng)
+    if kind == "wrenched":
+        wrench = {body.name: cast(Vec6, tuple(map(float, rng.normal(size=6) * 5))) for body in stand.bodies}
+        return replace(state, wrench=MappingProxyType(wrench))
+    return state
+
+
+def rounded(state: State) -> State:
+    """The state with every number but the quaternion rounded to the nearest float."""
+    keys = ("position", "angles", "V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau")
+    given = {key: getattr(state, key) for key in keys}
+    found: dict[str, Any] = {key: None if value is None else tuple(map(_float, value)) for key, value in given.items()}
+    wrench = {name: cast(Vec6, tuple(map(_float, value))) for name, value in state.wrench.items()}
+    return replace(state, **found, wrench=MappingProxyType(wrench))
+
+
+def _float(number: float) -> float:
+    return float(np.float32(number))
+
+
+def _on_the_cut(stand: Stand, state: State, cut: float) -> bool:
+    """Whether the suspension is turned by a half turn, where two rotation vectors are equally right."""
+    if stand.suspension is None:
+        return False
+    C = carrier_rotation(stand, state)
+    x = suspension_displacement(stand.suspension, stand.angles, np.array(state.position), C)
+    return math.hypot(*x[3:]) > math.pi - cut

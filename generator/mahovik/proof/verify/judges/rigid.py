@@ -1,0 +1,166 @@
+"""The stand as outside judges take it, from raw data: rigid bodies, each in the frame of the one that bears it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Stand
+from mahovik.core.stand.state import State
+
+Array = NDArray[np.float64]
+Values = dict[str, Any]
+
+SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
+"""Names of SciPy; capitals: about moving axes."""
+
+
+class StateJudge(Protocol):
+    """A program of others with the model of one stand. Everything it returns is in the terms of model.md."""
+
+    name: str
+    version: str
+
+    def evaluate(self, state: State) -> Values:
+        """K, I, bias (6), V_dot_forward, V_dot, phi_ddot of `tau`, base_wrench, tau, mount_wrench, points.
+
+        What the program has not is left out.
+        """
+
+
+@runtime_checkable
+class MovingJudge(StateJudge, Protocol):
+    """One that integrates by itself."""
+
+    def moved(self, state: State, seconds: float) -> tuple[Array, Array, Array, Array, Array]:
+        """Position (3), C (3x3), V (6), phi (N), phi_dot (N) after a motion under the drive torques of the state."""
+
+
+class OutsideJudge(StateJudge, Protocol):
+    """One that gives rates, which are integrated for it."""
+
+    def rates(self, y: Array, tau: Array) -> Array:
+        """y' of a motion under drive torques, in the judge's own coordinates."""
+
+    def own_coordinates(self, state: State) -> Array:
+        """y of a state."""
+
+    def pose_and_velocity(self, y: Array) -> tuple[Array, Array, Array, Array, Array]:
+        """Position (3), C (3x3), V (6), phi (N), phi_dot (N) of y."""
+
+
+@dataclass(frozen=True, eq=False)
+class RigidBody:
+    """A body in the frame of its parent: position (3), axes (3x3), central inertia (3x3) in its own axes.
+
+    A flywheel turns about its first axis; the others are fixed. `parent` is None for the carrier.
+    """
+
+    name: str
+    parent: str | None
+    position: Array
+    axes: Array
+    mass: float
+    center: Array
+    inertia: Array
+    turns: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """An instrument or point: where it is read, in the frame of its mount."""
+
+    name: str
+    mount: str
+    position: Array
+    axes: Array
+
+
+def missing(stand: Stand) -> list[str]:
+    """Features of the stand that no judge has."""
+    found = []
+    for body in stand.bodies:
+        found += [f"{body.name}: added_mass"] * (getattr(body, "added_mass", None) is not None)
+        found += [f"{body.name}: buoyancy"] * (body.buoyancy is not None)
+        found += [f"{body.name}: damping"] * (body.damping is not None)
+    found += ["stream"] * (stand.stream is not None)
+    found += ["suspension"] * (stand.suspension is not None)
+    return found + ["leg"] * bool(stand.legs)
+
+
+def stripped(stand: Stand) -> Stand:
+    """The stand without what `missing` names."""
+
+    def dry(body: Any) -> Any:
+        changes = {"buoyancy": None, "damping": None}
+        return replace(body, **changes | ({"added_mass": None} if hasattr(body, "added_mass") else {}))
+
+    return replace(
+        stand,
+        stream=None,
+        suspension=None,
+        legs=(),
+        carrier=dry(stand.carrier),
+        instruments=tuple(map(dry, stand.instruments)),
+        flywheels=tuple(map(dry, stand.flywheels)),
+    )
+
+
+def tree(stand: Stand) -> tuple[RigidBody, ...]:
+    """Carrier, instruments, flywheels: parents come first."""
+    found = [_rigid(stand.carrier, None, np.zeros(3), np.eye(3))]
+    for p in stand.instruments:
+        found.append(_rigid(p, stand.carrier.name, np.array(p.position), _turned(p.angles)))
+    for s in stand.flywheels:
+        found.append(_rigid(s, s.mount, np.array(s.position), _mounted(s), turns=True))
+    return tuple(found)
+
+
+def frames(stand: Stand) -> tuple[Frame, ...]:
+    """Instruments, then points."""
+    found = [Frame(p.name, p.name, np.zeros(3), np.eye(3)) for p in stand.instruments]
+    return (*found, *(Frame(p.name, p.mount, np.array(p.position), _turned(p.angles)) for p in stand.points))
+
+
+def attitude(stand: Stand, state: State) -> Rotation:
+    """C of the carrier."""
+    if state.quaternion is not None:
+        return Rotation.from_quat(state.quaternion, scalar_first=True)
+    return Rotation.from_euler(SEQUENCES[stand.angles], state.angles or (0.0, 0.0, 0.0))
+
+
+def about_first(angle: float) -> Array:
+    """Rotation (3x3) about the first axis."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def quaternion_rate(q: Array, omega: Array) -> Array:
+    """q' of a quaternion, w first, for omega in the body's axes."""
+    w, v = q[0], q[1:]
+    return np.concatenate([[-v @ omega], w * omega + np.cross(v, omega)]) / 2
+
+
+def _turned(angles: tuple[float, float, float]) -> Array:
+    return np.asarray(Rotation.from_euler("ZYX", angles).as_matrix())
+
+
+def _mounted(s: Flywheel) -> Array:
+    """Axes of a flywheel at phi_s = 0."""
+    if isinstance(s.mounting, MountingAngles):
+        return _turned((s.mounting.psi, s.mounting.theta, s.mounting.zero))
+    first = np.array(s.mounting.axis) / np.linalg.norm(s.mounting.axis)
+    third = np.cross(first, s.mounting.zero)
+    third /= np.linalg.norm(third)
+    return np.column_stack([first, np.cross(third, first), third])
+
+
+def _rigid(body: Body, parent: str | None, position: Array, axes: Array, turns: bool = False) -> RigidBody:
+    c, J = np.array(body.center_of_mass), np.array(body.inertia)
+    if body.inertia_about == "origin":
+        J = J - body.mass * (float(c @ c) * np.eye(3) - np.outer(c, c))
+    return RigidBody(body.name, parent, position, axes, body.mass, c, J, turns)

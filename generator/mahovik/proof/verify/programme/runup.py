@@ -1,0 +1,126 @@
+"""Run-up and run-down: tables between rest and the programme, the carrier free to deviate on the way."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.motion.programme import Programme, RunUpTable
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.rotation import attitude, rotation_vector
+from mahovik.proof.reference.torque import torque
+from mahovik.proof.verify.programme import table
+from mahovik.proof.verify.programme.along import pieces_at, twist
+from mahovik.proof.verify.programme.finding import Finding, Tolerance, judged
+from mahovik.proof.verify.programme.limits import EXCEEDED, bound_findings
+from mahovik.proof.verify.programme.rest import rest_near
+from mahovik.proof.verify.programme.scale import Scale
+from mahovik.proof.verify.programme.simulation import simulate_rows
+
+STEP_ERROR = 1e-8
+"""Of the amplitude, a step: what is asked of the end is coarser than of a programme."""
+
+STEPS = 24
+"""A period at least, and one a row."""
+
+
+def findings(
+    stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, tolerance: Tolerance
+) -> list[Finding]:
+    """Of each table: rows, joint with the programme, rest at the other end, where the carrier ends, bounds."""
+    found = []
+    for name, given in (("run-up", programme.runup), ("run-down", programme.rundown)):
+        if given is None:
+            continue
+        found.append(table.samples_finding(f"{name} table", given.samples, tolerance.table))
+        found.append(_joint(name, programme, given, tolerance.joint))
+        found.append(_rest(name, given, tolerance.joint))
+        found += _motion(name, stand, motion, programme, given, scale, tolerance.runup)
+    return found
+
+
+def _joint(name: str, programme: Programme, given: RunUpTable, limit: float) -> Finding:
+    """Where table and programme meet: phi up to whole turns, phi', phi'' as shares of their peaks."""
+    row = -1 if name == "run-up" else 0
+    samples, at = given.samples, programme.at(np.zeros(1))
+    turns = (samples.phi[row] - at.phi[0]) / (2 * np.pi)
+    errors = [2 * np.pi * np.abs(turns - np.round(turns))]
+    for own, theirs in ((samples.phi_dot, at.phi_dot), (samples.phi_ddot, at.phi_ddot)):
+        peak = max(float(np.abs(own).max(initial=0.0)), float(np.abs(theirs).max(initial=0.0)), 1e-300)
+        errors.append(np.abs(own[row] - theirs[0]) / peak)
+    worst = np.max(errors, axis=1, initial=0.0)
+    i = int(np.argmax(worst))
+    return judged(
+        f"{name} joint", float(worst[i]), limit, f"{('phi', 'phi_dot', 'phi_ddot')[i]} at the programme's t = 0"
+    )
+
+
+def _rest(name: str, given: RunUpTable, limit: float) -> Finding:
+    row = 0 if name == "run-up" else -1
+    errors = []
+    for column in (given.samples.phi_dot, given.samples.phi_ddot):
+        peak = float(np.abs(column).max(initial=0.0)) or 1.0
+        errors.append(float(np.abs(column[row]).max(initial=0.0)) / peak)
+    return judged(f"{name} rest", max(errors), limit, "phi', phi'' of the flywheels at rest, share of their peaks")
+
+
+def _motion(
+    name: str, stand: Stand, motion: RequiredMotion, programme: Programme, given: RunUpTable, scale: Scale, limit: float
+) -> list[Finding]:
+    """The carrier by (8): from equilibrium to the required state, or from that to equilibrium."""
+    up = name == "run-up"
+    required = motion.at(np.zeros(1), programme.bias)
+    q, V = required.q[0], twist(stand, required.q[0], required.q_dot[0])
+    mean = motion.mean + programme.bias
+    t = given.samples.t
+    longest = min(programme.span, given.duration) / STEPS
+    try:
+        rest = rest_near(stand, given.samples.phi[0 if up else -1], mean, scale.K0)
+        start = np.concatenate([rest.q, np.zeros(6)]) if up else np.concatenate([q, V])
+        y = simulate_rows(stand, given.at, start, t, scale, longest, STEP_ERROR)
+        if up:
+            x, V_left = y[-1, :6] - q, y[-1, 6:] - V
+        else:
+            x, V_left = y[-1, :6] - rest_near(stand, given.samples.phi[-1], y[-1, :6], scale.K0).q, y[-1, 6:]
+    except StateError as error:
+        return [Finding(f"{name} end", np.inf, limit, False, str(error))]
+    apart = twist(stand, q, x)
+    shift = rest.free @ (rest.free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
+    shares = (scale.of_displacement(apart - shift), scale.of_twist(V_left))
+    strayed = deviation(stand, y, mean)
+    words = (
+        f"carrier at the end, pose {shares[0]:.2g}, twist {shares[1]:.2g} of the amplitude; on the way "
+        f"{1e3 * strayed[0]:.3g} mm, {1e3 * strayed[1]:.3g} mrad from the mean pose"
+    )
+    angles = given.at(t)
+    tau = _torques(stand, y, angles) if motion.bounds.torque is not None else np.zeros_like(angles.phi)
+    names = tuple(s.name for s in stand.flywheels)
+    bounds = [
+        each
+        for each in bound_findings(motion.bounds, names, angles, tau, np.zeros_like(angles.phi), f"{name} ")
+        if not each.name.endswith("angle")
+    ]
+    if motion.bounds.deviation is not None:
+        over = strayed / np.array(motion.bounds.deviation)
+        words_over = f"{strayed[0]:.6g} m, {strayed[1]:.6g} rad from the mean pose"
+        bounds.append(judged(f"{name} bound deviation", float(over.max()), EXCEEDED, words_over))
+    return [judged(f"{name} end", max(shares), limit, words), *bounds]
+
+
+def deviation(stand: Stand, y: Array, mean: Array) -> Array:
+    """Largest distance of O1 (m) and angle of E1 (rad) from the pose `mean`, along states y (M, 12)."""
+    back = attitude(stand.angles, *mean[3:]).T
+    turned = [np.linalg.norm(rotation_vector(back @ attitude(stand.angles, *q[3:6]))) for q in y]
+    return np.array([np.linalg.norm(y[:, :3] - mean[:3], axis=1).max(), max(turned)])
+
+
+def _torques(stand: Stand, y: Array, angles: tuple[Array, Array, Array]) -> Array:
+    """tau (M, N; N m) while the carrier moves freely."""
+    found = []
+    for row, phi, phi_dot, phi_ddot in zip(y, *angles, strict=True):
+        at = pieces_at(stand, row[:6], row[6:], phi, phi_dot)
+        found.append(torque(at, forward(at, phi_ddot), phi_ddot))
+    return np.array(found)

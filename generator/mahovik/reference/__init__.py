@@ -1,6 +1,0 @@
-"""The literal reference: (1)-(13) in plain NumPy, slow, one concept a file, to be read beside the paper."""
-
-from mahovik.reference.evaluate import WANTS, evaluate
-from mahovik.reference.pieces import Pieces, pieces
-
-__all__ = ["WANTS", "Pieces", "evaluate", "pieces"]

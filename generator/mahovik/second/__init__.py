@@ -1,5 +1,0 @@
-"""The second derivation: energies body by body, differentiated by CasADi. It shares no formula with the others."""
-
-from mahovik.second.evaluate import WANTS, Second, evaluate
-
-__all__ = ["WANTS", "Second", "evaluate"]

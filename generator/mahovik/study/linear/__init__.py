@@ -1,7 +1,0 @@
-"""The linear model of a stand about a state, A, B, C, D, and its modes."""
-
-from mahovik.study.linear.channels import Channel
-from mahovik.study.linear.model import LinearModel, linear_model
-from mahovik.study.linear.modes import Mode, Modes, modes
-
-__all__ = ["Channel", "LinearModel", "Mode", "Modes", "linear_model", "modes"]

@@ -1,7 +1,0 @@
-"""What unbalanced flywheels at constant speeds make a stand do: exact periodic steady states, spectra, sweeps."""
-
-from mahovik.study.response.periodic import Periodic, periodic_response
-from mahovik.study.response.scene import Scene
-from mahovik.study.response.speeds import Turning, common_period
-
-__all__ = ["Periodic", "Scene", "Turning", "common_period", "periodic_response"]

@@ -1,0 +1,4 @@
+"""Questions about a stand.
+
+Enters: a stand, a regime or a required motion. Leaves: runs, programmes, studies, designs.
+"""

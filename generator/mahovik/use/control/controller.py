@@ -1,0 +1,122 @@
+"""What runs once a sample in firmware: the C of servos and trim, compiled and called."""
+
+from __future__ import annotations
+
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.servo import ServoTables, servo_code
+from mahovik.core.lower.servo.form import ServoForm, TrimForm
+from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.motion.servo import Servo
+from mahovik.core.program.function import STATUS_VALUES
+from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.library import Library, filled
+from mahovik.errors import StateError
+from mahovik.use.control.gains import gains
+from mahovik.use.control.trim import TrimDesign, trim_members
+from mahovik.use.control.wanted import Wanted
+from mahovik.use.plan.array import Array
+
+_NAMES = {value: name for name, value in STATUS_VALUES.items()}
+_LIMITED = STATUS_VALUES["LIMITED"]
+
+
+class Controller:
+    """`servo_step` and `trim_step` of the emitted C, with their states.
+
+    limited      samples so far in which the servo cut a torque
+    corrections  (N, T): Fourier coefficients that the trim adds now, rad; T = 1 without trim
+    """
+
+    def __init__(self, wanted: Wanted, servo: Servo, design: TrimDesign | None) -> None:
+        stand, N = wanted.stand, len(wanted.stand.flywheels)
+        members = None if design is None else trim_members(design, wanted.motion, wanted.programme, servo.period)
+        trim = None if design is None else (design.trim.coordinates, design.trim.harmonics)
+        self._library = library = _compiled(stand, trim)
+        ffi, name = library.ffi, stand.name
+        self._prefix, self._feedforward = name, servo.feedforward
+        self._gains = ffi.new(f"{name}_servo_gains *", gains(stand, servo, wanted.motion.span))
+        self._servo, self._servo_step = ffi.new(f"{name}_servo_state *"), library.function("servo_step")
+        self._check(library.function("servo_reset")(self._servo))
+        self.limited = 0
+        # phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, tau
+        self._rows = np.zeros((6, N))
+        self._places = [ffi.cast(f"{name}_real *", row.ctypes.data) for row in self._rows]
+        self._trim: Any = None
+        self.corrections = np.zeros((N, 1))
+        if design is not None:
+            self._design = ffi.new(f"{name}_trim_design *", members)
+            self._trim, self._trim_step = ffi.new(f"{name}_trim_state *"), library.function("trim_step")
+            self._check(library.function("trim_reset")(self._trim))
+            self._coordinates = list(design.trim.coordinates)
+            self._q = np.zeros(len(self._coordinates))
+            self._q_place = ffi.cast(f"{name}_real *", self._q.ctypes.data)
+            shape = (N, 2 * design.trim.harmonics + 1)
+            self.corrections = np.frombuffer(ffi.buffer(self._trim.present), dtype=np.float64).reshape(shape)
+
+    @property
+    def trims(self) -> bool:
+        """Does it take the carrier's coordinates?"""
+        return self._trim is not None
+
+    @property
+    def rounds(self) -> int:
+        """Corrections that the trim has made."""
+        return 0 if self._trim is None else int(self._trim.rounds)
+
+    def step(
+        self,
+        phase: float,
+        q: Array | None,
+        phi_ref: Array,
+        phi_dot_ref: Array,
+        tau_ff: Array,
+        phi: Array,
+        phi_dot: Array,
+    ) -> Array:
+        """Torques (N, N m) of a sample. Raises StateError where the C refuses what it is given.
+
+        phase   of the programme, in [0, 1); q (6): coordinates of the carrier, None while nothing is to be trimmed
+        phi_ref, phi_dot_ref, tau_ff   of the programme (N each); phi, phi_dot: measured
+        """
+        rows = self._rows
+        rows[0], rows[1], rows[3], rows[4] = phi_ref, phi_dot_ref, phi, phi_dot
+        rows[2] = tau_ff if self._feedforward else 0.0
+        if self._trim is not None and q is not None:
+            self._q[:] = q[self._coordinates]
+            self._check(self._trim_step(self._design, self._trim, phase, self._q_place, *self._places[:3]))
+            if not self._feedforward:
+                rows[2] = 0.0
+        status = self._check(self._servo_step(self._gains, self._servo, *self._places))
+        self.limited += bool(status & _LIMITED)
+        return np.array(rows[5])
+
+    def _check(self, status: int) -> int:
+        if status < 0:
+            raise StateError(f"the servo refuses a sample: {_NAMES[status]}")
+        return int(status)
+
+
+@lru_cache(maxsize=4)
+def _compiled(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library:
+    """The C of servos for a stand; `trim`: measured coordinates, harmonics. Raises ToolchainError."""
+    made = generate_all(stand, "double")
+    form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim))
+    tables = ServoTables(_zeros(form.gains), None if trim is None else _zeros(form.design), 1.0)
+    files = servo_code(stand, lower_servo(made.layout, form), form, tables)
+    name = f"{stand.name}_servo"
+    with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
+        place = Path(folder)
+        for file, text in {**files, f"{stand.name}.h": made.files[f"{stand.name}.h"]}.items():
+            (place / file).write_text(text, encoding="ascii", newline="\n")
+        return Library(place / f"{name}.h", place / f"{name}.c", place, stand.name)
+
+
+def _zeros(struct: Any) -> dict[str, Any]:
+    return {f.name: filled(f.type, f.shape, 0.0) for f in struct.fields}

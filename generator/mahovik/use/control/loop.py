@@ -1,0 +1,267 @@
+"""The closed loop: a stand that is not quite that of the file, made to follow a programme by sampled servos.
+
+At a sample, t = n T: encoders tell angles of their latency ago, and their differences over T, which are the speeds of
+half a sample earlier still; both are compared with the programme of the same moment. Torques are held from
+t + latency for T; the feedforward is the programme's in the middle of that.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.motion.servo import Servo
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.use.control.controller import Controller
+from mahovik.use.control.encoder import Encoders, Ideal
+from mahovik.use.control.orbit import along_required, nodes, settled
+from mahovik.use.control.plant import Plant, plant
+from mahovik.use.control.pose import coordinates, state_of
+from mahovik.use.control.record import Record
+from mahovik.use.control.trim import TrimDesign
+from mahovik.use.control.wanted import Wanted
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.forward import equilibrium
+from mahovik.use.plan.residual import Mechanics
+
+STARTS = ("settled", "programme", "rest")
+
+LOST = math.pi
+"""rad: a flywheel so far from its programme is lost: another turn is nearer."""
+
+_CHUNK = 1000
+"""Samples for which the programme is evaluated at once."""
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """What is simulated over `periods` of the programme.
+
+    wanted   the stand of the file, its programme and motion: all that firmware and generator know
+    real     the stand as it is
+    design   of the trim; None: no trim
+    start    "settled": the periodic motion of the real stand, flywheels on the programme; "programme": the required
+             state; "rest": its rest, and first the programme's run-up
+    """
+
+    wanted: Wanted
+    real: Stand
+    servo: Servo
+    periods: int
+    design: TrimDesign | None = None
+    start: str = "settled"
+    backend: str = "c"
+
+    @property
+    def first(self) -> int:
+        """Number of the first sample: the programme begins at 0, a run-up before it."""
+        table = self.wanted.programme.runup
+        if self.start != "rest" or table is None:
+            return 0
+        return -math.ceil(table.duration / self.servo.period * (1.0 - 1e-12))
+
+    @property
+    def last(self) -> int:
+        """Number of the last sample."""
+        return math.ceil(self.periods * self.wanted.motion.span / self.servo.period * (1.0 - 1e-12))
+
+
+def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> Record:
+    """Runs a case. `progress` is told the time (s) now and then.
+
+    A motion that is lost, and Ctrl-C, end the run early: the record's `stopped` says why. Raises StateError,
+    CheckError, ToolchainError where it cannot begin.
+    """
+    start = starting_state(case)
+    own = plant(case.real, start, case.backend)
+    record = Record.empty(case.wanted, case.first, case.last, case.servo.period, start)
+    loop, n = _Loop(case, own, record), case.first
+    try:
+        for n in range(case.first, case.last + 1):
+            loop.sample(n)
+            if progress is not None and n % 100 == 0:
+                progress(n * case.servo.period)
+    except StateError as error:
+        record.end(n - case.first, str(error))
+    except KeyboardInterrupt:
+        T = case.servo.period
+        record.end(n - case.first, f"stopped at t = {n * T:.6g} s of {case.last * T:.6g} s")
+        record.interrupted = True
+    record.rounds, record.limited = loop.controller.rounds, loop.controller.limited
+    return record
+
+
+def starting_state(case: Case) -> State:
+    """The real stand's state at t = 0. Raises CheckError: no periodic motion is near the required one."""
+    wanted = case.wanted
+    count = nodes(wanted.motion, wanted.programme)
+    mechanics = Mechanics.of(case.real)
+    orbit = along_required(mechanics, wanted.motion, wanted.programme, count)
+    angles = wanted.angles(np.array([case.first * case.servo.period]))
+    if case.start == "rest":
+        y = equilibrium(orbit.chart, angles.phi[0]).y
+    elif case.start == "programme":
+        y = orbit.y[0]
+    else:
+        y = settled(mechanics, wanted.motion, wanted.programme, count)
+    return state_of(case.real, orbit.chart, y, angles.phi[0], angles.phi_dot[0])
+
+
+class _Loop:
+    """Servo, encoders and plant with what is on its way between them."""
+
+    def __init__(self, case: Case, own: Plant, record: Record) -> None:
+        self._case, self._plant, self._record = case, own, record
+        self._servo, self._wanted = case.servo, case.wanted
+        self.controller = Controller(case.wanted, case.servo, case.design)
+        self._encoders = Ideal(case.real) if case.servo.encoder == "ideal" else Encoders(case.real)
+        self._ideal = case.servo.encoder == "ideal"
+        late = case.servo.latency / case.servo.period
+        self._whole = math.floor(late + 1e-9)
+        self._part = max(0.0, late - self._whole) * case.servo.period
+        self._waiting: deque[Array] = deque()
+        self._history = _History(
+            own, case.first * case.servo.period, max(float(self._encoders.latency.max(initial=0.0)), case.servo.period)
+        )
+        self._before: Array | None = None
+        self._chunk: int | None = None
+
+    def sample(self, n: int) -> None:
+        """Measures, commands, records the sample n, and goes on to the next."""
+        case, own, T = self._case, self._plant, self._servo.period
+        t = n * T
+        i = self._prepared(n)
+        phi, phi_dot = self._measured(t)
+        required = self._required[i]
+        q = coordinates(case.real.angles, own.position[None], own.attitude[None], required[None])[0]
+        phase = math.fmod(t / self._wanted.motion.span, 1.0) if t >= 0.0 else 0.0
+        measured = q if self.controller.trims and n >= 0 else None
+        command = self.controller.step(phase, measured, self._phi[i], self._phi_dot[i], self._tau[i], phi, phi_dot)
+        corrections = self.controller.corrections
+        apart = self._apart(i, own.phi, phase, corrections)
+        worst = int(np.argmax(np.abs(apart)))
+        if not abs(apart[worst]) < LOST:
+            name = case.real.flywheels[worst].name
+            raise StateError(f"at t = {t:.6g} s the loop is lost: {name} is half a turn from its programme")
+        self._record.put(n - case.first, t, own, q, required, apart, command, corrections)
+        if n < case.last:
+            self._go_on(t, command)
+
+    def _go_on(self, t: float, command: Array) -> None:
+        T = self._servo.period
+        if not self._waiting:  # before the first torque acts, that of the programme does
+            self._waiting.extend([command] * (self._whole + 1))
+        self._waiting.append(command)
+        old, new = self._waiting[0], self._waiting[1]
+        if self._part > 1e-12 * T:
+            self._advance(old, t, t + self._part)
+        self._advance(new, t + self._part, t + T)
+        self._waiting.popleft()
+
+    def _advance(self, command: Array, begin: float, end: float) -> None:
+        self._plant.advance(command, begin, end)
+        self._history.add(end)
+
+    def _prepared(self, n: int) -> int:
+        """What the programme wants at the samples of n's chunk; n's row of it."""
+        chunk, i = divmod(n, _CHUNK)
+        if chunk != self._chunk:
+            self._chunk = chunk
+            T, wanted = self._servo.period, self._wanted
+            t: Array = T * np.arange(chunk * _CHUNK, (chunk + 1) * _CHUNK, dtype=np.float64)
+            late, half = self._encoders.latency, 0.0 if self._ideal else T / 2.0
+            phi, phi_dot = np.empty((len(t), len(late))), np.empty((len(t), len(late)))
+            for each in np.unique(late):
+                own = late == each
+                phi[:, own] = wanted.angles(t - each).phi[:, own]
+                phi_dot[:, own] = wanted.angles(t - each - half).phi_dot[:, own]
+            self._phi, self._phi_dot, self._true = phi, phi_dot, wanted.angles(t).phi
+            self._tau = wanted.torques(t + self._servo.latency + T / 2.0)
+            self._required = wanted.required(t)
+        return i
+
+    def _measured(self, t: float) -> tuple[Array, Array]:
+        phi = self._encoders.read(self._history.at(t - self._encoders.latency))
+        if self._ideal:
+            return phi, self._plant.phi_dot.copy()
+        T = self._servo.period
+        if self._before is None:
+            self._before = self._encoders.read(self._history.at(t - self._encoders.latency - T))
+        phi_dot = (phi - self._before) / T
+        self._before = phi
+        return phi, phi_dot
+
+    def _apart(self, i: int, phi: Array, phase: float, corrections: Array) -> Array:
+        """Of the flywheels from the programme with its corrections (N, rad)."""
+        a = 2.0 * np.pi * phase * np.arange(1, corrections.shape[1] // 2 + 1)
+        wave = np.ones(corrections.shape[1])
+        wave[1::2], wave[2::2] = np.cos(a), np.sin(a)
+        return np.asarray(phi - self._true[i] - corrections @ wave)
+
+
+class _History:
+    """Angles of the last moments, by cubic Hermite; before the first, speeds are taken as even."""
+
+    def __init__(self, own: Plant, begin: float, span: float) -> None:
+        self._plant, self._span = own, span
+        self._rows: deque[tuple[float, Array, Array]] = deque()
+        self.add(begin)
+
+    def add(self, t: float) -> None:
+        self._rows.append((t, self._plant.phi.copy(), self._plant.phi_dot.copy()))
+        while len(self._rows) > 2 and self._rows[1][0] < t - 2.0 * self._span:
+            self._rows.popleft()
+
+    def at(self, t: Array) -> Array:
+        """Angles at times (N, s), of each flywheel its own."""
+        last, phi, _ = self._rows[-1]
+        if np.all(t >= last):
+            return phi.copy()
+        found = phi.copy()
+        for s, moment in enumerate(t):
+            found[s] = self._one(s, float(moment))
+        return found
+
+    def _one(self, s: int, t: float) -> float:
+        late, phi1, rate1 = self._rows[-1]
+        if t >= late:
+            return float(phi1[s])
+        for early, phi0, rate0 in reversed(list(self._rows)[:-1]):
+            if early <= t:
+                h = late - early
+                x = (t - early) / h
+                a, b = float(phi0[s]), float(phi1[s])
+                p, r = h * float(rate0[s]), h * float(rate1[s])
+                return a + x * (p + x * (3 * (b - a) - 2 * p - r + x * (2 * (a - b) + p + r)))
+            late, phi1, rate1 = early, phi0, rate0
+        return float(phi1[s] - (late - t) * rate1[s])
+
+
+def step_error(case: Case, record: Record, periods: int = 2) -> float:
+    """m and rad, the larger: what the first periods of a run differ by when each step is cut in two.
+
+    The same torques at the same times.
+    """
+    count = min(len(record.t) - 1, math.ceil(periods * case.wanted.motion.span / case.servo.period))
+    if case.backend != "c" or count < 1:
+        return 0.0
+    finer = plant(case.real, record.start, case.backend, finer=2)
+    apart = 0.0
+    late = case.servo.latency / case.servo.period
+    whole = math.floor(late + 1e-9)
+    part = max(0.0, late - whole) * case.servo.period
+    for n in range(count + 1):
+        t = record.t[n]
+        q = coordinates(case.real.angles, finer.position[None], finer.attitude[None], record.required[n][None])[0]
+        apart = max(apart, float(np.abs(q - record.q[n]).max()))
+        old, new = (record.command[max(0, n - whole - k)] for k in (1, 0))
+        if part > 1e-12 * case.servo.period:
+            finer.advance(old, t, t + part)
+        finer.advance(new, t + part, t + case.servo.period)
+    return apart

@@ -1,0 +1,148 @@
+"""The real stand beside the one of the file: every number that somebody measured is a little wrong."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TypeVar, cast
+
+import numpy as np
+
+from mahovik.core.stand.model import (
+    Body,
+    Buoyancy,
+    Damping,
+    Flywheel,
+    Instrument,
+    Leg,
+    Mat3,
+    Mat6,
+    MountingAxes,
+    Stand,
+    Suspension,
+    Vec3,
+)
+from mahovik.core.stand.physical import check_body, check_stand, inertia_about_center
+from mahovik.core.stand.problems import Problems
+from mahovik.errors import UsageError
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.spatial import mount_axes
+
+MOST = 0.2
+"""Share: with more of it a stand is another one, not one that was measured badly."""
+
+B = TypeVar("B", bound=Body)
+
+
+def mismatched(stand: Stand, share: float, seed: int) -> Stand:
+    """The stand with errors, the same for the same seed; names, counts, laws, gravity, stream, motors as they are.
+
+    e stands for a number drawn evenly from -share..share, a new one each time:
+
+    masses, displaced masses           times 1 + e
+    vectors (centres of mass and of buoyancy, positions, ends of legs)   each component plus e |vector| / sqrt(3)
+    second moments of a body's mass about its centre, in its axes        S M S, S = diag(sqrt(1 + e)): a body that
+                                       can exist stays one
+    mounting of a flywheel             axis and zero turned by a rotation vector of components e (rad) / sqrt(3)
+    attitude of an instrument          likewise, its three angles plus e / sqrt(3)
+    suspension: stiffness, damping     S K S, S = diag(sqrt(1 + e)): definite stays definite; position as a vector
+    legs: stiffness, damping, length   times 1 + e
+    added mass, matrices of damping    S A S likewise; terms of damping times 1 + e
+
+    Raises UsageError where share is outside 0..MOST, or what is drawn is no stand.
+    """
+    if not (math.isfinite(share) and 0.0 <= share <= MOST):
+        raise UsageError(f"--mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
+    if share == 0.0:
+        return stand
+    draw = _Draw(np.random.default_rng(seed), share)
+    carrier = draw.body(stand.carrier)
+    found = replace(
+        stand,
+        carrier=replace(carrier, added_mass=draw.matrix(carrier.added_mass)),
+        suspension=None if stand.suspension is None else draw.suspension(stand.suspension),
+        legs=tuple(draw.leg(leg) for leg in stand.legs),
+        instruments=tuple(draw.instrument(p) for p in stand.instruments),
+        flywheels=tuple(draw.flywheel(s) for s in stand.flywheels),
+    )
+    problems = Problems(f"{stand.name} with {100 * share:g} % mismatch, seed {seed}")
+    for body in found.bodies:
+        check_body(body, body.name, problems)
+    if not problems.lines:
+        check_stand(found, problems)
+    if problems.lines:
+        raise UsageError(f"{problems.lines[0]}; take another --seed or less --mismatch")
+    return found
+
+
+class _Draw:
+    """Errors drawn one after the other."""
+
+    def __init__(self, rng: np.random.Generator, share: float) -> None:
+        self.rng, self.share = rng, share
+
+    def errors(self, count: int) -> Array:
+        return self.rng.uniform(-self.share, self.share, count)
+
+    def times(self, value: float) -> float:
+        return value * (1.0 + float(self.errors(1)[0]))
+
+    def vector(self, value: Vec3) -> Vec3:
+        size = float(np.linalg.norm(value)) / math.sqrt(3.0)
+        return cast(Vec3, tuple((np.array(value) + size * self.errors(3)).tolist()))
+
+    def direction(self) -> Array:
+        return self.errors(3) / math.sqrt(3.0)
+
+    def matrix(self, value: Mat6 | None) -> Mat6 | None:
+        if value is None:
+            return None
+        S = np.sqrt(1.0 + self.errors(6))
+        return cast(Mat6, tuple(map(tuple, (S[:, None] * np.array(value) * S).tolist())))
+
+    def body(self, body: B) -> B:
+        central = inertia_about_center(body)
+        second = 0.5 * np.trace(central) * np.eye(3) - central
+        S = np.sqrt(1.0 + self.errors(3))
+        second = S[:, None] * second * S
+        inertia = np.trace(second) * np.eye(3) - second
+        changed = replace(
+            body,
+            mass=self.times(body.mass),
+            center_of_mass=self.vector(body.center_of_mass),
+            inertia=cast(Mat3, tuple(map(tuple, ((inertia + inertia.T) / 2.0).tolist()))),
+            inertia_about="center_of_mass",
+        )
+        if body.buoyancy is not None:
+            own = body.buoyancy
+            afloat = Buoyancy(self.times(own.displaced_mass), self.vector(own.center))
+            changed = replace(changed, buoyancy=afloat)
+        if body.damping is not None:
+            changed = replace(changed, damping=self.damping(body.damping))
+        return changed
+
+    def damping(self, damping: Damping) -> Damping:
+        terms = tuple(replace(term, value=self.times(term.value)) for term in damping.terms)
+        return Damping(self.matrix(damping.linear), self.matrix(damping.quadratic), terms)
+
+    def suspension(self, own: Suspension) -> Suspension:
+        stiffness, damping = self.matrix(own.stiffness), self.matrix(own.damping)
+        assert stiffness is not None
+        assert damping is not None
+        return replace(own, stiffness=stiffness, damping=damping, position=self.vector(own.position))
+
+    def leg(self, leg: Leg) -> Leg:
+        length, stiffness, damping = (self.times(x) for x in (leg.length, leg.stiffness, leg.damping))
+        return Leg(self.vector(leg.ground), self.vector(leg.carrier), length, stiffness, damping)
+
+    def instrument(self, own: Instrument) -> Instrument:
+        angles = cast(Vec3, tuple((np.array(own.angles) + self.direction()).tolist()))
+        placed = replace(self.body(own), position=self.vector(own.position), angles=angles)
+        return replace(placed, added_mass=self.matrix(own.added_mass))
+
+    def flywheel(self, own: Flywheel) -> Flywheel:
+        from scipy.spatial.transform import Rotation
+
+        axes = Rotation.from_rotvec(self.direction()).as_matrix() @ mount_axes(own)
+        mounting = MountingAxes(*(cast(Vec3, tuple(axes[:, i].tolist())) for i in (0, 1)))
+        return replace(self.body(own), position=self.vector(own.position), mounting=mounting)

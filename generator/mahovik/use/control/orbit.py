@@ -1,0 +1,141 @@
+"""The carrier's periodic motion under given motions of the flywheels, and how it answers small changes of them.
+
+Linear equations along the motion, x' = A(t) x + B(t) c, are those of plan/forward: derivatives of (8) along the
+programme, exact in the flywheels' motion. With the monodromy matrix Phi of a period, what c leads to in the end has
+x(0) = (1 - Phi)^-1 p, p its end after a period from x(0) = 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Course, RequiredMotion
+from mahovik.errors import CheckError, StateError
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.forward import Chart, Drive, along, course, drive, linearise, pushes
+from mahovik.use.plan.forward.collocation import INTERVALS, Eliminated, integrated
+from mahovik.use.plan.residual import Mechanics
+
+NODES = 96
+"""A period of the fastest part, at least."""
+_SINGULAR = 1e-7
+"""Part of the largest singular value of 1 - Phi below which a direction is free: nothing draws the carrier back."""
+_MOST = 12
+_STEP = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit:
+    """A period of the carrier at M + 1 uniform nodes, the last a period after the first.
+
+    chart, given   the stand's equations about the mean pose, and the flywheels' sums at the nodes
+    phi_ddot       (M + 1, N)
+    y              (M + 1, 12): states of the chart
+    near           the linear equations along it
+    free           (M + 1, 12, 12): the way of a deviation at the first node; its last is the monodromy matrix
+    q              (M + 1, 6): coordinates of the motion that is required
+    """
+
+    chart: Chart
+    span: float
+    given: Drive
+    phi_ddot: Array
+    y: Array
+    near: Eliminated
+    free: Array
+    q: Array
+
+    @property
+    def monodromy(self) -> Array:
+        """Phi (12, 12)."""
+        return np.asarray(self.free[-1])
+
+    @property
+    def t(self) -> Array:
+        """Of the nodes (M + 1), s."""
+        return np.linspace(0.0, self.span, len(self.y))
+
+    def fixed(self, ends: Array) -> Array:
+        """x(0) (12, n) with x(0) = Phi x(0) + ends: the least where directions are free."""
+        return np.asarray(np.linalg.lstsq(np.eye(12) - self.monodromy, ends, rcond=_SINGULAR)[0])
+
+    def response(self, basis: Array) -> Array:
+        """x (M + 1, 12, N, P): the carrier's periodic answer to phi_s = c_sj basis_j, at c_sj = 1.
+
+        basis (3, M + 1, P): functions of a period at the nodes, with two derivatives.
+        """
+        N, P = self.phi_ddot.shape[1], basis.shape[2]
+        rates = np.zeros((len(self.y), 12, N, P))
+        found = along(self.chart, self.given, self.y, self.phi_ddot)
+        for B, function in zip(pushes(self.given, found), basis, strict=True):
+            rates[:, 6:] += B[:, :, :, None] * function[:, None, None, :]
+        spacing = self.span / (len(self.y) - 1)
+        defects = integrated(rates.reshape(-1, 12, N * P), spacing)
+        ends = self.near.solve(defects, np.zeros((12, N * P)))[-1]
+        return self.near.solve(defects, self.fixed(ends)).reshape(-1, 12, N, P)
+
+    def coordinates(self) -> Array:
+        """dq/dx (M + 1, 6, 6): changes of q (m, rad) by those of the pose in y, along the motion."""
+        columns = []
+        still = np.zeros_like(self.q)
+        for i in range(6):
+            aside = np.zeros(6)
+            aside[i] = _STEP
+            ends = (self.chart.of(Course(self.q + sign * aside, still, still))[:, :6] for sign in (1, -1))
+            columns.append(np.subtract(*ends) / (2.0 * _STEP))
+        return np.asarray(np.linalg.inv(np.stack(columns, axis=2)))
+
+
+def nodes(motion: RequiredMotion, programme: Programme, highest: int = 1) -> int:
+    """How many intervals a period has, for harmonics up to `highest` as well."""
+    fastest = max([1, highest, *motion.harmonics, *(abs(n) for n in programme.winding)])
+    return INTERVALS * -(-NODES * fastest // INTERVALS)
+
+
+def along_required(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Orbit:
+    """The orbit of a stand whose programme it is: the required motion itself, at `count` intervals a period."""
+    t = np.linspace(0.0, motion.span, count + 1)
+    required = motion.at(t, programme.bias)
+    chart, given, phi_ddot = _driven(mechanics, motion, programme, t)
+    y = chart.of(required)
+    near = linearise(chart, given, motion.span / count, y)
+    free = near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))
+    return Orbit(chart, motion.span, given, phi_ddot, y, near, free, required.q)
+
+
+def settled(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Array:
+    """y (12) at t = 0 of the periodic motion near the required one, of a stand that is not quite the programme's.
+
+    About the chart of `along_required`. Raises CheckError: there is none near.
+    """
+    orbit = along_required(mechanics, motion, programme, count)
+    spacing, start, guess = orbit.span / count, orbit.y[0], orbit.y
+    for _ in range(_MOST):
+        try:
+            found = course(orbit.chart, orbit.given, spacing, start, guess, None)
+        except StateError:
+            break
+        ends = found.y[-1] - found.y[0]
+        if np.abs(ends).max() < 1e-10:
+            return np.asarray(start)
+        monodromy = found.near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))[-1]
+        step = np.linalg.lstsq(np.eye(12) - monodromy, ends, rcond=_SINGULAR)[0]
+        left = ends - (np.eye(12) - monodromy) @ step
+        start, guess = start + step, found.y + step
+        if np.abs(step).max() < 1e-9 or np.abs(left).max() > 0.5 * np.abs(ends).max():
+            return np.asarray(start)  # what is left is drift along free directions
+    raise CheckError(
+        f"{mechanics.stand.name}: with this mismatch no periodic motion is near the required one; take less mismatch, "
+        "or begin on the programme: --start programme"
+    )
+
+
+def _driven(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, t: Array) -> tuple[Chart, Drive, Array]:
+    mean = (motion.mean + programme.bias)[None]
+    still = np.zeros((1, 6))
+    chart = Chart.about(mechanics, Course(mean, still, still))
+    angles = programme.at(t)
+    return chart, drive(mechanics, *angles), angles.phi_ddot

@@ -1,0 +1,199 @@
+"""Slow trim: corrections of the programme's Fourier coefficients from harmonics of the carrier's measured error.
+
+Along the programme the nominal, linear model says what small corrections c of mean and harmonics of each flywheel do to
+the harmonics E of the carrier, E = G c + E_0, once it has settled. After each window of measuring
+
+    c <- c - g G^+ E,
+
+G^+ of least norm (corrections of harmonic k weigh 1 + k^2, as in plan/levenberg, and what they do to the harmonics
+next above weighs as well), in directions that G reaches. With
+the real stand's G' instead of G and a carrier that has settled, errors in those directions go as (1 - g G' G^+)^n, so
+every g up to 1 converges where |(G' - G) G^+| < 1. A carrier that has not settled is taken into account exactly: the
+state at the beginning of a window and c form a linear system from window to window, whose spectral radius decides.
+Flywheels are taken to follow their corrections at once: the servo is faster than a window by far.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.servo import Trim
+from mahovik.core.stand.model import Stand
+from mahovik.errors import UsageError
+from mahovik.use.control.orbit import Orbit, along_required, nodes
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual import Mechanics
+
+QUICK = 8.0
+"""Time constants of the corrections' smoothing that the settling has."""
+
+BEYOND, SPILL = 2, 30.0
+"""So many harmonics above those that are corrected shall not suffer: weight of what they get, of G's norm, in G^+."""
+
+REACHED = 1e-3
+"""Part of the largest singular value of G, scaled, below which a direction counts as out of reach."""
+
+
+@dataclass(frozen=True, eq=False)
+class TrimDesign:
+    """What the trim does, by the nominal model.
+
+    trim       what is wanted
+    span       period of the programme, s
+    response   G (C T, N T), T = 2 H + 1: mean, cos 1, sin 1, cos 2, ... of each measured coordinate in turn (m, rad)
+               by the mean, cos 1, sin 1, ... of each flywheel in turn (rad)
+    matrix     g G^+ (N T, C T): what corrections lose by the error; zero by its means, which nobody corrects
+    unit       (C T): a metre, or what is as much in each row, by the inertia
+    theta      (N): f^T Theta_s f, kg m2: torque of a correction's acceleration
+    window     (12 + r, 12 + r): from window to window, the carrier's deviation and the r directions of c
+    """
+
+    trim: Trim
+    span: float
+    response: Array
+    matrix: Array
+    unit: Array
+    theta: Array
+    window: Array
+
+    @property
+    def rank(self) -> int:
+        """Directions of the error that are corrected."""
+        return len(self.window) - 12
+
+    @cached_property
+    def radius(self) -> float:
+        """Spectral radius of `window`: what is left of a deviation a window later, in the long run."""
+        return float(np.abs(np.linalg.eigvals(self.window)).max())
+
+    @cached_property
+    def margin(self) -> float:
+        """How wrong G may be and the settled trim still converges: of its norm, a share."""
+        back = self.matrix * self.unit / self.trim.gain
+        seen = np.any(back != 0.0, axis=0)
+        share = (self.response / self.unit[:, None])[seen]
+        return float(1.0 / (np.linalg.norm(back, 2) * np.linalg.norm(share, 2)))
+
+    def left(self, error: Array) -> Array:
+        """What of an error (C T) no correction reaches, by the nominal model."""
+        return np.asarray(error - self.response @ (self.matrix @ error) / self.trim.gain)
+
+
+def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim: Trim) -> TrimDesign:
+    """The trim of a servo for a stand that follows a programme.
+
+    Raises UsageError: the motion is not periodic, nothing is in reach, or the trim does not converge.
+    """
+    if not programme.periodic:
+        raise UsageError("trim: the programme is finite, expected a periodic one; leave [trim] out")
+    H, mechanics = trim.harmonics, Mechanics.of(stand)
+    orbit = along_required(mechanics, motion, programme, nodes(motion, programme, H + BEYOND))
+    k = np.array([0, *np.repeat(np.arange(1, H + 1), 2)])  # harmonic of each term
+    seen, above = np.split(_split(orbit, trim), [len(k)], axis=1)
+    unit = np.repeat(_units(mechanics)[list(trim.coordinates)], len(k))
+    G = seen.reshape(len(unit), -1)
+    moving = np.tile(k > 0, len(trim.coordinates))
+    scaled = (G / unit[:, None])[moving]
+    spill = (
+        above.reshape(-1, G.shape[1]) / np.repeat(_units(mechanics)[list(trim.coordinates)], above.shape[1])[:, None]
+    )
+    spill *= SPILL / np.linalg.norm(scaled, 2)
+    norm = np.diag(np.tile(1.0 + k**2.0, mechanics.N)) + spill.T @ spill
+    weight = np.linalg.inv(np.linalg.cholesky(norm)).T  # corrections weight z have the norm |z|
+    U, sigma, Vt = np.linalg.svd(scaled @ weight, full_matrices=False)
+    kept = sigma > REACHED * sigma[0]
+    basis = weight @ Vt[kept].T
+    matrix = np.zeros((len(weight), len(unit)))
+    matrix[:, moving] = trim.gain * (basis / sigma[kept]) @ U[:, kept].T / unit[moving]
+    window = _window(orbit, trim, matrix, G, basis)
+    found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window)
+    if not found.radius < 1.0:
+        raise UsageError(
+            f"trim: does not converge, errors grow by {found.radius:.3g} a window; take less `gain` than {trim.gain:g} "
+            f"or more `settling` than {trim.settling} periods"
+        )
+    return found
+
+
+def trim_members(design: TrimDesign, motion: RequiredMotion, programme: Programme, period: float) -> dict[str, Any]:
+    """Members of the C's struct `trim_design`, SI, for samples every `period` s."""
+    trim, T = design.trim, 2 * design.trim.harmonics + 1
+    samples = design.span / period
+    settling = round(trim.settling * samples)
+    times = design.span * np.arange(64 * T) / (64 * T)
+    q = motion.at(times, programme.bias).q[:, list(trim.coordinates)]
+    target = _averages(trim.harmonics, len(times)) @ q  # (T, C)
+    return {
+        "settling": settling,
+        "window": round(trim.averaging * samples),
+        "smoothing": -math.expm1(-QUICK / settling) if settling > QUICK else 1.0,
+        "limit": trim.limit,
+        "omega": 2.0 * math.pi / design.span,
+        "inertia": design.theta.tolist(),
+        "target": target.T.tolist(),
+        "matrix": design.matrix.tolist(),
+    }
+
+
+def _basis(orbit: Orbit, H: int) -> Array:
+    """(3, M + 1, T): 1, cos, sin, cos 2, ... of the programme's phase, with two derivatives by time."""
+    k = np.arange(1.0, H + 1.0)
+    a, w = 2.0 * np.pi * np.outer(orbit.t / orbit.span, k), 2.0 * np.pi * k / orbit.span
+    c, s = np.cos(a), np.sin(a)
+    found = np.zeros((3, len(a), 2 * H + 1))
+    found[0, :, 0] = 1.0
+    for order, (cos, sin) in enumerate(((c, s), (-w * s, w * c), (-w * w * c, -w * w * s))):
+        found[order, :, 1::2], found[order, :, 2::2] = cos, sin
+    return found
+
+
+def _averages(H: int, M: int) -> Array:
+    """(T, M): mean, cos, sin, cos 2, ... of M even samples of a period."""
+    a = 2.0 * np.pi * np.outer(np.arange(1, H + 1), np.arange(M)) / M
+    found: Array = np.full((2 * H + 1, M), 1.0 / M, dtype=np.float64)
+    found[1::2], found[2::2] = 2.0 / M * np.cos(a), 2.0 / M * np.sin(a)
+    return found
+
+
+def _split(orbit: Orbit, trim: Trim) -> Array:
+    """(C, T + 2 BEYOND, N T): terms of the measured coordinates, and those above, by all corrections."""
+    return _terms(orbit, orbit.response(_basis(orbit, trim.harmonics)), trim, trim.harmonics + BEYOND)
+
+
+def _terms(orbit: Orbit, states: Array, trim: Trim, harmonics: int) -> Array:
+    """(C, T, n): mean, cos, sin ... of the measured coordinates for states (M + 1, 12, ...) of a period."""
+    flat = states[:-1, :6].reshape(len(states) - 1, 6, -1)
+    q = (orbit.coordinates()[:-1] @ flat)[:, list(trim.coordinates)]
+    return np.asarray(np.einsum("tm,mcn->ctn", _averages(harmonics, len(q)), q))
+
+
+def _units(mechanics: Mechanics) -> Array:
+    """(6): a metre, and turns that are as much, by the inertia."""
+    K0 = mechanics.mean_inertia
+    return np.repeat([1.0, math.sqrt(K0[0, 0] / (np.trace(K0[3:, 3:]) / 3.0))], 3)
+
+
+def _window(orbit: Orbit, trim: Trim, matrix: Array, G: Array, basis: Array) -> Array:
+    """See TrimDesign.window. The carrier's deviation is that from the periodic motion of c = 0, at a window's begin.
+
+    basis (N T, r): every correction is basis u. With Phi the monodromy, X the periodic motion's begin by u, and Q what
+    the window makes of a deviation at its begin, x <- Phi^n (x - X u) + X u and u <- u - matrix (G u + Q (x - X u)).
+    """
+    Phi, periods = orbit.monodromy, trim.settling + trim.averaging
+    powers = (np.linalg.matrix_power(Phi, n) for n in range(trim.settling, periods))
+    Q = (
+        _terms(orbit, orbit.free, trim, trim.harmonics).reshape(matrix.shape[1], 12)
+        @ sum(powers, np.zeros((12, 12)))
+        / trim.averaging
+    )
+    X = orbit.response(_basis(orbit, trim.harmonics))[0].reshape(12, -1) @ basis
+    over, loss = np.linalg.matrix_power(Phi, periods), np.linalg.pinv(basis) @ matrix
+    top = np.hstack([over, (np.eye(12) - over) @ X])
+    return np.vstack([top, np.hstack([-loss @ Q, np.eye(basis.shape[1]) - loss @ (G @ basis - Q @ X)])])

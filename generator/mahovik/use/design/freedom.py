@@ -1,0 +1,107 @@
+"""What a designer may choose: nine numbers a flywheel inside bounds, ties between flywheels, limits of the whole."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.use.plan.array import Array
+
+Mask = NDArray[np.bool_]
+Key = Literal["position", "angles", "unbalance", "unbalance_at", "mass", "inertia"]
+
+PARTS: dict[Key, slice] = {
+    "position": slice(0, 3),
+    "angles": slice(3, 5),
+    "unbalance": slice(5, 6),
+    "unbalance_at": slice(6, 7),
+    "mass": slice(7, 8),
+    "inertia": slice(8, 9),
+}
+"""Numbers of each key among those of a flywheel:
+
+position      Os in the frame of its mount, m
+angles        psi_s, theta_s, rad: the spin axis
+unbalance     static, m |rho| across the axis, kg m
+unbalance_at  its angle from the flywheel's second axis, rad
+mass          kg; inertia goes with it
+inertia       factor of the tensor that the stand file gives
+"""
+WIDTH = 9
+NAMES = ("x", "y", "z", "psi", "theta", "unbalance", "unbalance_at", "mass", "inertia")
+UNITS = ("m", "m", "m", "rad", "rad", "kg m", "rad", "kg", "")
+MIRRORS = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Tie:
+    """Flywheels (numbers) that are alike: equal in the keys `same`; `mirror`: place and axis of two mirrored.
+
+    mirror   "x": through the plane x = 0 of their mount, and so on; None: not mirrored
+    """
+
+    flywheels: tuple[int, ...]
+    same: tuple[Key, ...]
+    mirror: str | None
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Of the whole; None: no limit.
+
+    distance          least, between the places of any two flywheels, m
+    total_mass        of all flywheels, kg
+    total_unbalance   sum of all static unbalances, kg m
+    """
+
+    distance: float | None = None
+    total_mass: float | None = None
+    total_unbalance: float | None = None
+
+
+@dataclass(frozen=True)
+class Weights:
+    """Of the cost: total unbalance over that of the stand file, largest torque over that of the first design found."""
+
+    unbalance: float = 1.0
+    torque: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Freedom:
+    """What is free, for a stand of as many flywheels as the largest number asked for.
+
+    least, most   (N, WIDTH): bounds; equal where it is held, infinite where there is none
+    free          (N, WIDTH, bool): what was freed
+    phase         the mean angle of each flywheel goes into its mounting: programmes then begin about 0
+    speeds        turns a period to choose from; None: as the motion file says
+    number        least and most flywheels; the first so many of the stand
+    harmonics     of the programme while it is designed
+    quality       relative residual of a design that is accepted
+    """
+
+    least: Array
+    most: Array
+    free: Mask
+    ties: tuple[Tie, ...] = ()
+    limits: Limits = Limits()
+    weights: Weights = Weights()
+    phase: bool = False
+    speeds: tuple[int, ...] | None = None
+    number: tuple[int, int] = (0, 0)
+    harmonics: int = 2
+    quality: float = 1e-3
+
+    def of_first(self, N: int) -> Freedom:
+        """For the first N flywheels: ties of what is left of two or more."""
+        ties = []
+        for tie in self.ties:
+            kept = tuple(s for s in tie.flywheels if s < N)
+            if len(kept) > 1:
+                ties.append(replace(tie, flywheels=kept))
+        return replace(
+            self, least=self.least[:N], most=self.most[:N], free=self.free[:N], ties=tuple(ties), number=(N, N)
+        )

@@ -1,0 +1,211 @@
+"""The search of a finite motion: starts at rest from drawn angles, collocation over splines of rising degree."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from mahovik.core.motion.programme import Samples
+from mahovik.core.motion.required.course import Sampled
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.finite.space import Space
+from mahovik.use.plan.fourier import Angles, Periodic
+from mahovik.use.plan.levenberg import Rules, refine
+from mahovik.use.plan.outcome import Tell
+from mahovik.use.plan.problem import Grid, Problem
+from mahovik.use.plan.starts import Crowd
+
+DEGREES = (5, 7, 9, 11, 13)
+"""Of the splines, in turn."""
+DRAWN, CHOSEN, REFINED, ROUNDS = 192, 32, 6, 8
+_SCORED, _CROWD, _STEPS = 8, 12, 15
+"""Modes for the score and for the crowd, and its steps."""
+_VARIED = 0.1
+"""rad: how starts from given angles differ, a mode."""
+_MOST_UNKNOWNS = 2500
+_TABLE = 8192
+"""Most rows of a table."""
+
+
+@dataclass(frozen=True, eq=False)
+class Finite(Periodic):
+    """A finite flywheel motion: `waves` (N, n) are coefficients of the modes; `winding` is the start speed T/2 pi."""
+
+    @property
+    def H(self) -> int:
+        """Modes but the first."""
+        return int(self.waves.shape[1]) - 1
+
+    def with_harmonics(self, H: int) -> Finite:
+        """The same motion with H + 1 modes: new coefficients are zero."""
+        wide = np.zeros((self.N, H + 1))
+        kept = min(H, self.H) + 1
+        wide[:, :kept] = self.waves[:, :kept]
+        return replace(self, waves=wide)
+
+
+@dataclass(frozen=True, eq=False)
+class FiniteProblem(Problem):
+    """The problem of a finite motion."""
+
+    _spaces: dict[int, Space] = field(default_factory=dict)
+
+    @staticmethod
+    def from_rest(own: Problem) -> FiniteProblem:
+        """Of a problem whose motion is finite."""
+        return FiniteProblem(own.stand, own.motion, own.mechanics, own.norm, own.free, own.tolerance)
+
+    def space(self, degree: int) -> Space:
+        """Splines of a degree, with breaks at the samples of the motion."""
+        if degree not in self._spaces:
+            course = self.motion.course
+            breaks = course.t if isinstance(course, Sampled) else np.linspace(0.0, self.motion.span, 13)
+            pinned = self.motion.bounds.start_phi is not None
+            self._spaces[degree] = Space(self.motion.span, breaks, degree, pinned)
+        return self._spaces[degree]
+
+    def grid(self, M: int, H: int, shift: float = 0.0) -> Grid:
+        """M uniform times with the first H + 1 modes of the lowest degree, for crowds of starts."""
+        key = (M, H, shift)
+        if key not in self._grids:
+            t = self.motion.span * (np.arange(M) + (shift or 0.5)) / M
+            self._grids[key] = Grid(t, self.motion.at(t), self.space(DEGREES[0]).modes(t, H + 1))
+        return self._grids[key]
+
+    def grid_of(self, degree: int, t: Array) -> Grid:
+        """All modes of a degree at given times."""
+        return Grid(t, self.motion.at(t), self.space(degree).modes(t))
+
+    def between(self, degree: int, each: int) -> Grid:
+        """`each` times in every interval of the samples, none of which is a node of the collocation."""
+        breaks = self.space(degree).breaks
+        inside = (np.arange(each) + 0.381966) / each
+        return self.grid_of(degree, (breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel())
+
+
+class FiniteCrowd(Crowd):
+    """Many finite motions at once."""
+
+    @staticmethod
+    def degree(n: int) -> int:
+        """Highest mode of n."""
+        return n - 1
+
+    def motion(self, k: int) -> Finite:
+        """Motion k."""
+        return Finite(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A finite programme: modes of a degree, its residual between the nodes."""
+
+    motion: Periodic
+    degree: int
+    residual: float
+
+
+@dataclass
+class FiniteSearch:
+    """What is found and tried so far; see `Search`."""
+
+    found: list[Solved] = field(default_factory=list)
+    starts: int = 0
+    best: float = np.inf
+    doing: str = "searching"
+    interrupted: bool = False
+    cut: bool = False
+
+    @property
+    def words(self) -> str:
+        """One line of progress."""
+        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
+
+
+def search_finite(
+    problem: FiniteProblem, bias: Array, seed: int, budget: Budget, enough: int = 1, tell: Tell | None = None
+) -> FiniteSearch:
+    """Programmes of a finite motion, in the order found; `bias` (6): where starts begin. Ctrl-C ends the search."""
+    rng, state, N = np.random.default_rng(seed), FiniteSearch(), problem.N
+    bounds = problem.motion.bounds
+    speed = np.array(bounds.start_phi_dot or (0.0,) * N) * problem.motion.span / (2.0 * np.pi)
+    try:
+        for _ in range(ROUNDS):
+            if state.found or budget.exhausted:
+                break
+            state.doing = "searching"
+            if tell is not None:
+                tell(state)
+            waves = np.zeros((DRAWN, N, _SCORED + 1))
+            waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (DRAWN, N))
+            if bounds.start_phi is not None:
+                waves[:, :, 0] = bounds.start_phi
+                waves[1:, :, 1:] = _VARIED * rng.normal(size=waves[1:, :, 1:].shape)
+            crowd: Crowd = FiniteCrowd(problem, np.tile(speed, (DRAWN, 1)), waves, bias)
+            crowd = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], _CROWD)
+            crowd.improve(_STEPS, budget)
+            residuals = crowd.residuals()
+            state.starts += DRAWN
+            state.best = min(state.best, float(residuals.min()))
+            state.doing = "improving"
+            for k in np.argsort(residuals, kind="stable")[:REFINED]:
+                if tell is not None:
+                    tell(state)
+                if budget.exhausted or len(state.found) >= enough:
+                    break
+                solved = collocate(problem, crowd.motion(int(k)), budget)
+                state.best = min(state.best, solved.residual)
+                if solved.residual < problem.tolerance:
+                    state.found.append(solved)
+    except KeyboardInterrupt:
+        state.interrupted = True
+    state.cut = budget.cut
+    return state
+
+
+def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Solved:
+    """From modes of the lowest degree: collocation at points of Gauss in every interval, degree by degree."""
+    motion, damping, before, below = start, 1e-2, np.inf, problem.space(DEGREES[0])
+    found = Solved(start, DEGREES[0], np.inf)
+    for degree in DEGREES:
+        space = problem.space(degree)
+        if space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]:
+            break
+        motion = replace(motion, waves=space.taken_over(motion.waves, below))
+        grid = problem.grid_of(degree, space.nodes(max(3, degree - 2), 4)[0])  # an end has four functions more
+        first = degree == DEGREES[0]
+        reached = refine(problem, grid, motion, Rules(1e-3 * problem.tolerance, 25 if first else 8, damping), budget)
+        motion, damping, below = reached.motion, reached.damping, space
+        fine = problem.between(degree, 3 * degree)
+        residual = float(np.linalg.norm(problem.rows(fine, motion), axis=1).max())
+        if residual < found.residual:
+            found = Solved(motion, degree, residual)
+        if (
+            residual < 0.1 * problem.tolerance
+            or residual > 0.5 * before
+            or budget.exhausted
+            or (first and residual > 0.3)
+        ):
+            break
+        before = residual
+    return found
+
+
+def table_of(problem: FiniteProblem, solved: Solved) -> Samples:
+    """The motion as a table for quintic Hermite interpolation, so fine that the residual stays accepted.
+
+    Rows stand at the samples and evenly between them: kinks of the fifth derivative fall on rows.
+    """
+    space, each = problem.space(solved.degree), 4
+    between = problem.between(solved.degree, 61)
+    while True:
+        inside = np.arange(each) / each
+        t = (space.breaks[:-1, None] + np.diff(space.breaks)[:, None] * inside).ravel()
+        t = np.append(t, space.span)
+        table = Samples(t, *solved.motion.at(space.modes(t)))
+        R = problem.scaled_residual(between, solved.motion.bias, Angles(*table.at(between.t)))
+        if float(np.linalg.norm(R, axis=1).max()) < 0.8 * problem.tolerance or 2 * len(t) > _TABLE:
+            return table
+        each *= 2

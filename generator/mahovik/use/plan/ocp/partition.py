@@ -1,0 +1,134 @@
+"""The partition (-, +) of (13): six flywheels that follow from the others, and where det I+ != 0 holds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations, islice
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Stand
+from mahovik.errors import UsageError
+from mahovik.nearest import meant
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.residual.flywheels import waves
+
+NEARLY = 1e-3
+"""Least singular value of K^-1/2 I+ Theta_ff^-1/2 below which a time is reported: three digits of (13) are lost."""
+_SCREENED, _KEPT, _AT_ONCE = 48, 12, 512
+"""Times of the screening, partitions that are then looked at closely, partitions of one batch."""
+_ROWS = 32
+"""Times of the table in the report."""
+
+Plus = tuple[int, ...]
+
+
+def partition_of(names: Sequence[str], stand: Stand) -> Plus:
+    """Numbers of the six flywheels of --partition, in the stand's order. UsageError: not six, unknown, or twice."""
+    given, known = [name.strip() for name in names], [s.name for s in stand.flywheels]
+    shown = f"--partition {','.join(given)}"
+    for name in given:
+        if name not in known:
+            raise UsageError(f"{shown}: the stand has no flywheel {name!r}{meant(name, known)}")
+    if len(given) != 6:
+        raise UsageError(f"{shown}: {len(given)} names; expected the six flywheels that follow from the others, (13)")
+    if len(set(given)) != 6:
+        raise UsageError(f"{shown}: a flywheel is named twice; expected six that differ")
+    return tuple(k for k, name in enumerate(known) if name in given)
+
+
+@dataclass(frozen=True, eq=False)
+class Along:
+    """I+ along a motion: K^-1/2 I+ Theta_ff^-1/2, dimensionless, the same for any units, origin and axes.
+
+    t            (M, s)
+    determinant  (M,) with the sign of det I+
+    values       (M, 6) singular values, falling
+    """
+
+    plus: Plus
+    t: Array
+    determinant: Array
+    values: Array
+
+    @staticmethod
+    def of(own: Mechanics, t: Array, phi: Array, plus: Plus) -> Along:
+        """At angles phi (M, N) at times t."""
+        columns: Array = scaled_columns(own, phi)[:, :, list(plus)]
+        return Along(plus, t, np.asarray(np.linalg.det(columns)), np.asarray(np.linalg.svd(columns, compute_uv=False)))
+
+    @property
+    def least(self) -> float:
+        """Least singular value on the way; 0 where det I+ changes its sign."""
+        return 0.0 if self.crossings.size else float(self.values[:, -1].min())
+
+    @property
+    def crossings(self) -> Array:
+        """Times (s) at which det I+ passes through zero."""
+        d = self.determinant
+        k = np.flatnonzero(d[:-1] * d[1:] <= 0.0)
+        share = d[k] / np.where(d[k] == d[k + 1], 1.0, d[k] - d[k + 1])
+        return np.asarray(self.t[k] + share * (self.t[k + 1] - self.t[k]))
+
+    @property
+    def near(self) -> list[list[float]]:
+        """Intervals of time (s) with the least singular value below NEARLY."""
+        below = np.concatenate([[False], self.values[:, -1] < NEARLY, [False]])
+        edges = np.flatnonzero(np.diff(below.astype(int)))
+        return [[float(self.t[a]), float(self.t[b - 1])] for a, b in zip(edges[::2], edges[1::2], strict=True)]
+
+    def report(self, names: Sequence[str]) -> dict[str, Any]:
+        """Figures for the programme's report."""
+        rows = np.unique(np.linspace(0, len(self.t) - 1, _ROWS).round().astype(int))
+        worst = int(np.argmin(self.values[:, -1]))
+        return {
+            "plus": [names[k] for k in self.plus],
+            "minus": [name for k, name in enumerate(names) if k not in self.plus],
+            "regular": not self.crossings.size,
+            "least_singular_value": float(self.values[worst, -1]),
+            "least_at": float(self.t[worst]),
+            "det_zero_at": self.crossings,
+            "threshold": NEARLY,
+            "below_threshold": self.near,
+            "along": {"t": self.t[rows], "det": self.determinant[rows], "singular_values": self.values[rows]},
+        }
+
+    def words(self, names: Sequence[str]) -> str:
+        """Where the partition does not hold."""
+        at = ", ".join(f"{t:.4g}" for t in islice(self.crossings, 8)) + (" ..." if len(self.crossings) > 8 else "")
+        return f"partition {','.join(names[k] for k in self.plus)}: det I+ = 0 at t = {at} s"
+
+
+def best_partition(own: Mechanics, t: Array, phi: Array) -> Along:
+    """Of all partitions the one whose least singular value along phi (M, N) is largest, first without change of sign.
+
+    Screened at few of the times, the most promising then judged at all.
+    """
+    rows = np.unique(np.linspace(0, len(t) - 1, _SCREENED).round().astype(int))
+    columns = scaled_columns(own, phi[rows])
+    scores: list[tuple[float, Plus]] = []
+    every = combinations(range(own.N), 6)
+    while batch := list(islice(every, _AT_ONCE)):
+        I = np.moveaxis(columns[:, :, np.array(batch)], 2, 0)  # (partitions, times, 6, 6)
+        determinants, least = np.linalg.det(I), np.linalg.svd(I, compute_uv=False)[..., -1].min(axis=1)
+        turned = np.any(determinants[:, 1:] * determinants[:, :-1] < 0.0, axis=1)
+        scores = sorted([*scores, *zip((turned - least).tolist(), batch, strict=True)])[:_KEPT]
+    close = [Along.of(own, t, phi, plus) for _, plus in scores]
+    return max(close, key=lambda each: (each.least, -len(each.crossings), float(each.values[:, -1].min())))
+
+
+def scaled_columns(own: Mechanics, phi: Array) -> Array:
+    """G^-1 I Theta_ff^-1/2 (M, 6, N) with K = G G^T, at angles phi (M, N)."""
+    h, _ = waves(phi)
+    K = own.housing.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
+    I = np.einsum("hmn,hni->min", h, own.tables.coupling)
+    return np.asarray(np.linalg.solve(np.linalg.cholesky(K), I / np.sqrt(own.tables.Theta_ff)))
+
+
+def order_of(plus: Plus, N: int) -> NDArray[np.intp]:
+    """Numbers of all flywheels in the order (-, +) of (13)."""
+    return np.array([k for k in range(N) if k not in plus] + list(plus), dtype=np.intp)

@@ -1,0 +1,217 @@
+"""From programmes of the Fourier method to those of (13): partition, IPOPT, refinement, report."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.choose import Improver
+from mahovik.use.plan.finite import FiniteProblem, Solved
+from mahovik.use.plan.objective import Cost
+from mahovik.use.plan.ocp.coefficients import Scaled
+from mahovik.use.plan.ocp.mesh import Mesh
+from mahovik.use.plan.ocp.partition import Along, Plus, best_partition, order_of
+from mahovik.use.plan.ocp.refine import exact, finite_exact, finite_start, start_of
+from mahovik.use.plan.ocp.solve import Collocated, Start, solve
+from mahovik.use.plan.ocp.structure import Formulation
+from mahovik.use.plan.outcome import Tell, Ways
+from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.search import Candidate
+from mahovik.use.plan.wishes import Wishes
+
+INTERVALS, DEGREE = 24, 4
+"""Of a period with one harmonic; of higher ones as many more."""
+EACH = 2
+"""Intervals between two samples of a finite motion."""
+PARTS = (0.995, 0.97, 0.93)
+"""Of the bounds, in turn, until what was refined keeps to them."""
+_TIMES = 801
+"""Times at which I+ is looked at."""
+SINGULAR = "SINGULAR_PARTITION"
+
+Kind = TypeVar("Kind", Candidate, Solved)
+
+
+@dataclass(frozen=True)
+class _Task(Generic[Kind]):
+    """What differs between periodic and finite motions.
+
+    start   a programme as a start; exact: what a collocated motion near a programme becomes
+    good    whether that is a programme; kept: whether it keeps to the bounds; objective: J of (13)
+    """
+
+    start: Callable[[Kind], Start]
+    exact: Callable[[Kind, Collocated], Kind]
+    good: Callable[[Kind], bool]
+    kept: Callable[[Kind], bool]
+    objective: Callable[[Kind], float]
+    mesh: Mesh
+
+
+def periodic_ocp(
+    improver: Improver, warm: Sequence[Candidate], asked: Wishes, plus: Plus | None, budget: Budget, tell: Tell | None
+) -> Ways[Candidate]:
+    """(13) of a periodic motion, from programmes of the Fourier method."""
+    problem = improver.problem
+    mesh = Mesh.uniform(INTERVALS + 8 * (problem.highest - 1), DEGREE)
+    task = _Task[Candidate](
+        start=lambda each: start_of(each.motion),
+        exact=lambda each, found: exact(improver, each, found),
+        good=lambda each: each.exact,
+        kept=lambda each: not each.exceeded,
+        objective=lambda each: each.objective,
+        mesh=mesh,
+    )
+    return _Run(problem, improver.cost, task, asked, budget, tell).all(warm, plus)
+
+
+def finite_ocp(
+    problem: FiniteProblem,
+    cost: Cost,
+    warm: Sequence[Solved],
+    figures: Callable[[Solved], Mapping[str, Any]],
+    asked: Wishes,
+    plus: Plus | None,
+    budget: Budget,
+    tell: Tell | None,
+) -> Ways[Solved]:
+    """(13) of a finite motion with x(t0) = x0, from programmes of the search; `figures`: of one, for its report."""
+    breaks = problem.space(warm[0].degree).breaks / problem.motion.span if warm else np.linspace(0.0, 1.0, 13)
+    inside = np.arange(EACH) / EACH
+    fine = np.append((breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel(), 1.0)
+    task = _Task[Solved](
+        start=lambda each: finite_start(problem, each),
+        exact=lambda each, found: finite_exact(problem, each, found),
+        good=lambda each: each.residual < problem.tolerance,
+        kept=lambda each: not figures(each)["exceeded"],
+        objective=lambda each: float(figures(each)["objective"]),
+        mesh=Mesh(fine, DEGREE),
+    )
+    return _Run(problem, cost, task, asked, budget, tell).all(warm, plus)
+
+
+@dataclass(frozen=True, eq=False)
+class _Run(Generic[Kind]):
+    """All runs of one plan."""
+
+    problem: Problem
+    cost: Cost
+    task: _Task[Kind]
+    asked: Wishes
+    budget: Budget
+    tell: Tell | None
+
+    @property
+    def formulation(self) -> Formulation:
+        """Of (13), by the method; `fourier` has none."""
+        assert self.asked.method != "fourier"
+        return self.asked.method
+
+    @property
+    def names(self) -> list[str]:
+        """Of the flywheels."""
+        return [s.name for s in self.problem.stand.flywheels]
+
+    def along(self, one: Kind, plus: Plus | None) -> Along:
+        """I+ along a programme; without `plus` of the partition that is best there."""
+        t: Array = np.linspace(0.0, self.problem.motion.span, _TIMES)
+        phi = self.task.start(one).at(t).phi
+        own = self.problem.mechanics
+        return best_partition(own, t, phi) if plus is None else Along.of(own, t, phi, plus)
+
+    def all(self, warm: Sequence[Kind], plus: Plus | None) -> Ways[Kind]:
+        """Programmes in the order of what they promise, until as many are there as asked for."""
+        outcome = Ways[Kind]()
+        starts = [(each, self.along(each, plus)) for each in warm]
+        if self.asked.method == "ocp-partition":
+            starts.sort(key=lambda each: -each[1].least)
+            which = "programme {} of {} found: " if len(starts) > 1 else ""
+            outcome.words = [
+                which.format(k, len(starts)) + along.words(self.names)
+                for k, (_, along) in enumerate(starts, start=1)
+                if along.crossings.size
+            ]
+            starts = [each for each in starts if not each[1].crossings.size]
+            outcome.reason = "SEARCH" if starts else SINGULAR
+        for one, along in starts:
+            if len(outcome.found) >= self.asked.keep or outcome.interrupted or outcome.cut:
+                break
+            self.one(one, along, plus, outcome)
+        outcome.found.sort(key=lambda each: (not self.task.kept(each[0]), self.task.objective(each[0])))
+        return outcome
+
+    def one(self, warm: Kind, along: Along, plus: Plus | None, outcome: Ways[Kind]) -> None:
+        """(13) from one programme: into the outcome goes what it becomes, or why it becomes nothing."""
+        until = None
+        if self.asked.seconds is not None:
+            until = time.monotonic() + max(0.0, self.asked.seconds - self.budget.elapsed)
+        scaled = Scaled(self.problem, self.cost, order_of(along.plus, self.problem.N))
+        best: tuple[Kind, Collocated] | None = None
+        tries: list[Collocated] = []
+        try:
+            for part in PARTS:
+                start = self.task.start(warm)
+                run = solve(scaled, self.formulation, self.task.mesh, start, part, self.tell, until)
+                tries.append(run)
+                outcome.interrupted |= run.interrupted
+                outcome.cut |= run.cut
+                ended = run.interrupted or run.cut
+                if not run.usable:
+                    break
+                became = self.task.exact(warm, run)
+                if self.task.good(became) and not (ended and self.worse(became, warm)):
+                    best = (became, run) if best is None or self.task.kept(became) else best
+                if ended or (best is not None and self.task.kept(best[0])):
+                    break
+        except KeyboardInterrupt:
+            outcome.interrupted = True
+        iterations = sum(each.iterations for each in tries)
+        if best is None and (outcome.interrupted or outcome.cut):
+            report = self.report(warm, warm, None, along, iterations)
+            outcome.found.append((warm, report))
+            return
+        if best is None:
+            last = f"IPOPT ended with {tries[-1].words!r} after {tries[-1].iterations} iterations"
+            self.say(outcome, f"{last}; between its nodes that is no programme; --method fourier has one")
+            return
+        after = self.along(best[0], along.plus if self.asked.method == "ocp-partition" else plus)
+        if self.asked.method == "ocp-partition" and after.crossings.size:
+            outcome.reason = SINGULAR
+            self.say(outcome, after.words(self.names))
+            return
+        report = self.report(warm, best[0], best[1], after, iterations)
+        outcome.found.append((best[0], report))
+
+    def worse(self, became: Kind, warm: Kind) -> bool:
+        """Whether the start of a run that was cut is better than what it had come to."""
+        task = self.task
+        return task.kept(warm) and (not task.kept(became) or task.objective(became) > task.objective(warm))
+
+    @staticmethod
+    def say(outcome: Ways[Kind], words: str) -> None:
+        """One line more."""
+        outcome.words = [*outcome.words, words]
+
+    def report(self, warm: Kind, became: Kind, run: Collocated | None, along: Along, iterations: int) -> dict[str, Any]:
+        """For the programme's report; `run` None: the start itself is given."""
+        mesh = self.task.mesh
+        return {
+            "method": self.asked.method,
+            "ocp": {
+                "intervals": mesh.K,
+                "degree": mesh.degree,
+                "iterations": iterations,
+                "ipopt": "no better point yet: the start is given" if run is None else run.words,
+                "objective_of_start": self.task.objective(warm),
+                "objective_at_nodes": None if run is None else run.objective,
+                "objective": self.task.objective(became),
+                "raw_residual": None if run is None else run.residual,
+                "partition": along.report(self.names),
+            },
+        }

@@ -1,0 +1,102 @@
+"""Derivatives of R of (12) and of the drive torques by the carrier's pose, twist V and its derivative V*, exact.
+
+The pose changes by a small translation and rotation vector, both on the axes of E1: O1 += C d, C exp<r>.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.carrier import Housing
+from mahovik.use.plan.residual.damping import damping_rate
+from mahovik.use.plan.residual.flywheels import Tables, f, waves
+from mahovik.use.plan.residual.kinematics import Twists, in_E1
+from mahovik.use.plan.residual.prescribed import Mechanics
+from mahovik.use.plan.residual.spatial import both, motor_cross, skew, turn
+from mahovik.use.plan.residual.ties import Slopes, ties
+
+
+@dataclass(frozen=True, eq=False)
+class ByCarrier:
+    """R (6; N, N m) and tau (N; N m) by the carrier's motion, at M moments; flywheels as they move.
+
+    by_pose, by_twist, by_twist_dot               (M, 6, 6): of R; the last is -K
+    tau_by_pose, tau_by_twist, tau_by_twist_dot   (M, N, 6): of tau; the last is I^T
+    """
+
+    by_pose: Array
+    by_twist: Array
+    by_twist_dot: Array
+    tau_by_pose: Array
+    tau_by_twist: Array
+    tau_by_twist_dot: Array
+
+
+def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> ByCarrier:
+    """ByCarrier at M twists of the carrier and flywheel motions phi, phi' (M, N each; rad, s).
+
+    Where a damping law with magnitudes has a kink, the slope is the mean of its two sides. StateError: a leg has no
+    length.
+    """
+    own = _housing(mechanics.housing, at)
+    wheels = _flywheels(mechanics.tables, at, phi, phi_dot)
+    R = [x - y.sum(axis=1) for x, y in zip(own, wheels, strict=True)]
+    tau = [np.einsum("si,msij->msj", mechanics.tables.spin, x) for x in wheels]
+    tied = ties(mechanics.stand, at)
+    by_pose, by_twist = _through_stream(mechanics, at, *R)
+    tau_by_pose, tau_by_twist = _through_stream(mechanics, at, *tau)
+    return ByCarrier(by_pose + tied.by_pose, by_twist + tied.by_twist, R[1], tau_by_pose, tau_by_twist, tau[1])
+
+
+def _housing(housing: Housing, at: Twists) -> tuple[Array, Array, Array]:
+    """Of carrier and instruments without their ties: by V_r, V_r*, and gravity in E1 (M, 6, 3)."""
+    momentum = at.V_r @ housing.K
+    by_V_r = -motor_cross(at.V_r) @ housing.K - momentum_cross(momentum)
+    for L, damping in housing.damped:
+        by_V_r += L @ damping_rate(damping, at.V_r @ L) @ L.T
+    M = len(at.V)
+    return by_V_r, np.tile(-housing.K, (M, 1, 1)), np.tile(housing.heavy, (M, 1, 1))
+
+
+def _flywheels(tables: Tables, at: Twists, phi: Array, phi_dot: Array) -> tuple[Array, Array, Array]:
+    """Of W_s (M, N, 6, 6): by V_r, V_r*, and gravity in E1 (M, N, 6, 3)."""
+    h, slopes = waves(phi)
+    Theta = np.einsum("hms,hsij->msij", h, tables.Theta)
+    Theta_dot = np.einsum("hms,hsij->msij", slopes * phi_dot, tables.Theta)
+    spun = np.einsum("hms,hsi->msi", h * phi_dot, tables.coupling)
+    momentum = (Theta @ at.V_r[:, None, :, None])[..., 0] + spun
+    by_V_r = motor_cross(at.V_r)[:, None] @ Theta + momentum_cross(momentum) + Theta_dot
+    for s, damping in enumerate(tables.damping):
+        if damping is not None:
+            L = tables.Lm[s] @ both(turn(0, phi[:, s]))
+            twist = (at.V_r[:, None, :] @ L)[:, 0, :] + phi_dot[:, s, None] * f
+            by_V_r[:, s] -= L @ damping_rate(damping, twist) @ np.swapaxes(L, 1, 2)
+    return by_V_r, Theta, -np.einsum("hms,hsij->msij", h, tables.weight)
+
+
+def momentum_cross(Z: Array) -> Array:
+    """[[0, -<p>], [-<p>, -<h>]] (..., 6, 6) of Z = (p, h): Phi(V) Z is it times V."""
+    X = np.zeros((*Z.shape, 6))
+    X[..., :3, 3:] = X[..., 3:, :3] = -skew(Z[..., :3])
+    X[..., 3:, 3:] = -skew(Z[..., 3:])
+    return X
+
+
+def _through_stream(mechanics: Mechanics, at: Twists, by_V_r: Array, by_rate: Array, by_g: Array) -> Slopes:
+    """By pose and V of what depends on V_r = V - (u, 0), V_r* = V* + (omega x u, 0) and g, u and g fixed in E0."""
+    M = len(at.V)
+    among = (M,) + (1,) * (by_g.ndim - 3) + (3, 3)  # flywheels, where there are any, share the carrier's pose
+    gravity, u = (
+        in_E1(at.C, np.broadcast_to(x, (M, 3))) for x in (mechanics.stand.gravity, mechanics.stand.stream or (0.0,) * 3)
+    )
+    turned_u = skew(u)
+    by_twist = by_V_r.copy()
+    by_twist[..., 3:] -= by_rate[..., :3] @ turned_u.reshape(among)
+    by_pose = np.zeros_like(by_V_r)
+    by_pose[..., 3:] = by_g @ skew(gravity).reshape(among)
+    by_pose[..., 3:] -= by_V_r[..., :3] @ turned_u.reshape(among)
+    by_pose[..., 3:] += by_rate[..., :3] @ (skew(at.V[:, 3:]) @ turned_u).reshape(among)
+    return Slopes(by_pose, by_twist)

@@ -1,0 +1,123 @@
+"""What depends on the carrier's prescribed motion alone: the coefficients of (12) at M times.
+
+Flywheel s takes from the carrier the wrench (in E1 about O1; V, V* relative to the fluid)
+
+    W_s = Theta_s V* + I_s phi'' + phi' Theta_s,phi (V + e_s phi') + Phi(V) Theta_s (V + e_s phi') - weight,
+
+with e_s the twist of a unit spin. Sorted by harmonics h of phi and by powers of speed:
+
+    W_s = sum_h h(phi) (A_h + C_h phi' + I_h phi'' + I'_h phi'^2),
+
+A_h, C_h of the motion, I_h, I'_h constant. (8) is then R = balance - sum_s W_s, and tau_s its part about the axis.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.carrier import Housing
+from mahovik.use.plan.residual.flywheels import Tables, slope, tables_of
+from mahovik.use.plan.residual.kinematics import Coordinates, Twists, in_E1, twists
+from mahovik.use.plan.residual.spatial import motor_cross
+
+
+@dataclass(frozen=True, eq=False)
+class Mechanics:
+    """Constants of a stand: built once, used for every motion.
+
+    still, spun   (5, 7, 1, N): I_h and I'_h; the seventh row is the part about the axis, of which tau is made
+    """
+
+    stand: Stand
+    housing: Housing
+    tables: Tables
+    still: Array
+    spun: Array
+
+    @staticmethod
+    def of(stand: Stand) -> Mechanics:
+        """The mechanics of a stand."""
+        tables = tables_of(stand)
+        I = _with_torque(np.transpose(tables.coupling, (0, 2, 1))[:, :, None, :], tables)
+        return Mechanics(stand, Housing.of(stand), tables, I, slope(I))
+
+    @property
+    def N(self) -> int:
+        """Number of flywheels."""
+        return len(self.stand.flywheels)
+
+    @property
+    def mean_inertia(self) -> Array:
+        """K0 (6, 6): K of (2), mean over all angles of the flywheels."""
+        return np.asarray(self.housing.K + self.tables.Theta[0].sum(axis=0))
+
+
+@dataclass(frozen=True, eq=False)
+class Prescribed:
+    """Coefficients of (12) at M times: linear in the harmonics of each angle, quadratic in its speed.
+
+    base    (M, 6; N, N m): balance of everything but the flywheels
+    fixed   (5, 7, M, N): A_h
+    moving  (5, 7, M, N): C_h; seventh row: see Mechanics
+    V_r     (M, 6): twist relative to the fluid, for flywheels with damping
+    """
+
+    mechanics: Mechanics
+    base: Array
+    fixed: Array
+    moving: Array
+    V_r: Array
+
+    def locked(self) -> Array:
+        """P of (12) (M, 6): wrench needed, flywheels locked in their mounts and axisymmetric, of mean inertia."""
+        return np.asarray(self.base - self.fixed[0, :6].sum(axis=2).T)
+
+
+def prescribe(mechanics: Mechanics, course: Coordinates, bias: Array | float = 0.0) -> Prescribed:
+    """Prescribed at the times of `course`, shifted by `bias` (6, or M x 6; m, rad). StateError: a leg has no length."""
+    at = twists(mechanics.stand, Shifted(course.q + bias, course.q_dot, course.q_ddot))
+    return prescribed_at(mechanics, at)
+
+
+@dataclass(frozen=True, eq=False)
+class Shifted:
+    """Coordinates with their bias added (M, 6 each)."""
+
+    q: Array
+    q_dot: Array
+    q_ddot: Array
+
+
+def prescribed_at(mechanics: Mechanics, at: Twists) -> Prescribed:
+    """Prescribed at M twists of the carrier. StateError: a leg has no length."""
+    tables = mechanics.tables
+    found = harmonics_at(mechanics.stand, at, tables.Theta, tables.weight, tables.coupling)
+    A, C = (_with_torque(x, tables) for x in found)
+    return Prescribed(mechanics, mechanics.housing.balance(at), A, C, at.V_r)
+
+
+def harmonics_at(stand: Stand, at: Twists, Theta: Array, weight: Array, coupling: Array) -> tuple[Array, Array]:
+    """A_h, C_h (5, 6, M, N each) of Theta (5, N, 6, 6), weight (5, N, 6, 3), I_h (5, N, 6), linear in these."""
+    M, N = len(at.V), Theta.shape[1]
+    Phi = motor_cross(at.V_r)
+    flat = Theta.reshape(-1, 6)  # rows h, s, i
+    momentum = (at.V_r @ flat.T).reshape(M, 5 * N, 6)
+    fixed = (at.V_r_dot @ flat.T).reshape(M, 5 * N, 6) + momentum @ np.swapaxes(Phi, 1, 2)
+    if any(stand.gravity):
+        gravity = in_E1(at.C, np.broadcast_to(stand.gravity, at.O1.shape))
+        fixed -= (gravity @ weight.reshape(-1, 3).T).reshape(M, 5 * N, 6)
+    moving = (coupling.reshape(5 * N, 6) @ np.swapaxes(Phi, 1, 2)).reshape(M, 5, N, 6)
+    moving = np.moveaxis(moving, 0, 2) + slope(np.moveaxis(momentum.reshape(M, 5, N, 6), 0, 2))  # (5, N, M, 6)
+    fixed = np.moveaxis(fixed.reshape(M, 5, N, 6), 0, 2)
+    A, C = (np.ascontiguousarray(np.transpose(x, (0, 3, 2, 1))) for x in (fixed, moving))  # (5, 6, M, N)
+    return A, C
+
+
+def _with_torque(harmonics: Array, tables: Tables) -> Array:
+    """(5, 7, ...) of (5, 6, ..., N): with the part about each flywheel's axis as a seventh row."""
+    about = np.einsum("si,hims->hms", tables.spin, harmonics)
+    return np.concatenate([harmonics, about[:, None]], axis=1)

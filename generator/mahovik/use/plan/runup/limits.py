@@ -1,0 +1,129 @@
+"""Bounds on the way: how far the carrier strays, speeds, accelerations and torques of the flywheels; less of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.motion.required import Bounds
+from mahovik.errors import StateError
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.runup.boundary import Boundary, Flight
+from mahovik.use.plan.runup.newton import LONGEST, reachable, shoot
+
+KEEP = 0.97
+"""Of a bound: what is above is pushed down."""
+
+_STEPS, _CLOSE = 24, 1e-4
+"""Steps; terminal error after each."""
+_STALL = 4
+"""Steps that together must take a tenth off the excess."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shares:
+    """Of the bounds that are given, by name: values over bound (M, 1 or N) at the nodes."""
+
+    by_name: dict[str, Array]
+
+    @property
+    def most(self) -> float:
+        """The largest; 0 without bounds."""
+        return max((float(np.max(x)) for x in self.by_name.values()), default=0.0)
+
+    @property
+    def excess(self) -> float:
+        """Sum of squares of what is above KEEP."""
+        return sum(float(np.sum(np.maximum(x - KEEP, 0.0) ** 2)) for x in self.by_name.values())
+
+
+def shares(problem: Boundary, flight: Flight, bounds: Bounds) -> Shares:
+    """Values over bounds along a flight; the deviation from the mean pose, linear (m) and angular (rad)."""
+    found = {}
+    for name, values in measured(problem, flight).items():
+        limit = bounds.deviation if name == "deviation" else getattr(bounds, name)
+        if limit is not None:
+            found[name] = np.abs(values) / np.array(limit)
+    return Shares(found)
+
+
+def measured(problem: Boundary, flight: Flight) -> dict[str, Array]:
+    """Deviation (M, 2; m, rad), speed, acceleration, torque (M, N) at the nodes."""
+    angles, y = problem.family.angles(flight.c), flight.course.y
+    return {
+        "deviation": np.column_stack([np.linalg.norm(x, axis=1) for x in (y[:, :3], y[:, 3:6])]),
+        "speed": angles.phi_dot,
+        "acceleration": angles.phi_ddot,
+        "torque": problem.along(flight).tau,
+    }
+
+
+def reduced(problem: Boundary, flight: Flight, bounds: Bounds, budget: Budget) -> Flight:
+    """The flight with the least excess that Gauss-Newton's steps along the terminal conditions find in the time.
+
+    Each step makes the excess and itself least among those that keep the terminal conditions; then Newton's steps.
+    """
+    best, least, weight = flight, shares(problem, flight, bounds).excess, 1e-2
+    history = [least]
+    for _ in range(_STEPS):
+        if (
+            budget.over()
+            or least == 0.0
+            or weight > 1e6
+            or (len(history) > _STALL and least > 0.9 * history[-1 - _STALL])
+        ):
+            break
+        best = problem.renewed(best)
+        J, states = problem.sensitivity(best)
+        h, G = _rows(problem, best, bounds, states)
+        step = _step(J, best.error, h, G, weight * float(np.linalg.norm(G)) ** 2 / G.shape[1])
+        step = step.reshape(best.c.shape) * min(1.0, LONGEST / max(float(np.abs(step).max()), 1e-300))
+        try:
+            there = shoot(problem, problem.fly(best.c + step, best), _CLOSE, 4).flight
+            excess = shares(problem, there, bounds).excess if there.size <= _CLOSE else np.inf
+        except StateError:
+            excess = np.inf
+        if excess < least:
+            best, least, weight = there, excess, weight * 0.2
+        else:
+            weight *= 8.0
+        history.append(least)
+    return best
+
+
+def _step(J: Array, error: Array, h: Array, G: Array, weight: float) -> Array:
+    """argmin |h + G dx|^2 + weight |dx|^2 with J dx = -error."""
+    U, sigma, Vt = np.linalg.svd(J)
+    rank = int(reachable(sigma).sum())
+    straight = -Vt[:rank].T @ ((U.T @ error)[:rank] / sigma[:rank])
+    null = Vt[rank:].T
+    reach = G @ null
+    z = np.linalg.solve(reach.T @ reach + weight * np.eye(reach.shape[1]), -reach.T @ (h + G @ straight))
+    return np.asarray(straight + null @ z)
+
+
+def _rows(problem: Boundary, flight: Flight, bounds: Bounds, states: Array) -> tuple[Array, Array]:
+    """What is above KEEP (K), and its derivatives by the unknowns (K, N P); the carrier's part in torques left out."""
+    N, P = flight.c.shape
+    values, basis, along = measured(problem, flight), problem.family.basis, problem.along(flight)
+    h, G = [np.zeros(0)], [np.zeros((0, N * P))]
+    for name, share in shares(problem, flight, bounds).by_name.items():
+        rows, columns = np.nonzero(share > KEEP)
+        h.append(share[rows, columns] - KEEP)
+        signed = values[name][rows, columns]
+        scale = share[rows, columns] / signed  # of derivatives: sign over bound
+        own = np.zeros((len(rows), N, P))
+        k = np.arange(len(rows))
+        if name == "deviation":
+            pose = flight.course.y[:, :6].reshape(-1, 2, 3)[rows, columns]
+            moved = states[:, :6].reshape(len(states), 2, 3, N * P)[rows, columns]
+            own += np.einsum("ki,kip->kp", pose / signed[:, None], moved).reshape(-1, N, P)
+        elif name == "torque":
+            for by, b in zip((along.tau_by_phi, along.tau_by_phi_dot, along.tau_by_phi_ddot), basis, strict=True):
+                own[k, columns] += by[rows, columns, None] * b[rows]
+        else:
+            own[k, columns] = basis[1 if name == "speed" else 2][rows]
+        G.append((own * scale[:, None, None]).reshape(-1, N * P))
+    return np.concatenate(h), np.concatenate(G)

@@ -1,0 +1,217 @@
+"""Motion by the generated C: its function `step`, or `step_driven` where all speeds are given."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any, cast
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand, Vec6
+from mahovik.errors import StateError
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.program_backend import STATUS_NAMES
+from mahovik.use.simulate.case import Array, Case, wrapped
+from mahovik.use.simulate.mobility import Mobility
+from mahovik.use.simulate.moment import Moment
+from mahovik.use.simulate.reaction import Reaction
+from mahovik.use.simulate.steepness import Steepness
+
+
+class CMotion:
+    """Steps of the C. Phases and speeds that are given are set exactly at the beginning of each step.
+
+    Within a step torques, wrenches and flywheel accelerations are constant: torques and wrenches of its middle,
+    accelerations by the speeds at its ends. Where a torque falls steeply with speed a step is cut into parts
+    (Steepness). Beside torques a flywheel of given speed is locked at its mean speed,
+    and what its acceleration asks of the carrier is a wrench there (Reaction).
+    """
+
+    def __init__(self, case: Case) -> None:
+        self.case = case
+        reacting = {case.stand.carrier.name} if case.regime.mixed else set()
+        self.c = compiled(with_inputs(case.stand, set(case.regime.wrenches) | reacting))
+        self._name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
+        N = len(case.stand.flywheels)
+        ffi = self.c.library.ffi
+        self._x = ffi.new(f"{case.stand.name}_state *")
+        self._view = np.frombuffer(ffi.buffer(self._x), dtype=np.float64)
+        self._phi, self._phi_dot = slice(13, 13 + N), slice(13 + N, 13 + 2 * N)
+        self._drive = np.zeros(max(N, 1))
+        self._given = np.array(case.regime.given, dtype=bool)
+        self._locked = np.array([*map(int, case.regime.given), 0], dtype=np.intc)
+        self._wrench = np.zeros(6 * max(len(self.c.inputs), 1))
+        self._rate = np.zeros(N)
+        self._turns = np.zeros(N)
+        start = case.start
+        attitude = self.c.arguments(start)["x"]["attitude"]
+        self._view[:13] = [*start.position, *attitude, *start.V]
+        self._view[self._phi] = wrapped(case.phi0)
+        self._view[self._phi_dot] = case.phi_dot0
+        self._reaction = Reaction(self.c, self._x) if case.regime.mixed else None
+        self._steepness = Steepness(case)
+        self._mobility: Mobility | None = None
+        if self._steepness.matters:
+            self._mobility = Mobility(self.c, self._x, self._locked[:N].tolist())
+            self._steepness.check(case.dt, self._mobility.matrix())
+
+    def moments(self, mounts: bool) -> Iterator[Moment]:
+        """See Motion."""
+        phi = self.case.phi0.copy()
+        times = self.case.times
+        for k, t in enumerate(times):
+            if k:
+                phi = self._advance(float(times[k - 1]), float(t), phi)
+            yield self._moment(float(t), phi, mounts)
+
+    def _arguments(self, h: float) -> list[Any]:
+        ffi = self.c.library.ffi
+
+        def real(array: Array) -> Any:
+            return ffi.cast(f"{self.case.stand.name}_real *", array.ctypes.data)
+
+        known = {
+            "stand": self.c.library.default("default"),
+            "x": self._x,
+            "tau": real(self._drive),
+            "phi_ddot": real(self._drive),
+            "locked": ffi.cast("int *", self._locked.ctypes.data),
+            "wrench": real(self._wrench),
+            "dt": h,
+            "order": self.case.order,
+            "next": self._x,
+        }
+        return [known[a.name] for a in self.c.program.function(self._name).arguments]
+
+    def _advance(self, begin: float, end: float, phi: Array) -> Array:
+        """Steps from one time of output to the next; returns the phases there, counted through."""
+        case, view = self.case, self._view
+        count = max(1, math.ceil((end - begin) / case.dt * (1 - 1e-9)))
+        h = (end - begin) / count
+        times: Array = begin + h * np.arange(count + 1, dtype=np.float64)
+        times[-1] = end
+        if not case.regime.by_torque:
+            return self._given_speeds(times)
+        if begin == 0.0:
+            self._rate = self._accelerations(0.0)[1]
+        if self._mobility is None:
+            turned = self._driven(times)
+        else:
+            turned = np.zeros(len(phi))
+            for one, next_ in itertools.pairwise(times):
+                parts = self._steepness.parts(h, self._mobility.matrix(), view[self._phi_dot], self._rate)
+                turned += self._driven(np.linspace(one, next_, parts + 1))
+        return np.where(self._given, case.motion(times[-1:])[0][0], phi + turned)
+
+    def _given_speeds(self, times: Array) -> Array:
+        """Steps of even length where all speeds are given; returns the phases at the end."""
+        view, h = self._view, float(times[1] - times[0])
+        step, arguments = self.c.library.function(self._name), self._arguments(h)
+        given, speeds, _ = self.case.motion(times)
+        states, mean = wrapped(given), np.diff(speeds, axis=0) / h
+        for k, begin in enumerate(times[:-1]):
+            self._set_wrench(begin + h / 2)
+            view[self._phi], view[self._phi_dot] = states[k], speeds[k]
+            self._drive[: len(mean[k])] = mean[k]
+            self._check(step(*arguments), begin)
+        view[self._phi], view[self._phi_dot] = states[-1], speeds[-1]
+        return np.asarray(given[-1])
+
+    def _driven(self, times: Array) -> Array:
+        """Steps of even length under torques; returns how far flywheels have turned."""
+        case, view, held = self.case, self._view, self._given
+        h = float(times[1] - times[0])
+        step, arguments = self.c.library.function(self._name), self._arguments(h)
+        middles = times[:-1] + h / 2
+        (given, speeds, _), (halfway, middle_speeds, _) = case.motion(times), case.motion(middles)
+        states, mean = wrapped(given), np.diff(speeds, axis=0) / h
+        locked = (speeds[:-1] + 4 * middle_speeds + speeds[1:]) / 6  # no difference of phases: these may be large
+        whole = np.zeros(len(self._rate))
+        for k, middle in enumerate(middles):
+            before, phase = view[self._phi_dot].copy(), view[self._phi].copy()
+            if self._reaction is not None:
+                view[self._phi][held] = wrapped(halfway[k])[held]
+            self._set_wrench(middle, np.where(held, mean[k], 0.0))
+            view[self._phi][held], view[self._phi_dot][held] = states[k][held], locked[k][held]
+            self._drive[:] = case.torques(middle, before + h / 2 * self._rate)
+            self._check(step(*arguments), times[k])
+            view[self._phi][held], view[self._phi_dot][held] = states[k + 1][held], speeds[k + 1][held]
+            after = view[self._phi_dot]
+            self._rate = (after - before) / h
+            turned, expected = view[self._phi] - phase, h * (before + after) / 2
+            whole += turned + 2 * np.pi * np.round((expected - turned) / (2 * np.pi))
+        return whole
+
+    def _set_wrench(self, t: float, accelerations: Array | None = None) -> None:
+        """Run-time wrenches of a time; on the carrier also what given `accelerations` beside torques ask of it."""
+        if self.case.regime.wrenches or self._reaction is not None:
+            now = self.case.regime.wrench(t)
+            for i, body in enumerate(self.c.inputs):
+                self._wrench[6 * i : 6 * i + 6] = now.get(body, (0.0,) * 6)
+        if self._reaction is not None and accelerations is not None:
+            self._wrench[self._reaction.place] += self._reaction.wrench(accelerations)
+
+    def _check(self, status: int, t: float) -> None:
+        if status < 0:
+            raise StateError(f"at t = {t:.6g} s a step ends with {STATUS_NAMES[status]}: the motion leaves its ranges")
+
+    def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
+        """V_dot, phi_ddot and drive torques at the present state."""
+        case, view = self.case, self._view
+        phi_dot = view[self._phi_dot].copy()
+        state = case.state(t, view[:3], view[3:7], view[7:13], view[self._phi], phi_dot)
+        tau = np.array(case.torques(t, phi_dot))
+        inputs = self.c.arguments(replace(state, tau=tuple(tau.tolist()))) | {"x": self._x}
+        phi_ddot = case.motion(np.array([t]))[2][0]
+        if case.regime.by_torque:
+            self._set_wrench(t, np.where(self._given, phi_ddot, 0.0))
+            now = {"locked": self._locked[:-1].tolist(), "wrench": self._wrench.tolist()}
+            found = self._call("coupled", inputs | now, t)
+            phi_ddot = np.where(self._given, phi_ddot, found["phi_ddot"])
+        else:
+            found = self._call("forward", inputs | {"phi_ddot": phi_ddot.tolist()}, t)
+        V_dot = np.array(found["V_dot"])
+        if case.stand.flywheels:
+            inputs |= {"phi_ddot": phi_ddot.tolist(), "V_dot": V_dot.tolist()}
+            needed = np.array(self._call("torque", inputs, t)["tau"])
+            tau = np.where([each.by_torque for each in case.regime.flywheels], tau, needed)
+        return V_dot, phi_ddot, tau
+
+    def _call(self, function: str, inputs: dict[str, Any], t: float) -> dict[str, Any]:
+        status, outputs = self.c.call(function, inputs)
+        self._check(status, t)
+        return outputs
+
+    def _moment(self, t: float, phi: Array, mounts: bool) -> Moment:
+        view = self._view
+        V_dot, phi_ddot, tau = self._accelerations(t)
+        state = self.case.state(t, view[:3], view[3:7], view[7:13], view[self._phi], view[self._phi_dot].copy())
+        state = replace(state, V_dot=cast(Vec6, tuple(V_dot.tolist())), phi_ddot=tuple(phi_ddot.tolist()))
+        want = ["points", "mounts"] if mounts else ["points"]
+        found = self.c.evaluate(state, want)
+        loads = np.array(found["mount_wrench"]).reshape(-1, 6) if mounts else None
+        return Moment(t, state, phi.copy(), tau, found["points"], loads)
+
+
+@lru_cache(maxsize=4)
+def compiled(stand: Stand) -> CBackend:
+    """The compiled C of a stand; of the last few it is kept, so that many runs of one stand compile once."""
+    return CBackend(stand)
+
+
+def with_inputs(stand: Stand, bodies: set[str]) -> Stand:
+    """The stand with a run-time wrench on the bodies named, beside those that take one already."""
+
+    def one(body: Any) -> Any:
+        return replace(body, wrench_input=body.wrench_input or body.name in bodies)
+
+    return replace(
+        stand,
+        carrier=one(stand.carrier),
+        instruments=tuple(map(one, stand.instruments)),
+        flywheels=tuple(map(one, stand.flywheels)),
+    )

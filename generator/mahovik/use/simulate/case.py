@@ -1,0 +1,103 @@
+"""What is simulated: a stand, a regime, a start, times; and what every backend needs to know of it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.motion.regime import Regime
+from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.state import State
+from mahovik.errors import UsageError
+
+Array = NDArray[np.float64]
+LARGE = 1e6  # rad; phases beyond are wrapped before they go into a state, whose range ends at 1e7
+MAX_STEP = 10.0  # s; longer ones the C refuses
+_TURN = 2 * math.pi
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A run of `until` s with output every `every` s; steps of at most `dt` s, of order 4 or 2.
+
+    `start`: position, attitude, V; its phases and speeds where the regime leaves them open. Raises UsageError.
+    """
+
+    stand: Stand
+    regime: Regime
+    start: State
+    until: float
+    every: float = 1e-3
+    dt: float = 1e-4
+    order: int = 4
+
+    def __post_init__(self) -> None:
+        for name in ("until", "every", "dt"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise UsageError(f"--{name} {value:g}: expected a time above 0, in s")
+        if self.dt > MAX_STEP:
+            raise UsageError(f"--dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
+        if self.order not in (2, 4):
+            raise UsageError(f"--order {self.order}: expected 4 or 2")
+        if self.until / self.every > 1e7:
+            raise UsageError(f"--every {self.every:g}: more than ten million rows")
+
+    @cached_property
+    def times(self) -> Array:
+        """Times of output: 0, every, 2 every, ..., until."""
+        whole = math.floor(self.until / self.every * (1 + 1e-12))
+        times: Array = self.every * np.arange(whole + 1, dtype=np.float64)
+        if self.until - times[-1] > 1e-9 * self.every:
+            times = np.append(times, self.until)
+        times[-1] = self.until
+        return times
+
+    @cached_property
+    def phi0(self) -> Array:
+        """Phases at t = 0."""
+        given = zip(self.regime.flywheels, self.start.phi, strict=True)
+        return np.array([phi if each.phase is None else each.phase for each, phi in given], dtype=np.float64)
+
+    @cached_property
+    def phi_dot0(self) -> Array:
+        """Speeds at t = 0: by law, or those given for a law of torque."""
+        _, by_law, _ = self.regime.motion(np.zeros(1))
+        given = zip(self.regime.flywheels, self.start.phi_dot, by_law[0], strict=True)
+        found = [(open_ if each.speed is None else each.speed) if each.by_torque else law for each, open_, law in given]
+        return np.array(found, dtype=np.float64)
+
+    def motion(self, t: Array) -> tuple[Array, Array, Array]:
+        """phi, phi', phi'' (times x N) of flywheels whose speed is given."""
+        phi, phi_dot, phi_ddot = self.regime.motion(t)
+        return phi + self.phi0, phi_dot, phi_ddot
+
+    def torques(self, t: float, phi_dot: Array) -> list[float]:
+        """Drive torques at a time and speeds, by motors and regime."""
+        return self.regime.torques(t, phi_dot, tuple(s.motor for s in self.stand.flywheels))
+
+    def state(self, t: float, position: Array, attitude: Array, V: Array,
+              phi: Array, phi_dot: Array) -> State:  # fmt: skip
+        """A state for evaluation, with the run-time wrenches of the time t; quaternion brought to unit length."""
+        length = math.hypot(*attitude)
+        w, x, y, z = (float(c) / length for c in attitude)
+        return replace(
+            self.start,
+            position=cast(Vec3, tuple(position.tolist())),
+            angles=None,
+            quaternion=(w, x, y, z),
+            V=cast(Vec6, tuple(V.tolist())),
+            phi=tuple(wrapped(phi).tolist()),
+            phi_dot=tuple(phi_dot.tolist()),
+            wrench=self.regime.wrench(t),
+        )
+
+
+def wrapped(phi: Array) -> Array:
+    """Phases within a state's range."""
+    return np.where(np.abs(phi) > LARGE, np.remainder(phi, _TURN), phi)

@@ -1,0 +1,275 @@
+"""Replay of a flight log: the same steps on this machine, every state compared bit for bit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from mahovik.core.emit.generate import LANES, Generated, generate_all
+from mahovik.core.emit.header import read_header
+from mahovik.core.emit.log_format import fnv1a, state_hash, table_bytes, table_from_bytes
+from mahovik.core.emit.recorder import source_hash
+from mahovik.core.program.interpret import Interpreter, plain
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+from mahovik.errors import CheckError, UsageError
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.program_backend import STATUS_NAMES
+from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step
+
+Members = dict[str, Reals]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One step on this machine. `before` is the state with all that was written to it; `table` None: the default."""
+
+    step: Step
+    before: Members
+    after: Members
+    status: int
+    equal: bool
+    table: Mapping[str, Any] | None
+
+    @property
+    def difference(self) -> str:
+        """In what the step differs from the log."""
+        if self.status != self.step.status:
+            return f"status {status_name(self.step.status)} in the log, {status_name(self.status)} here"
+        here = state_hash([m.tobytes() for m in self.after.values()])
+        return f"the state after it has hash {self.step.hash:08x} in the log, {here:08x} here"
+
+
+class Machine(Protocol):
+    """Runs the steps of one stand in one precision. `source` is the hash of the text of its C."""
+
+    generated: Generated
+    source: int
+
+    def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
+        """Takes a state and a table; None: the default."""
+
+    def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
+        """Writes members of the state, and the table's stream."""
+
+    def state(self) -> Members:
+        """A copy of the state."""
+
+    def step(self, step: Step) -> int:
+        """One step; its status."""
+
+    def default_table(self) -> Mapping[str, Any]:
+        """The default table as plain data."""
+
+
+class CMachine:
+    """The C of the stand, freshly generated, or with `folder` what lies there. Raises as CBackend."""
+
+    def __init__(self, stand: Stand, real: str, folder: Path | None = None, lanes: int = 1) -> None:
+        self._c = _compiled(stand, real, lanes) if folder is None else CBackend(stand, real, folder)
+        self.generated = self._c.generated
+        self.source = source_hash(self.generated.files if folder is None else _texts(folder, stand.name), stand.name)
+        self._ffi = self._c.library.ffi
+        self._prefix = stand.name
+        self._x = self._ffi.new(f"{stand.name}_state *")
+        dtype = np.dtype(self.generated.program.precision.scalar)
+        whole = np.frombuffer(self._ffi.buffer(self._x), dtype=dtype)
+        self._views, at = {}, 0
+        for f in self.generated.layout.state.fields:
+            self._views[f.name] = whole[at : at + int(f.shape[0])]
+            at += int(f.shape[0])
+        self._table = self._ffi.new(f"{stand.name}_table *")
+
+    def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
+        """See Machine."""
+        given = self._c.library.default("default")[0] if table is None else table
+        self._table = self._ffi.new(f"{self._prefix}_table *", given)
+        self.write(state, None)
+
+    def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
+        """See Machine."""
+        for name, values in written.items():
+            self._views[name][:] = values
+        if stream is not None:
+            self._table.stream = stream.tolist()
+
+    def state(self) -> Members:
+        """See Machine."""
+        return {name: view.copy() for name, view in self._views.items()}
+
+    def step(self, step: Step) -> int:
+        """See Machine."""
+        name, inputs = inputs_of(self.generated, step)
+        known: dict[str, Any] = {"stand": self._table, "x": self._x, "next": self._x}
+        for key, value in inputs.items():
+            if isinstance(value, np.ndarray):
+                kind = f"{self._prefix}_real[]" if value.dtype.kind == "f" else "int[]"
+                known[key] = self._ffi.from_buffer(kind, value)
+            else:
+                known[key] = value
+        arguments = self.generated.program.function(name).arguments
+        return int(self._c.library.function(name)(*(known[a.name] for a in arguments)))
+
+    def default_table(self) -> Mapping[str, Any]:
+        """See Machine."""
+        found: Mapping[str, Any] = self._c.table()
+        return found
+
+
+@lru_cache(maxsize=4)
+def _compiled(stand: Stand, real: str, lanes: int) -> CBackend:
+    """The compiled C of a stand; of the last few it is kept, so that many logs of one stand compile once."""
+    return CBackend(stand, real, lanes=lanes)
+
+
+class InterpreterMachine:
+    """The interpreter of the program: needs no compiler, and is a thousand times slower."""
+
+    def __init__(self, stand: Stand, real: str, lanes: int = 1) -> None:
+        self.generated = generate_all(stand, real, lanes)
+        self.source = source_hash(self.generated.files, stand.name)
+        self._interpreter = Interpreter(self.generated.program)
+        self._x: Any = None
+        self._table: Any = None
+
+    def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
+        """See Machine."""
+        given = self.default_table() if table is None else table
+        layout = self.generated.layout
+        self._table = self._interpreter.filled(layout.table, plain(given))
+        self._x = self._interpreter.filled(layout.state, {name: list(v) for name, v in state.items()})
+
+    def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
+        """See Machine."""
+        for name, values in written.items():
+            setattr(self._x, name, list(values))
+        if stream is not None:
+            self._table.stream = list(stream)
+
+    def state(self) -> Members:
+        """See Machine."""
+        dtype = np.dtype(self.generated.program.precision.scalar)
+        return {name: np.array(values, dtype=dtype) for name, values in plain(self._x).items()}
+
+    def step(self, step: Step) -> int:
+        """See Machine."""
+        name, inputs = inputs_of(self.generated, step)
+        known: dict[str, Any] = {"stand": self._table, "x": self._x, "next": self._x}
+        known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
+        known["dt"] = self.generated.program.precision.scalar(step.dt)
+        arguments = self.generated.program.function(name).arguments
+        return int(self._interpreter.call(name, *(known[a.name] for a in arguments)))
+
+    def default_table(self) -> Mapping[str, Any]:
+        """See Machine."""
+        return self.generated.values.table
+
+
+def inputs_of(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
+    """Which function made the step, and its inputs by the names of its arguments."""
+    name = "step_driven" if step.driven else "step"
+    drive = "phi_ddot" if step.driven else "tau"
+    locked = np.array(step.locked, dtype=np.intc)
+    given = {drive: step.drive, "locked": locked, "wrench": step.wrench, "dt": step.dt, "order": step.order}
+    taken = {a.name for a in generated.program.function(name).arguments}
+    return name, {key: value for key, value in given.items() if key in taken}
+
+
+def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterator[Outcome | Damage]:
+    """Every step that can be replayed, up to the first that differs, and the damage between them."""
+    table: Mapping[str, Any] | None = None
+    for record in records:
+        if isinstance(record, Damage):
+            yield record
+            continue
+        if isinstance(record, Start):
+            table = _table(machine, record)
+            machine.begin(record.state, table)
+            continue
+        machine.write(record.written, record.stream)
+        if record.stream is not None:
+            table = {**(table or machine.default_table()), "stream": record.stream.tolist()}
+        before = machine.state()
+        status = machine.step(record)
+        after = machine.state()
+        equal = status == record.status and state_hash([m.tobytes() for m in after.values()]) == record.hash
+        yield Outcome(record, before, after, status, equal, table)
+        if not equal:
+            return
+
+
+def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
+    """The table that the log was made with; None for the default. Raises CheckError."""
+    layout, default = machine.generated.layout, machine.default_table()
+    packed = table_bytes(layout, default)
+    if start.table:
+        if len(start.table) != len(packed):
+            raise CheckError(f"the log's table has {len(start.table)} bytes, that of the stand {len(packed)}")
+        return table_from_bytes(layout, start.table, default)
+    here = fnv1a(packed)
+    if start.table_hash != here:
+        raise CheckError(
+            f"the log's default table has hash {start.table_hash:08x}, that of the C here {here:08x}: "
+            "another mahovik made that C; give the folder it flew from with --against DIR"
+        )
+    return None
+
+
+def check_stand(stand: Stand, start: Start, source: str) -> None:
+    """Is it the log of this stand? `source` is the stand file. Raises CheckError."""
+    found = identities(stand)
+    if start.stand != stand.name:
+        raise CheckError(f'{source}: stand "{stand.name}", but the log is of "{start.stand}"')
+    for kind, log, here in (
+        ("structure", start.structure, found.structure),
+        ("physics", start.physics, found.physics),
+    ):
+        if log != here:
+            raise CheckError(f"{source}: {kind} {here}, but the log is of {log}: give the stand file that flew")
+
+
+def explain(machine: Machine, start: Start) -> str:
+    """What a difference may come from."""
+    if machine.source != start.source:
+        return (
+            f"the C that flew is another text (source {start.source:08x}, here {machine.source:08x}): "
+            "give the folder it flew from with --against DIR"
+        )
+    return "the C is the same text: was it compiled with -ffp-contract=off and without -ffast-math?"
+
+
+def _texts(folder: Path, name: str) -> dict[str, str]:
+    """Header and source of a stand in a folder."""
+    return {f"{name}.{kind}": (folder / f"{name}.{kind}").read_text(encoding="utf-8") for kind in ("h", "c")}
+
+
+def status_name(status: int) -> str:
+    """A status in words."""
+    return STATUS_NAMES.get(status, str(status))
+
+
+def lanes_that_flew(stand: Stand, start: Start) -> int:
+    """The number of lanes whose C has the source hash of a log; 1 where another text flew."""
+    for lanes in LANES if stand.flywheels else ():
+        if source_hash(generate_all(stand, start.real, lanes).files, stand.name) == start.source:
+            return lanes
+    return 1
+
+
+def machine(stand: Stand, real: str, backend: str, folder: Path | None, lanes: int = 1) -> Machine:
+    """What replays: "c" or "interpreter"; `lanes` of fresh C. Raises UsageError, ToolchainError, CheckError."""
+    if backend == "c":
+        there = None if folder is None else read_header(folder, stand.name)
+        if there is not None and there.real is not None and there.real != real:
+            raise UsageError(f"--against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
+        if there is not None and there.fast:
+            raise UsageError(f"--against {folder}: its C is for speed (--fast), its bits are not reproducible")
+        return CMachine(stand, real, folder, lanes)
+    if folder is not None:
+        raise UsageError("--against DIR: the interpreter runs no C; leave it out, or use --backend c")
+    return InterpreterMachine(stand, real, lanes)

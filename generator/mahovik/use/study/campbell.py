@@ -1,0 +1,134 @@
+"""Campbell diagram: natural frequencies of the carrier against a common speed of the flywheels, and what meets them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Stand
+from mahovik.use.study.response.scene import Scene
+
+Array = NDArray[np.float64]
+
+NODES = 16
+"""Of a turn: the linear equations are averaged over it; harmonics of their inverse fall off fast."""
+
+GROWING = 1e-6
+"""Part of the largest eigenvalue above which a real part grows."""
+
+SECANTS = 4
+"""Steps from the grid to a crossing."""
+
+MET = 1e-6
+"""Part of a natural frequency that an order may miss it by: more is a frequency that comes or goes there."""
+
+ASYMMETRIC = 1e-9
+"""Part of the mean of K above which its second harmonic counts."""
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Where a flywheel's order meets a natural frequency: `order` times the speed (rad/s) is `frequency` (Hz).
+
+    mode      column of the natural frequency, from 1; the highest is 6
+    damping   ratio of that mode
+    """
+
+    order: int
+    mode: int
+    speed: float
+    frequency: float
+    damping: float
+
+
+@dataclass(frozen=True, eq=False)
+class Campbell:
+    """Natural frequencies about rest, flywheels at one common speed that they keep; means over a turn.
+
+    speed      (S, rad/s), rising from 0
+    natural    (S, 6; Hz): |eigenvalue| / 2 pi, ascending to the last column; NaN in the first where there are fewer
+    damping    (S, 6): their ratios
+    growth     (S, 1/s): largest real part of an eigenvalue; 0 where none grows
+    orders     1; and 2 where asymmetric flywheels vary K twice a turn
+    crossings  by speed
+    """
+
+    speed: Array
+    natural: Array
+    damping: Array
+    growth: Array
+    orders: tuple[int, ...]
+    crossings: tuple[Crossing, ...]
+
+
+def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
+    """The diagram at speeds (S, rad/s). Raises CheckError: no equilibrium to be linear about."""
+    scene = stand if isinstance(stand, Scene) else Scene.of(stand)
+    natural, damping, growth = natural_at(scene, speed)
+    tables = scene.chart.mechanics.tables
+    twice = np.abs(tables.Theta[3:]).max(initial=0.0) > ASYMMETRIC * np.abs(scene.K).max()
+    orders = (1, 2) if twice else (1,)
+    found = [each for order in orders for each in _crossings(scene, speed, natural, order)]
+    return Campbell(speed, natural, damping, growth, orders, tuple(sorted(found, key=lambda each: each.speed)))
+
+
+def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
+    """Natural frequencies (S, 6; Hz), damping ratios (S, 6), growth (S, 1/s) at speeds (S, rad/s)."""
+    values = np.linalg.eigvals(mean_equations(scene, speed))
+    size = np.abs(values).max(axis=1, initial=0.0, keepdims=True)
+    swinging = values.imag > np.maximum(1e-6 * size, 1e-6)
+    order = np.argsort(np.where(swinging, np.abs(values), -1.0), axis=1)[:, -6:]  # slow ones come and go: at the front
+    kept = np.take_along_axis(swinging, order, axis=1)
+    chosen = np.where(kept, np.take_along_axis(values, order, axis=1), np.nan)
+    natural = np.abs(chosen)
+    real = values.real.max(axis=1)
+    growth = np.where(real > np.maximum(GROWING * size[:, 0], np.sqrt(1e-9)), real, 0.0)
+    return natural / (2.0 * np.pi), -chosen.real / natural, growth
+
+
+def mean_equations(scene: Scene, speed: Array) -> Array:
+    """A (S, 12, 12) of y' = A y about rest, y of `Scene`: mean over a turn, at speeds (S, rad/s).
+
+    Where no flywheel has damping of the second degree A is linear in the speed, and two speeds tell all.
+    """
+    laws = [s.damping for s in scene.stand.flywheels if s.damping is not None]
+    fastest = float(np.abs(speed).max(initial=0.0))
+    if len(speed) <= 2 or fastest == 0.0 or any(law.quadratic is not None or law.terms for law in laws):
+        return _averaged(scene, speed)
+    still, fast = _averaged(scene, np.array([0.0, fastest]))
+    return np.asarray(still + (speed / fastest)[:, None, None] * (fast - still))
+
+
+def _averaged(scene: Scene, speed: Array) -> Array:
+    N, M = scene.chart.mechanics.N, NODES * len(speed)
+    phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, len(speed))
+    given = scene.drive(np.tile(phi[:, None], N), np.tile(np.repeat(speed, NODES)[:, None], N))
+    J = scene.jacobian(given, np.zeros((M, 12)), np.zeros((M, 6)))
+    return np.asarray(J.reshape(-1, NODES, 12, 12).mean(axis=1))
+
+
+def _crossings(scene: Scene, speed: Array, natural: Array, order: int) -> list[Crossing]:
+    """Of one order with all natural frequencies: signs between neighbours of the grid, then secants."""
+    above = natural - order * speed[:, None] / (2.0 * np.pi)
+    with np.errstate(invalid="ignore"):
+        i, k = np.nonzero((above[:-1] > 0.0) & (above[1:] <= 0.0) | (above[:-1] < 0.0) & (above[1:] >= 0.0))
+    if not len(i):
+        return []
+    low, high, at_low, at_high = speed[i], speed[i + 1], above[i, k], above[i + 1, k]
+    rows = np.arange(len(i))
+    for _ in range(SECANTS):
+        x = low - at_low * (high - low) / (at_high - at_low)
+        found, damping, _ = natural_at(scene, x)
+        at = found[rows, k] - order * x / (2.0 * np.pi)
+        same = np.sign(at) == np.sign(at_low)
+        low, at_low = np.where(same, x, low), np.where(same, at, at_low)
+        high, at_high = np.where(same, high, x), np.where(same, at_high, at)
+        settled = at_low == at_high
+        at_high = np.where(settled, at_low + 1.0, at_high)
+    met = np.abs(at) <= MET * found[rows, k]
+    return [
+        Crossing(order, int(k[j]) + 1, float(x[j]), float(found[j, k[j]]), float(damping[j, k[j]]))
+        for j in np.flatnonzero(met)
+    ]

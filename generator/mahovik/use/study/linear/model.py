@@ -1,0 +1,169 @@
+"""A, B, C, D: how small deviations from a motion of the whole system go on, with exact derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.plan.residual import Linear, Mechanics, linear
+from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
+from mahovik.use.plan.residual.kinematics import Twists
+from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.spatial import both, fixed_axes, skew, transfer, turn
+from mahovik.use.study.linear.channels import Channel, inputs, outputs, states
+from mahovik.use.study.linear.points import output_rows, places
+
+Array = NDArray[np.float64]
+
+SPIN = both(skew(np.array([1.0, 0.0, 0.0])))
+"""[<e>] (6, 6) of (5): axes of a flywheel turn by it."""
+
+STEADY = 1e-9
+"""m/s2, rad/s2: what is left of V* at rest is rounding, far below this."""
+
+
+@dataclass(frozen=True, eq=False)
+class LinearModel:
+    """x' = A x + B u, y = C x + D u of small deviations from the motion that goes through a state. SI.
+
+    states    (n): x, y, z (m) and rx, ry, rz (rad): place of O1 and rotation vector of the carrier from its pose in
+              that motion, on E1 as it is there; deviations of V (6), of phi (N) and phi' (N)
+    inputs    (m): drive torques (N), then a wrench on the carrier about O1, in E1 (6)
+    outputs   (p): per point displacement, velocity, acceleration in E0, on the point's axes in that motion (3 each)
+    A, B, C, D   n x n, n x m, p x n, p x m
+    state     the state, with V* and the drive torques that keep its phi''
+    points    names
+    locked    flywheels keep their motion whatever happens; without their states and inputs
+    """
+
+    stand: Stand
+    state: State
+    points: tuple[str, ...]
+    locked: bool
+    states: tuple[Channel, ...]
+    inputs: tuple[Channel, ...]
+    outputs: tuple[Channel, ...]
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+
+    @property
+    def steady(self) -> bool:
+        """V* and phi'' vanish to rounding; else the matrices hold for a moment, and tell nothing of stability."""
+        return all(abs(x) <= STEADY for x in (*self.state.V_dot, *self.state.phi_ddot))
+
+
+def linear_model(
+    stand: Stand, state: State, points: Sequence[str] | None = None, *, locked: bool = False
+) -> LinearModel:
+    """The linear model of `stand` about `state`, seen at `points` (names of points and instruments; None: all).
+
+    Flywheels have the accelerations `state.phi_ddot`; V* follows from (8), their drive torques from both, so `V_dot`
+    and `tau` of the state are not read. `locked`: the flywheels' motion is prescribed, 12 states are left.
+    Raises UsageError for an unknown point, StateError where a leg has no length or a number is not finite.
+    """
+    seen = places(stand, points)
+    found = _Equations.at(stand, state)
+    N = len(stand.flywheels)
+    free = 0 if locked else N
+    V, V_dot = found.V, found.V_dot
+    n = 12 + 2 * free
+    A, B = np.zeros((n, n)), np.zeros((n, free + 6))
+    A[:3, :3] = A[3:6, 3:6] = -skew(V[3:])
+    A[:3, 3:6] = -skew(V[:3])
+    A[:6, 6:12] = np.eye(6)
+    A[12 : 12 + free, 12 + free :] = np.eye(free)
+    by_state, by_input = found.accelerations(free)
+    A[6:12], A[12 + free :] = by_state[:6], by_state[6:]
+    B[6:12], B[12 + free :] = by_input[:6], by_input[6:]
+    rows = [output_rows(place, V, V_dot) for place in seen]
+    at = np.vstack([np.zeros((0, 12)), *(x for x, _ in rows)])
+    rate = np.vstack([np.zeros((0, 6)), *(x for _, x in rows)])
+    C = rate @ A[6:12]
+    C[:, :12] += at
+    names = tuple(place.name for place in seen)
+    nominal = replace(state, V_dot=tuple(V_dot.tolist()), tau=tuple(found.tau.tolist()))
+    channels = (states(stand, locked), inputs(stand, locked), outputs(names))
+    return LinearModel(stand, nominal, names, locked, *channels, A + 0.0, B + 0.0, C + 0.0, rate @ B[6:12] + 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class _Equations:
+    """R = 0, tau, and all derivatives at one state (M = 1), run-time wrenches included."""
+
+    V: Array
+    V_dot: Array
+    tau: Array
+    mass: Array
+    by_state: Array
+
+    @staticmethod
+    def at(stand: Stand, state: State) -> _Equations:
+        mechanics = Mechanics.of(stand)
+        phi, phi_dot, phi_ddot = (np.array([x], dtype=np.float64) for x in (state.phi, state.phi_dot, state.phi_ddot))
+        still = _twists(stand, state)
+        push, push_by_phi, about = _run_time(mechanics, state)
+        with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
+            by = by_carrier(mechanics, still, phi, phi_dot)
+            held = linear(prescribed_at(mechanics, still), phi, phi_dot, phi_ddot)
+            V_dot = np.linalg.solve(-by.by_twist_dot[0], held.R[0] + push)
+            moving = still._replace(V_r_dot=still.V_r_dot + V_dot)
+            wheels = linear(prescribed_at(mechanics, moving), phi, phi_dot, phi_ddot)
+            by = by_carrier(mechanics, moving, phi, phi_dot)
+        mass, by_state = _arranged(by, wheels, push_by_phi)
+        tau = wheels.tau[0] - about
+        if not all(np.all(np.isfinite(x)) for x in (V_dot, tau, mass, by_state)):
+            raise StateError(f"{stand.name}: the linear model is not finite at this state")
+        return _Equations(still.V[0], V_dot, tau, mass, by_state)
+
+    def accelerations(self, free: int) -> list[Array]:
+        """V* and phi'' (6 + free) by the states (12 + 2 free) and by the inputs (free + 6)."""
+        N = len(self.tau)
+        columns = [*range(12), *(range(12, 12 + 2 * N) if free else ())]
+        by_input = np.zeros((6 + free, free + 6))
+        by_input[6:, :free], by_input[:6, free:] = np.eye(free), np.eye(6)
+        right = np.hstack([self.by_state[: 6 + free, columns], by_input])
+        solved = np.linalg.solve(self.mass[: 6 + free, : 6 + free], right)
+        return np.hsplit(solved, [len(columns)])
+
+
+def _arranged(by: ByCarrier, wheels: Linear, push_by_phi: Array) -> tuple[Array, Array]:
+    """The full mass matrix (6 + N), and what R and -tau change by with pose, V, phi, phi' (6 + N, 12 + 2 N)."""
+    coupled = [by.tau_by_twist_dot[0], np.diag(wheels.tau_by_phi_ddot[0])]
+    mass = np.block([[-by.by_twist_dot[0], -wheels.by_phi_ddot[0]], coupled])
+    carrier = [by.by_pose[0], by.by_twist[0], wheels.by_phi[0] + push_by_phi, wheels.by_phi_dot[0]]
+    drives = [by.tau_by_pose[0], by.tau_by_twist[0], np.diag(wheels.tau_by_phi[0]), np.diag(wheels.tau_by_phi_dot[0])]
+    return mass, np.vstack([np.hstack(carrier), -np.hstack(drives)])
+
+
+def _twists(stand: Stand, state: State) -> Twists:
+    """The carrier's motion (M = 1), V* = 0."""
+    C = carrier_rotation(stand, state)
+    V, u = np.array(state.V), C.T @ np.array(stand.stream or (0.0, 0.0, 0.0))
+    none = np.zeros(3)
+    V_r, V_r_dot = V - np.concatenate([u, none]), np.concatenate([np.cross(V[3:], u), none])
+    return Twists(C[None], np.array([state.position]), V[None], V_r[None], V_r_dot[None])
+
+
+def _run_time(mechanics: Mechanics, state: State) -> tuple[Array, Array, Array]:
+    """Run-time wrenches together in E1 about O1 (6), by phi (6, N), and their moments about the spin axes (N)."""
+    stand = mechanics.stand
+    total, by_phi, about = np.zeros(6), np.zeros((6, mechanics.N)), np.zeros(mechanics.N)
+    none = (0.0,) * 6
+    total += np.array(state.wrench.get(stand.carrier.name, none))
+    for p in stand.instruments:
+        total += transfer(p.position, fixed_axes(p.angles)) @ np.array(state.wrench.get(p.name, none))
+    for k, s in enumerate(stand.flywheels):
+        P, L = np.array(state.wrench.get(s.name, none)), mechanics.tables.Lm[k] @ both(turn(0, state.phi[k]))
+        total += L @ P
+        by_phi[:, k] = L @ SPIN @ P
+        about[k] = P[3]
+    return total, by_phi, about

@@ -1,0 +1,109 @@
+"""Modes of a linear model: natural frequencies, damping ratios, shapes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.use.study.linear.channels import Channel
+from mahovik.use.study.linear.model import LinearModel
+from mahovik.use.study.rest import reduced
+
+Array = NDArray[np.float64]
+
+FREE = 1e-6
+"""Part of the largest eigenvalue below which one is zero: a pair of zeros scatters by the root of rounding."""
+
+STIFF = 1e-10
+"""Part of the largest stiffness below which a direction is free."""
+
+SLOWEST = 1e-6
+"""1/s: what is slower is zero in any case."""
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """One mode: exp(eigenvalue t) times its shape.
+
+    kind        "free": eigenvalue zero, nothing brings it back; "oscillation": a pair; "decay", "growth": real
+    eigenvalue  1/s; of a pair that with the imaginary part above zero
+    frequency   |eigenvalue| / 2 pi, Hz: natural, without damping
+    damping     ratio, -Re / |eigenvalue|; negative: it grows
+    shape       (n, complex) displacements by `Modes.coordinates`, the largest is 1
+    """
+
+    kind: str
+    eigenvalue: complex
+    frequency: float
+    damping: float
+    shape: NDArray[np.complex128]
+
+    @property
+    def damped_frequency(self) -> float:
+        """Im(eigenvalue) / 2 pi, Hz."""
+        return float(self.eigenvalue.imag) / (2.0 * np.pi)
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """Modes of a model by natural frequency, free ones first. A pair of eigenvalues is one mode.
+
+    coordinates  of the shapes: pose (6) and phi of free flywheels
+    zeros        number of zero eigenvalues; a free direction that nothing damps has two, its place and its speed
+    """
+
+    coordinates: tuple[Channel, ...]
+    modes: tuple[Mode, ...]
+    zeros: int
+
+    @property
+    def unstable(self) -> bool:
+        """Some mode grows."""
+        return any(mode.damping < 0.0 and mode.kind != "free" for mode in self.modes)
+
+
+def modes(model: LinearModel) -> Modes:
+    """The modes of a linear model. In place of zero eigenvalues stand the free directions, without stiffness."""
+    n = len(model.A)
+    places = [*range(6), *range(12, 12 + (n - 12) // 2)]
+    values, vectors = np.linalg.eig(model.A)
+    limit = max(FREE * float(np.abs(values).max(initial=0.0)), SLOWEST)
+    zero = np.abs(values) <= limit
+    found = [_free(column) for column in _still(model.A, places)]
+    order = np.argsort(np.abs(values), kind="stable")
+    rounding = FREE * np.abs(values)
+    found += [
+        _mode(complex(values[i]), vectors[places, i], bool(abs(values[i].imag) > rounding[i]))
+        for i in order
+        if not zero[i] and values[i].imag > -rounding[i]
+    ]
+    coordinates = tuple(model.states[i] for i in places)
+    return Modes(coordinates, tuple(found), int(zero.sum()))
+
+
+def _mode(value: complex, shape: NDArray[np.complex128], turning: bool) -> Mode:
+    size = abs(value)
+    kind = "oscillation" if turning else "decay" if value.real < 0.0 else "growth"
+    damping = -value.real / size
+    if abs(damping) <= FREE:
+        damping = 0.0  # rounding of an eigenvalue, of either sign
+    return Mode(kind, value, size / (2.0 * np.pi), damping, _scaled(shape))
+
+
+def _free(shape: Array) -> Mode:
+    return Mode("free", 0j, 0.0, 0.0, _scaled(shape.astype(np.complex128)))
+
+
+def _scaled(shape: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """The largest displacement (m or rad) is 1."""
+    largest = shape[int(np.argmax(np.abs(shape)))]
+    return np.asarray(shape / largest) if largest != 0.0 else shape
+
+
+def _still(A: Array, places: list[int]) -> list[Array]:
+    """Displacements (a basis) that nothing brings back: A x = 0 with no speed in x."""
+    _, sizes, rows = np.linalg.svd(A[:, places])
+    kept = sizes > max(STIFF * float(sizes.max(initial=0.0)), SLOWEST**2)
+    return list(reduced(rows[int(kept.sum()) :]))

@@ -1,0 +1,109 @@
+"""The check: the whole stand in time, by the emitted C or SciPy on the reference; nothing of the search is used."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.motion.laws import Constant
+from mahovik.core.motion.regime import Driven, Regime
+from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.points import point_transfers
+from mahovik.use.simulate import Case, simulate
+from mahovik.use.study.quiet.amplitude import Amplitudes
+from mahovik.use.study.quiet.spectrum import LOBE
+from mahovik.use.study.quiet.wish import MEASURES, Wish
+from mahovik.use.study.rest import moved
+
+Array = NDArray[np.float64]
+
+SHORTEST, LONGEST, MOST = 1.0, 5.0, 20000
+"""s, of a simulated time; samples, where a line that is just outside of the band asks for longer."""
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """Duration and time between samples, s."""
+
+    until: float
+    every: float
+
+    @staticmethod
+    def of(wish: Wish, speeds: Array) -> Sampling:
+        """Lines are told from each other, and those outside from the band, as far as the longest time allows.
+
+        Third harmonics of the flywheels do not come back into the band as images.
+        """
+        f = np.unique(np.round(np.abs(speeds) / (2 * math.pi), 9))
+        f = f[f > 0.0]
+        beats = min((float(x) for x in np.diff(f) if x > 1e-9), default=math.inf)
+        edges = min((abs(float(x) - edge) for x in f for edge in wish.band if x != edge), default=math.inf)
+        rate = max(2.56 * wish.band[1], wish.band[1] + 3.2 * float(f.max(initial=0.0)))
+        until = max(1.5 * LOBE / beats, 20.0 / max(wish.band[0], 0.1), SHORTEST)
+        until = max(min(until, LONGEST), min(1.5 * LOBE / edges, MOST / rate))
+        count = math.ceil(until * rate)
+        return Sampling(until, until / count)
+
+
+def beginning(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Array, phases: Array) -> State:
+    """The state at t = 0 on the steady motion, to first order: no mode has to decay first."""
+    x = (amplitudes.states(speeds) * np.exp(1j * np.sign(speeds) * phases)).sum(axis=1).real
+    state = moved(rest, pieces(stand, rest).C, x[:6])
+    V = cast(Vec6, tuple(x[6:].tolist()))
+    return replace(state, V=V, phi=tuple(phases.tolist()), phi_dot=tuple(speeds.tolist()))
+
+
+def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:
+    """Constant speeds and phases at t = 0."""
+    driven = zip(stand.flywheels, speeds.tolist(), phases.tolist(), strict=True)
+    return Regime("quiet", tuple(Driven(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
+
+
+def simulated(
+    stand: Stand,
+    wish: Wish,
+    start: State,
+    sampling: Sampling,
+    backend: str = "c",
+    progress: Callable[[float], None] | None = None,
+) -> Array:
+    """What is measured, not integrated (times x axes): acceleration of the point or its turning.
+
+    Raises ToolchainError, StateError; KeyboardInterrupt goes on.
+    """
+    speeds, phases = np.array(start.phi_dot), np.array(start.phi)
+    longest = 0.1 / max(float(np.abs(speeds).max()), 1.0)
+    case = Case(stand, regime_of(stand, speeds, phases), start, sampling.until, sampling.every, min(longest, 1e-3))
+    run = simulate(case, backend, progress=progress)
+    if run.interrupted:
+        raise KeyboardInterrupt
+    if run.stopped is not None:
+        raise StateError(run.stopped)
+    count = round(sampling.until / sampling.every)
+    L = dict(point_transfers(stand))[wish.point]
+
+    def six(linear: str, angular: str, over: tuple[str, str]) -> Array:
+        names = [f"{linear}_{a} [{over[0]}]" for a in "xyz"] + [f"{angular}_{a} [{over[1]}]" for a in "xyz"]
+        return np.column_stack([run[name] for name in names])[:count] @ L
+
+    V, V_dot = six("v", "omega", ("m/s", "rad/s")), six("v_dot", "omega_dot", ("m/s2", "rad/s2"))
+    if MEASURES[wish.measure].turning:
+        return np.asarray(V[:, 3:] @ np.array(wish.axes).T)
+    return np.asarray((V_dot[:, :3] + np.cross(V[:, 3:], V[:, :3])) @ np.array(wish.axes).T)
+
+
+def expected(speeds: Array, phases: Array, a: NDArray[np.complex128], integrals: int, sampling: Sampling) -> Array:
+    """The same samples by the amplitudes a (axes x N, integrated), to be put through the same transform."""
+    count = round(sampling.until / sampling.every)
+    t = sampling.every * np.arange(count)
+    omega, sign = np.abs(speeds), np.sign(speeds)
+    before = a * (1j * omega) ** integrals * np.exp(1j * sign * phases)
+    return np.asarray((np.exp(1j * np.outer(t, omega)) @ before.T).real)

@@ -1,0 +1,75 @@
+"""Reach: the largest force and moment that flywheels at constant speeds, and their drives, give on the carrier."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.motion.motor import available
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.summary import UnbalanceRow, summarize
+from mahovik.use.plan.residual import Mechanics
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Reach:
+    """What N flywheels can do on a carrier that is held still; along the axes of E1, moments about O1.
+
+    rows       unbalance of each flywheel, and its limit of speed: the motor's own, else 3000 rpm
+    unbalance  (6, N; kg m, kg m2): largest wrench over a turn, by the square of the speed: I_s,phi of (9)
+    axes       (3, N): spin axes in E1
+    """
+
+    stand: Stand
+    rows: tuple[UnbalanceRow, ...]
+    unbalance: Array
+    axes: Array
+
+    @property
+    def limits(self) -> Array:
+        """Of speed (N, rad/s)."""
+        return np.array([row.speed for row in self.rows])
+
+    @property
+    def driven(self) -> bool:
+        """Has some motor a limit of torque?"""
+        return any(s.motor is not None and s.motor.torque is not None for s in self.stand.flywheels)
+
+    def wrench(self, speed: Array) -> Array:
+        """Largest wrench by unbalance along each axis (M, 6; N, N m), all phases at their best, at speeds (M, rad/s).
+
+        A flywheel at its own limit goes no faster.
+        """
+        square = np.minimum(speed[:, None], self.limits) ** 2
+        return np.asarray(square @ self.unbalance.T)
+
+    def each(self, speed: Array) -> tuple[Array, Array]:
+        """Force m e omega^2 (M, N; N) and moment of dynamic unbalance about its origin (M, N; N m) of each flywheel.
+
+        NaN beyond its limit.
+        """
+        square = np.where(speed[:, None] <= self.limits * (1.0 + 1e-9), speed[:, None] ** 2, np.nan)
+        static, dynamic = np.array([(1e-6 * row.static, 1e-9 * row.dynamic) for row in self.rows]).reshape(-1, 2).T
+        return square * static, square * dynamic
+
+    def reaction(self, speed: Array) -> Array:
+        """Largest moment of the drives along each axis (M, 3; N m) at speeds (M, rad/s): all motors at their limit.
+
+        Driving: a motor's torque falls to zero at its own speed. A motor without a limit is left out.
+        """
+        torque = np.zeros((len(speed), len(self.rows)))
+        for k, s in enumerate(self.stand.flywheels):
+            if s.motor is not None and s.motor.torque is not None:
+                torque[:, k] = [available(s.motor, s.motor.torque, x) for x in speed.tolist()]
+        return np.asarray(torque @ np.abs(self.axes).T)
+
+
+def reach(stand: Stand) -> Reach:
+    """The reach of a stand."""
+    own = Mechanics.of(stand)
+    unbalance = np.hypot(own.spun[1, :6, 0], own.spun[2, :6, 0])  # of a first harmonic; there is no other
+    return Reach(stand, summarize(stand).unbalance, unbalance, own.tables.axis.T)

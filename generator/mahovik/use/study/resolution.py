@@ -1,0 +1,252 @@
+"""Whether float resolves what a stand is built for: the effect of each flywheel's unbalance, beside all other terms.
+
+The effect of a flywheel's unbalance on a result is the difference that it makes to have this flywheel balanced and
+symmetric, by the reference in double. The rounding of float in the result is FACTOR units (2^-24) of the magnitudes of
+the terms that meet in it at this very state: weight, springs, gyroscopic terms, the accelerations that balance them.
+Where the rounding is more than half of the effect in every component, float cannot be relied on to show the
+unbalance, however right the C is.
+
+Evaluated with the flywheels at given speeds, at some phases: with the carrier at rest, where the unbalance stands
+beside weight and suspension, and moving by 1 m/s and 1 rad/s about every axis, where gyroscopic terms stand beside it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Flywheel, Stand, Vec6
+from mahovik.core.stand.state import State, rest_state
+from mahovik.errors import StateError
+from mahovik.proof import reference
+from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.screw import Phi, f, spin
+from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
+
+Array = NDArray[np.float64]
+
+UNIT = 2.0**-24
+"""Largest relative error of one rounding in float."""
+
+FACTOR = 32.0
+"""Units of rounding in a result, at most: what tools/float_bounds.py measures (docs/verification.md), rounded up. Most
+are below 8; the largest are of flywheels whose mounting axes, nearly along one another, lose digits."""
+
+PART = 0.5
+"""Of an effect: what rounding at its worst may be, so that the effect is still to be seen."""
+
+DOUBLE_NOISE = 1e-13
+"""Of the terms' magnitudes: an effect below it is rounding of the reference, of a flywheel without unbalance."""
+
+PHASES = 4
+"""A quarter turn apart, so that no component of a vector that turns is missed."""
+
+MOTIONS: Mapping[str, Vec6] = {"at rest": (0.0,) * 6, "moving by 1 m/s and 1 rad/s": (1.0,) * 6}
+"""Of the carrier, by their words."""
+
+
+@dataclass(frozen=True)
+class Shortfall:
+    """A quantity in which float does not show the unbalance of a flywheel.
+
+    flywheel, speed  its name, rad/s
+    want, words      name in `eval`, and what it is
+    motion           of the carrier, in words
+    effect, rounding of the component that shows most; SI
+    """
+
+    flywheel: str
+    speed: float
+    want: str
+    words: str
+    motion: str
+    effect: float
+    rounding: float
+
+    def __str__(self) -> str:
+        return (
+            f"float: the unbalance of {self.flywheel} at {self.speed * 30 / math.pi:.5g} rpm changes {self.words} by "
+            f"{self.effect:.1e}, and float rounds it by up to {self.rounding:.1e} (carrier {self.motion}): "
+            "generate double for it"
+        )
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A result, and the magnitudes of the terms that meet in it; for results of each flywheel a row each."""
+
+    words: str
+    key: str
+    terms: Callable[[reference.Pieces, State], Array]
+    by_flywheel: bool = False
+
+
+def acceleration_terms(at: reference.Pieces, state: State) -> Array:
+    """Of V_dot (6): |K^-1| times every term of (8)."""
+    V = np.abs(at.V_r)
+    V_dot = forward(at, np.zeros(len(at.phi_dot)))
+    K = _mass_terms(at)
+    momentum = K @ V + _spun(at.I, at)
+    turning = _spun(at.J - Phi(at.V_r) @ at.I, at)
+    right = _wrench_terms(at) + np.abs(Phi(at.V_r)) @ momentum + np.abs(at.K_dot) @ V + turning
+    stream = np.abs(at.stream_rate())
+    return np.asarray(inverse_magnitude(at.K) @ (right + K @ np.abs(at.V_r_dot(V_dot))) + stream)
+
+
+def momentum_terms(at: reference.Pieces, state: State) -> Array:
+    """Of Z (6)."""
+    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + _spun(at.I, at))
+
+
+def mount_terms(at: reference.Pieces, state: State) -> Array:
+    """Of mount_wrench (Nx6): force and moment by their lengths, for their axes do not turn with the flywheel."""
+    found = np.zeros((len(at.flywheels), 6))
+    for row, s in enumerate(at.flywheels):
+        carried = s.L.T @ at.V
+        V = np.abs(carried + f * s.phi_dot)
+        V_dot = np.abs(spin @ carried * s.phi_dot)
+        Theta = np.abs(s.Theta)
+        own = sum((np.abs(P) for P in at.terms[s.body.name].values()), np.zeros(6))
+        whole = Theta @ V_dot + np.abs(Phi(carried + f * s.phi_dot)) @ (Theta @ V) + own
+        found[row] = _lengths(whole)
+    return found
+
+
+def _spun(columns: Array, at: reference.Pieces) -> Array:
+    """Of columns (6xN) times phi': what a flywheel adds is turned into E1, so it counts by its lengths."""
+    return np.asarray(sum((_lengths(c * speed) for c, speed in zip(columns.T, at.phi_dot, strict=True)), np.zeros(6)))
+
+
+def _lengths(screw: Array) -> Array:
+    """The lengths of the two halves, each in all its components."""
+    return np.repeat([np.linalg.norm(screw[:3]), np.linalg.norm(screw[3:])], 3)
+
+
+def _bodies(at: reference.Pieces) -> tuple[Placed, ...]:
+    return (*at.fixed, *at.flywheels)
+
+
+def _mass_terms(at: reference.Pieces) -> Array:
+    """Of K (6x6), body by body."""
+
+    total = sum((np.abs(k.L @ k.Theta @ k.L.T) for k in _bodies(at)), np.zeros((6, 6)))
+    return np.asarray(total + sum(np.abs(p.Lambda) for p in at.fixed))
+
+
+def _wrench_terms(at: reference.Pieces) -> Array:
+    """Of F (6), body by body and kind by kind."""
+    total = np.zeros(6)
+    for k in _bodies(at):
+        for P in at.terms[k.body.name].values():
+            total += np.abs(k.L) @ np.abs(P)
+    return total
+
+
+QUANTITIES: Mapping[str, Quantity] = {
+    "forward": Quantity("the carrier's acceleration V_dot", "V_dot", acceleration_terms),
+    "momentum": Quantity("the momentum Z", "Z", momentum_terms),
+    "mounts": Quantity("the wrench of its mount", "mount_wrench", mount_terms, by_flywheel=True),
+}
+"""By want. Drive torques are not among them: no torque is asked to show an unbalance."""
+
+
+def balanced(flywheel: Flywheel) -> Flywheel:
+    """The same flywheel without unbalance or asymmetry: mass centre on its axis, inertia of revolution."""
+    J = flywheel.inertia
+    across = 0.5 * (J[1][1] + J[2][2])
+    return replace(
+        flywheel,
+        center_of_mass=(flywheel.center_of_mass[0], 0.0, 0.0),
+        inertia=((J[0][0], 0.0, 0.0), (0.0, across, 0.0), (0.0, 0.0, across)),
+    )
+
+
+def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
+    """What float does not resolve of a stand whose flywheels turn at these speeds (rad/s); one a flywheel and want."""
+    found: dict[tuple[int, str], Shortfall] = {}
+    for motion in MOTIONS:
+        best: dict[tuple[int, str], tuple[float, float]] = {}
+        for state in states(stand, speeds, motion):
+            for number, want, effect, rounding in _effects(stand, state):
+                known = best.get((number, want), (0.0, math.inf))
+                best[number, want] = max(known, (effect, rounding), key=lambda pair: pair[0] / pair[1])
+        for (number, want), (effect, rounding) in best.items():
+            if 0.0 < effect * PART < rounding:
+                flywheel, words = stand.flywheels[number], QUANTITIES[want].words
+                found[number, want] = Shortfall(flywheel.name, speeds[number], want, words, motion, effect, rounding)
+    return [found[key] for key in sorted(found)]
+
+
+def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, float]]:
+    """Flywheel, want, effect of its unbalance and rounding, in the component that shows it best."""
+    try:
+        at = reference.pieces(stand, state)
+    except StateError:
+        return  # a leg without length: no state of the stand
+    values = {want: _value(stand, state, want, at) for want in QUANTITIES}
+    terms = {want: quantity.terms(at, state) for want, quantity in QUANTITIES.items()}
+    for number in range(len(stand.flywheels)):
+        alone, own = _balanced_alone(stand, state, number)
+        whole = _without_unbalance(stand, state, at, number, own)
+        for want, quantity in QUANTITIES.items():
+            if quantity.by_flywheel:
+                value, without, size = values[want][number], _value(stand, alone, want, own)[0], terms[want][number]
+            else:
+                value, without, size = values[want], _value(stand, state, want, whole), terms[want]
+            effect = np.abs(value - without)
+            seen = effect > DOUBLE_NOISE * size
+            if np.any(seen):
+                effect, size = effect[seen], size[seen]
+                index = int(np.argmax(effect / size))
+                yield number, want, float(effect[index]), float(FACTOR * UNIT * size[index])
+
+
+def _value(stand: Stand, state: State, want: str, at: reference.Pieces) -> Array:
+    return np.asarray(reference.evaluate(stand, state, [want], at)[QUANTITIES[want].key])
+
+
+def _alone(stand: Stand, state: State, number: int, flywheel: Flywheel) -> tuple[State, reference.Pieces]:
+    """State and pieces of the carrier with one flywheel in place of `number`, and no other."""
+    own = slice(number, number + 1)
+    alone = replace(state, phi=state.phi[own], phi_dot=state.phi_dot[own], phi_ddot=state.phi_ddot[own])
+    return alone, reference.pieces(replace(stand, flywheels=(flywheel,)), alone)
+
+
+def _balanced_alone(stand: Stand, state: State, number: int) -> tuple[State, reference.Pieces]:
+    return _alone(stand, state, number, balanced(stand.flywheels[number]))
+
+
+def _without_unbalance(
+    stand: Stand, state: State, at: reference.Pieces, number: int, now: reference.Pieces
+) -> reference.Pieces:
+    """The pieces with one flywheel balanced (`now`: it alone), for all pieces are sums over bodies."""
+    flywheel = stand.flywheels[number]
+    _, was = _alone(stand, state, number, flywheel)
+    own = slice(number, number + 1)
+    I, J, Theta_ff = at.I.copy(), at.J.copy(), at.Theta_ff.copy()
+    I[:, own], J[:, own], Theta_ff[own, own] = now.I, now.J, now.Theta_ff
+    return replace(
+        at,
+        flywheels=(*at.flywheels[:number], *now.flywheels, *at.flywheels[number + 1 :]),
+        K=at.K + (now.K - was.K),
+        K_dot=at.K_dot + (now.K_dot - was.K_dot),
+        M=at.M + (now.M - was.M),
+        I=I,
+        J=J,
+        Theta_ff=Theta_ff,
+        P={**at.P, flywheel.name: now.P[flywheel.name]},
+        F=at.F + (now.F - was.F),
+    )
+
+
+def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:
+    """At some phases; neighbours are a tenth of a radian apart, so that they do not cancel."""
+    count = len(stand.flywheels)
+    for k in range(PHASES):
+        phases = tuple(0.3 + 0.1 * s + k * math.pi / 2 for s in range(count))
+        yield replace(rest_state(stand), phi=phases, phi_dot=tuple(speeds), V=MOTIONS[motion])

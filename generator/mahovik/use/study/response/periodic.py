@@ -1,0 +1,223 @@
+"""The periodic steady state of the carrier under flywheels at constant speeds: (8) in full, by Fourier collocation."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.model import Stand
+from mahovik.errors import CheckError
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.plan.forward import Drive
+from mahovik.use.study.linear.points import Place, places
+from mahovik.use.study.response.collocation import Linearised, derivative, odd_length, resampled
+from mahovik.use.study.response.motion import PointMotion, point_motion
+from mahovik.use.study.response.scene import FREE, Scene
+from mahovik.use.study.response.speeds import Turning, common_period
+from mahovik.use.study.rest import rest
+
+Array = NDArray[np.float64]
+
+PER_TURN = 4
+"""Harmonics for each turn of the fastest flywheel, to begin with."""
+
+MOST = 8192
+"""Harmonics of the common period."""
+
+TAIL, KINKED_TAIL = 1e-10, 1e-7
+"""Part of the largest harmonic of V* that the highest third may hold; else there are twice as many.
+
+Damping with magnitudes has kinks: harmonics fall as the third power of their number only.
+"""
+
+COARSE = 1e-6
+"""What that part may be where more harmonics do not help, or there are too many: beyond it nothing is returned."""
+
+ROUNDING = 1e-14
+"""m/s2, rad/s2: harmonics below it are none."""
+
+STEPS = 30
+SETTLED = 1e-12
+"""A step of Newton's method, part of the course, that is the last."""
+
+LARGEST = 2.0
+"""rad: near the edge of the chart."""
+
+UNSTABLE = 1e-3
+"""Multipliers above 1 by more grow; less may be rounding of a neutral one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Periodic:
+    """A periodic steady state, at M uniform nodes of the common period.
+
+    turning      base frequency and turns; the speeds are turning.speeds
+    y, V_dot     (M, 12), (M, 6): states in the chart about rest, y = (x, r, V), and V*
+    points       displacement, velocity, acceleration of each point, by name
+    hold         (6; N, N m): constant wrench on the carrier in E1 that keeps its mean place along free directions;
+                 zero to rounding where momentum is conserved
+    multiplier   largest modulus of the multipliers of the linear equations along the course
+    tail         part of the largest harmonic of V* that the highest third holds: what more harmonics could change
+    natural      (Hz): frequencies of the linear equations, mean over the period, ascending, free ones left out
+    """
+
+    scene: Scene
+    turning: Turning
+    y: Array
+    V_dot: Array
+    points: dict[str, PointMotion]
+    hold: Array
+    multiplier: float
+    tail: float
+    natural: Array
+
+    @property
+    def stable(self) -> bool:
+        """Deviations do not grow."""
+        return self.multiplier <= 1.0 + UNSTABLE
+
+    @property
+    def frequencies(self) -> Array:
+        """(H + 1, Hz): of the harmonics of the points."""
+        return np.asarray(np.arange(len(self.y) // 2 + 1) * self.turning.base / (2.0 * np.pi))
+
+
+def periodic_response(
+    stand: Stand | Scene,
+    speeds: Sequence[float],
+    points: Sequence[str] | None = None,
+    phases: Sequence[float] | None = None,
+) -> Periodic:
+    """The periodic steady state near rest under flywheels at constant `speeds` (N, rad/s), seen at `points`.
+
+    `stand`: or its Scene, for many speeds; `points`: names, None for all; `phases` (N, rad) at t = 0, default 0.
+    Raises UsageError: unknown point, no common period. CheckError: no equilibrium, or no steady state is found.
+    """
+    scene = stand if isinstance(stand, Scene) else Scene.of(stand)
+    seen = places(scene.stand, points)
+    turning = common_period(speeds)
+    start = np.zeros(len(turning.turns)) if phases is None else np.array(phases, dtype=np.float64)
+    if not turning.base:
+        return _still(scene, turning, seen, start)
+    search = _Search(scene, turning, start)
+    return search.result(seen)
+
+
+def _still(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
+    """All flywheels at rest: one node, no harmonics."""
+    state = rest(scene.stand, phases.tolist()).state
+    chart = scene.chart
+    turned = Rotation.from_matrix(chart.C.T @ carrier_rotation(scene.stand, state))
+    x = (np.array(state.position) - chart.O1) @ chart.C
+    y, V_dot = np.concatenate([x, turned.as_rotvec(), np.zeros(6)])[None], np.zeros((1, 6))
+    given = scene.drive(phases[None], np.zeros((1, len(phases))))
+    J = scene.jacobian(given, y, V_dot)
+    growing = float(np.linalg.eigvals(J[0]).real.max()) > np.sqrt(FREE)
+    motions = {place.name: point_motion(place, y, V_dot) for place in seen}
+    return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), np.inf if growing else 1.0, 0.0, natural(J))
+
+
+class _Search:
+    """Newton's method at a number of harmonics, doubled until the highest hold nothing."""
+
+    def __init__(self, scene: Scene, turning: Turning, phases: Array) -> None:
+        self.scene, self.turning, self.phases = scene, turning, phases
+        f = scene.free.shape[1]
+        self.y, self.h = np.zeros((1, 12)), np.zeros(f)
+        H = max(8, PER_TURN * max(map(abs, turning.turns)))
+        enough = KINKED_TAIL if _kinked(scene.stand) else TAIL
+        before = np.inf
+        while True:
+            self._solve(H)
+            self.tail = self._tail()
+            if self.tail <= enough or (self.tail <= COARSE and (self.tail > before / 2 or 2 * H > MOST)):
+                return
+            before, H = self.tail, 2 * H
+            if H > MOST:
+                raise CheckError(f"{self._what()}: its harmonics do not fall off within {MOST} of the period")
+
+    def _what(self) -> str:
+        given = ", ".join(f"{x:.6g}" for x in self.turning.speeds)
+        return f"{self.scene.stand.name} at speeds {given} rad/s: no periodic steady state found"
+
+    def _given(self, M: int) -> Drive:
+        """Flywheels at the nodes."""
+        t = np.arange(M)[:, None] / M
+        turns = np.array(self.turning.turns, dtype=np.float64)
+        phi = self.phases + 2.0 * np.pi * np.remainder(turns * t, 1.0)
+        return self.scene.drive(phi, np.tile(self.turning.base * turns, (M, 1)))
+
+    def _solve(self, H: int) -> None:
+        """The course with H harmonics. Raises CheckError."""
+        M = odd_length(2 * H + 1)
+        scene, base = self.scene, self.turning.base
+        self.given = given = self._given(M)
+        y, h, push = resampled(self.y, M), self.h, scene.push(given)
+        fastest = base * max(map(abs, self.turning.turns))
+        size = np.repeat([1.0, fastest], 6)
+        for _ in range(STEPS):
+            rate = scene.chart.rate(given, y) + push @ h
+            J = scene.jacobian(given, y, rate[:, 6:])
+            linear = Linearised(J, push, scene.seen, base, size)
+            step = linear.solve(rate - derivative(y, base), -scene.seen @ y.mean(axis=0))
+            if step is None:
+                break
+            y, h = y + step[0], h + step[1]
+            if not np.all(np.isfinite(y)) or np.abs(y[:, 3:6]).max() > LARGEST:
+                break
+            if np.abs(step[0] / size).max() <= SETTLED * np.abs(y / size).max() + ROUNDING / fastest**2:
+                self.y, self.h, self.J = y, h, J
+                return
+        raise CheckError(f"{self._what()}: an undamped resonance, or the carrier is thrown about")
+
+    def _tail(self) -> float:
+        """Part of the largest harmonic of V* that the highest third holds; 0 where it is rounding."""
+        sizes = np.abs(np.fft.rfft(self.V_dot(), axis=0)) / len(self.y)
+        each = (sizes * np.repeat([1.0, self._lever()], 3)).max(axis=1)
+        last = float(each[2 * len(each) // 3 :].max())
+        return 0.0 if last <= ROUNDING else last / float(each.max())
+
+    def _lever(self) -> float:
+        """m: radius of gyration, to compare turns with shifts."""
+        K = self.scene.K
+        return float(np.sqrt(np.trace(K[3:, 3:]) / np.trace(K[:3, :3])))
+
+    def V_dot(self) -> Array:
+        """V* (M, 6)."""
+        scene = self.scene
+        return scene.chart.acceleration(self.given, self.y) + (scene.push(self.given) @ self.h)[:, 6:]
+
+    def result(self, seen: tuple[Place, ...]) -> Periodic:
+        """All that is told of the course."""
+        V_dot = self.V_dot()
+        motions = {place.name: point_motion(place, self.y, V_dot) for place in seen}
+        multiplier = largest_multiplier(self.J, self.turning.period)
+        hold = self.scene.wrench @ self.h
+        return Periodic(self.scene, self.turning, self.y, V_dot, motions, hold, multiplier, self.tail, natural(self.J))
+
+
+def _kinked(stand: Stand) -> bool:
+    """Does some damping depend on magnitudes?"""
+    laws = [body.damping for body in stand.bodies if body.damping is not None]
+    absolute = any(factor.absolute for law in laws for term in law.terms for factor in term.of)
+    return absolute or any(law.quadratic is not None for law in laws)
+
+
+def largest_multiplier(J: Array, period: float) -> float:
+    """Largest modulus of the multipliers of dy' = J dy over a period: exponentials from middle to middle of nodes."""
+    monodromy = np.eye(J.shape[1])
+    for each in expm(J * (period / len(J))):
+        monodromy = each @ monodromy
+    return float(np.abs(np.linalg.eigvals(monodromy)).max())
+
+
+def natural(J: Array) -> Array:
+    """Natural frequencies (Hz), ascending, of the mean of J; neither free directions nor what does not swing."""
+    values = np.linalg.eigvals(J.mean(axis=0))
+    swinging = values.imag > max(1e-6 * float(np.abs(values).max(initial=0.0)), 1e-6)
+    return np.sort(np.abs(values[swinging])) / (2.0 * np.pi)

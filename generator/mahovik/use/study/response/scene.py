@@ -1,0 +1,94 @@
+"""A stand at rest, seen as a place to shake: its chart, free directions, and the carrier's equations along a course."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.plan.forward import Chart, Drive, drive
+from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.residual.by_carrier import by_carrier
+from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.plan.residual.ties import rotation_vector_rate
+from mahovik.use.study.rest import rest
+
+Array = NDArray[np.float64]
+
+FREE = 1e-8
+"""Part of the largest stiffness (both per unit of mass) below which a direction is free, as for `rest`."""
+
+LEAST = 1e-9
+"""1/s2: a stiffness that is none."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What does not depend on speeds: made once for a stand.
+
+    chart     of states y = (x, r, V) about the rest
+    rest      the state there
+    free      (6, f): directions in E1 that nothing brings back, orthonormal in the mass matrix K
+    K         (6, 6) at rest
+    """
+
+    stand: Stand
+    chart: Chart
+    rest: State
+    free: Array
+    K: Array
+
+    @staticmethod
+    def of(stand: Stand) -> Scene:
+        """Raises CheckError: the stand has no equilibrium."""
+        state = rest(stand).state
+        mechanics = Mechanics.of(stand)
+        chart = Chart(mechanics, np.array(state.position), carrier_rotation(stand, state))
+        still = np.array([state.phi]), np.zeros((1, mechanics.N))
+        by = by_carrier(mechanics, chart.twists(np.zeros((1, 12))), *still)
+        K = -by.by_twist_dot[0]
+        scale = np.linalg.inv(np.linalg.cholesky(K))  # G^-1
+        _, sizes, rows = np.linalg.svd(scale @ by.by_pose[0] @ scale.T)
+        free = rows[sizes <= max(FREE * sizes[0], LEAST)]
+        return Scene(stand, chart, state, scale.T @ free.T, K)
+
+    @property
+    def seen(self) -> Array:
+        """(f, 12): what of a state is its displacement along the free directions."""
+        return np.hstack([self.free.T @ self.K, np.zeros((self.free.shape[1], 6))])
+
+    @property
+    def wrench(self) -> Array:
+        """(6, f): wrench in E1 about O1 that accelerates the stand at rest along a free direction by 1."""
+        return self.K @ self.free
+
+    def drive(self, phi: Array, phi_dot: Array) -> Drive:
+        """Of flywheels at constant speeds (M, N each)."""
+        return drive(self.chart.mechanics, phi, phi_dot, np.zeros_like(phi))
+
+    def push(self, given: Drive) -> Array:
+        """(M, 12, f): what a constant wrench along a free direction adds to y'."""
+        acceleration = given.inverse @ self.wrench
+        return np.concatenate([np.zeros_like(acceleration), acceleration], axis=1)
+
+    def jacobian(self, given: Drive, y: Array, V_dot: Array) -> Array:
+        """dy'/dy (M, 12, 12); V* (M, 6) as it is there. Exact but for terms of the third order in r in its rate."""
+        at = self.chart.twists(y)
+        by = by_carrier(self.chart.mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot), given.phi, given.phi_dot)
+        r, v, omega = y[:, 3:6], y[:, 6:9], y[:, 9:]
+        turned = np.swapaxes(self.chart.C.T @ at.C, 1, 2)  # exp<-r>
+        B = rotation_vector_rate(r)
+        into_local = np.linalg.inv(B)
+        J = np.zeros((len(y), 12, 12))
+        J[:, :3, 3:6] = -np.swapaxes(turned, 1, 2) @ skew(v) @ into_local
+        J[:, :3, 6:9] = np.swapaxes(turned, 1, 2)
+        J[:, 3:6, 3:6] = -skew(omega) / 2 - (skew(np.cross(r, omega)) + skew(r) @ skew(omega)) / 12
+        J[:, 3:6, 9:] = B
+        by_pose = given.inverse @ by.by_pose
+        J[:, 6:, :3], J[:, 6:, 3:6] = by_pose[:, :, :3] @ turned, by_pose[:, :, 3:] @ into_local
+        J[:, 6:, 6:] = given.inverse @ by.by_twist
+        return J

@@ -1,6 +1,0 @@
-"""Verification of a programme by the literal reference and an adaptive integration: nothing of what planned it."""
-
-from mahovik.verify.programme.finding import Finding
-from mahovik.verify.programme.verification import verify_programme
-
-__all__ = ["Finding", "verify_programme"]
