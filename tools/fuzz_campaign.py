@@ -26,9 +26,9 @@ from pathlib import Path
 
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import version
+from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
 from mahovik.core.toolchain.fuzzing import FLAGS, Run, compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
-from mahovik.out.export.fuzz import fuzz_project, sources
 from mahovik.stands import path
 
 ROOT = Path(__file__).resolve().parents[1]

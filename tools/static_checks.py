@@ -2,8 +2,8 @@
 
 python tools/static_checks.py [--stands bench8,...] [--page]
 
-Exit status 1 at any warning, at a MISRA deviation or finding that core/toolchain/static_checks.py does not list with its
-reason, and at a listed one that no stand has any more.
+Exit status 1 at any warning, at a MISRA deviation or finding that core/toolchain/static_checks.py does not list with
+its reason, and at a listed one that no stand has any more.
 """
 
 from __future__ import annotations

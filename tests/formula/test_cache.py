@@ -132,9 +132,9 @@ def test_another_derivation_has_another_file(
     cache.source_hash.cache_clear()
     package = tmp_path / "package"
     for stage in ("derive", "formula"):
-        (package / stage).mkdir(parents=True)
-        for file in (cache._PACKAGE / stage).glob("*.py"):
-            (package / stage / file.name).write_bytes(file.read_bytes())
+        (package / "core" / stage).mkdir(parents=True)
+        for file in (cache._PACKAGE / "core" / stage).glob("*.py"):
+            (package / "core" / stage / file.name).write_bytes(file.read_bytes())
     monkeypatch.setattr(cache, "_PACKAGE", package)
     assert cache.file() == before
     cache.source_hash.cache_clear()
@@ -144,7 +144,7 @@ def test_another_derivation_has_another_file(
     elif changed == "python":
         monkeypatch.setattr(cache.sys, "version_info", (3, 99, 0))
     else:
-        with (package / changed / "extra.py").open("w") as file:
+        with (package / "core" / changed / "extra.py").open("w") as file:
             file.write("# another line\n")
     try:
         assert cache.file() != before

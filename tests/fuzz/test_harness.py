@@ -10,9 +10,9 @@ import pytest
 
 from cli.run import DEMO3, run
 from mahovik.core.stand import load
+from mahovik.core.toolchain.fuzz_project import fuzz_project
 from mahovik.core.toolchain.fuzzing import compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
-from mahovik.out.export.fuzz import fuzz_project
 from toolchain.tools import compile_c, require
 
 pytestmark = pytest.mark.fuzz

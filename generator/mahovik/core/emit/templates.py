@@ -10,7 +10,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, sel
 
 def folders() -> list[Path]:
     """Where templates lie: in the package, or in the repository."""
-    package = Path(__file__).resolve().parent.parent
+    package = Path(__file__).resolve().parents[2]
     return [f for f in (package / "templates", package.parent.parent / "templates") if f.is_dir()]
 
 

@@ -60,7 +60,7 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
 
     The C of the stand, a harness for libFuzzer, Makefile, README: `make run` there needs clang.
     """
-    from mahovik.out.export.fuzz import fuzz_project
+    from mahovik.core.toolchain.fuzz_project import fuzz_project
     from mahovik.proof.verify.delivery import deliver
 
     stand = load_stand(stand_file)

@@ -20,9 +20,9 @@ def _links() -> bool:
 
 def _run(subject: Subject, tell: Tell) -> Outcome:
     from mahovik.core.toolchain.board import version
+    from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
     from mahovik.core.toolchain.fuzzing import FLAGS, compile_harness, fuzz
     from mahovik.errors import CheckError
-    from mahovik.out.export.fuzz import fuzz_project, sources
 
     folder = subject.scratch / "fuzz"
     folder.mkdir()
