@@ -76,12 +76,11 @@ def name_of(path: Path) -> str:
 
 def docstrings(text: str) -> Iterator[tuple[int, str]]:
     """Line and text of every docstring: of modules, classes, functions, and of values (a string after the value)."""
-    for node in ast.walk(ast.parse(text)):
-        for body in (getattr(node, "body", None), getattr(node, "orelse", None)):
-            for statement in body if isinstance(body, list) else []:
-                if isinstance(statement, ast.Expr) and isinstance(value := statement.value, ast.Constant):
-                    if isinstance(value.value, str):
-                        yield value.lineno, value.value
+    bodies = (getattr(node, "body", None) for node in ast.walk(ast.parse(text)))
+    for statement in (each for body in bodies if isinstance(body, list) for each in body):
+        value = statement.value if isinstance(statement, ast.Expr) else None
+        if isinstance(value, ast.Constant) and isinstance(value.value, str):
+            yield value.lineno, value.value
 
 
 def faults(path: Path) -> list[str]:
