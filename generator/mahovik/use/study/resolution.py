@@ -34,7 +34,7 @@ UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
 
 FACTOR = 32.0
-"""Units of rounding in a result, at most: what tools/float_bounds.py measures (docs/verification.md), rounded up. Most
+"""Units of rounding in a result, at most: what tools/float_bounds.py measures (docs/results/verification.md), rounded up. Most
 are below 8; the largest are of flywheels whose mounting axes, nearly along one another, lose digits."""
 
 PART = 0.5
