@@ -46,8 +46,10 @@ def contents(page: str) -> str:
 
 
 def read(app: Sphinx, name: str, source: list[str]) -> None:
-    """What is written for the repository, for the site: lists of an index.md as tables of contents too; Markdown that is
-    not a page of this folder as a file."""
+    """Turn a page of the repository into one of the site.
+
+    The lists of an index.md become tables of contents too; links to Markdown outside this folder become files.
+    """
     if name in ("index", "results/index"):
         source[0] += contents(source[0])
     source[0] = re.sub(r"(?<=\]\()[^)#:]*\.md(?=\))", lambda link: outside(app, name, link[0]), source[0])

@@ -1,4 +1,4 @@
-"""Faults planted in programs of random stands, and what `judge --explain` says of them: writes docs/results/diagnosis.md.
+"""Plant faults in programs of random stands, ask `judge --explain` for them, write docs/results/diagnosis.md.
 
 python tools/explain_campaign.py [--stands 6] [--jobs 2] [--write]
 

@@ -1,4 +1,6 @@
-"""Linear models against automatic differentiation, steady states against simulation: docs/results/linear.md, docs/results/response.md.
+"""Compare linear models with automatic differentiation and steady states with simulation.
+
+Writes docs/results/linear.md and docs/results/response.md.
 
 python tools/linear_campaign.py [--stands 200] [--first 1] [--write]
 

@@ -1,4 +1,4 @@
-"""How often and how fast `mahovik plan` finds programmes, on seeded random stands: the tables of docs/results/planning.md.
+"""How often and how fast `mahovik plan` finds programmes on seeded random stands: docs/results/planning.md.
 
 python tools/plan_campaign.py [--stands 4] [--first 5000] [--seconds 30] [--jobs 1] [--write]
 

@@ -1,4 +1,4 @@
-"""What Frama-C Eva proves of the example stands' C: runs the delivered scripts, and writes the table of docs/results/proofs.md.
+"""Run the delivered Frama-C scripts of the example stands, and write docs/results/proofs.md.
 
 python tools/proofs.py [--stands demo3,...] [--quick] [--tried] [--jobs 2] [--page]
 

@@ -1,4 +1,4 @@
-"""Whether what preflight refuses is out of reach indeed: a search is let loose on it. The table of docs/results/planning.md.
+"""Search for motions that preflight refuses, and write what was found into docs/results/planning.md.
 
 python tools/refusal_campaign.py [--stands 4] [--first 8000] [--seconds 5] [--jobs 1] [--write]
 

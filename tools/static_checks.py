@@ -1,4 +1,4 @@
-"""Static checks of the example stands' C: compilers, analyser, cppcheck; writes the table of docs/results/static-checks.md.
+"""Static checks of the example stands' C: compilers, analyser, cppcheck. Writes docs/results/static-checks.md.
 
 python tools/static_checks.py [--stands bench8,...] [--page]
 

@@ -1,4 +1,4 @@
-"""docs/results/control-loop.md holds the tables that tools/control_loop.py writes; its estimates follow from its counts."""
+"""docs/results/control-loop.md: the tables of tools/control_loop.py; its estimates follow from its counts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""README and docs/results/judges.md hold the tables that tools/judges_table.py writes; their numbers are the judges'."""
+"""README and docs/results/judges.md hold the tables of tools/judges_table.py; their numbers are the judges'."""
 
 from __future__ import annotations
 

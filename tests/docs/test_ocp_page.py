@@ -1,4 +1,4 @@
-"""docs/results/optimal-control.md: its table is that of tools/ocp_campaign.py, and bench8 is solved by the partition."""
+"""docs/results/optimal-control.md: the table of tools/ocp_campaign.py; bench8 is solved by the partition."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""docs/results/rounding.md: what tools/rigorous.py writes, and the tolerances of `verify` stand well above its figures."""
+"""docs/results/rounding.md: written by tools/rigorous.py; the tolerances of `verify` stand well above its figures."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ GENERAL = (
     ("Sine, cosine, square root, arc tangent: error bounds, operation by operation", "docs/results/arithmetic.md"),
     ("Faults planted in emitted C and in the derivations, and what caught each", "docs/results/planted-faults.md"),
     ("Equation, derivation, function, lines, and the tests that notice a mutant of it", "docs/results/traceability.md"),
-    ("Every file reader on spoiled input; millions of executions of the C of the example stands", "docs/results/fuzzing.md"),
+    ("Every file reader on spoiled input; millions of executions of the example stands' C", "docs/results/fuzzing.md"),
     ("Largest differences to other multibody programs over the example stands", "docs/results/judges.md"),
 )
 """What is shown once for the generator and not for a stand; where, in its repository."""
