@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
+from mahovik.contract.functions import wants_of
 from mahovik.core.stand import load
-from mahovik.proof.rigorous import WANTS
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.campaign import random_stands
 from mahovik.proof.verify.rounding.limits import MARGIN, ULPS
@@ -121,7 +121,7 @@ def joined(all_found: Sequence[Found]) -> dict[tuple[str, str], Worst]:
     for found in all_found:
         for key, worst in found.items():
             total[key] = total.get(key, Worst()).join(worst)
-    order = list(WANTS)
+    order = wants_of("rigorous")
     return {key: total[key] for key in sorted(total, key=lambda key: order.index(key[0]))}
 
 

@@ -7,11 +7,13 @@ from dataclasses import replace
 
 import pytest
 
-from mahovik.contract.functions import FUNCTIONS, PublicFunction
+from mahovik.contract.functions import FUNCTIONS, WANTS, PublicFunction, wants_of
 from mahovik.core.lower.program import lower
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.read import load
+from mahovik.proof.rigorous.evaluate import ANSWERS
+from mahovik.proof.second.evaluate import PROBLEMS
 from mahovik.proof.verify.c_backend import with_all_inputs
 from mahovik.stands import path
 
@@ -52,3 +54,9 @@ def test_a_want_without_a_referee_is_refused() -> None:
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ("differences",), want=True)
     with pytest.raises(ValueError, match="expected judges among"):
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ())
+
+
+def test_referees_answer_the_wants_of_their_rows_and_no_others() -> None:
+    assert set(PROBLEMS) | {"generalized"} == set(wants_of("second"))
+    assert set(ANSWERS) == set(wants_of("rigorous"))
+    assert set(wants_of("reference")) == set(WANTS)
