@@ -56,7 +56,7 @@ def rows() -> list[str]:
         by_state = rng.normal(size=(n, count))
         by_component = np.asfortranarray(by_state)
         arrays = [
-            library.tables["stand"],
+            library.tables["table"],
             np.ascontiguousarray(x.array.T),
             np.ascontiguousarray(by_state.T),
             np.empty((6, n)),

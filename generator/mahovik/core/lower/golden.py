@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.lower.drawn import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
+from mahovik.core.lower.test_inputs import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
 from mahovik.core.program.interpret import Interpreter, filled_value
