@@ -53,7 +53,7 @@ help:
 	@echo "make proofs-quick  Frama-C Eva on demo3, some minutes"
 	@echo "make static-checks  compilers, analyser, cppcheck with MISRA C:2012: fails at a new deviation"
 	@echo "make commands-page  what every command says of itself, into docs/commands.md"
-	@echo "make lint       format, lint and type checks"
+	@echo "make lint       format, lint and type checks, and the words of tests/test_words.py"
 	@echo "make docs       the pages of docs/ as a site: build/docs/index.html; any warning is an error"
 	@echo "make clean      remove what the other targets made"
 
@@ -223,6 +223,7 @@ lint: setup
 	$(BIN)/ruff check generator tests tools bench
 	$(BIN)/ruff format --check generator tests tools bench
 	MYPYPATH=bench $(BIN)/mypy generator/mahovik bench/mahovik_bench
+	$(BIN)/python -m pytest -q tests/test_words.py
 
 docs: setup
 	$(BIN)/python -m sphinx -W --keep-going -n -q -b html docs build/docs

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from mahovik.core.program.build import Body
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 

@@ -26,8 +26,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, bits_of, real, real_of_bits, word
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, NamedCount, Precision
 from mahovik.core.routines.real_constants import PI, nearest, polynomial, sign_bit, split
 
