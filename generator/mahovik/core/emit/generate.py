@@ -42,7 +42,7 @@ LANES = (1, 2, 4, 8)
 
 
 def host_lanes(flywheels: int) -> int:
-    """The number of lanes that suits a desk's processor: docs/lanes.md measures it. Firmware has 1."""
+    """The number of lanes that suits a desk's processor: docs/results/lanes.md measures it. Firmware has 1."""
     return 1 if flywheels < 2 else 2 if flywheels <= 4 else 4
 
 

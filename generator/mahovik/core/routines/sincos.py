@@ -17,7 +17,7 @@ In 1 - z/2 the rounding error is computed and added back. Quadrant k mod 4 excha
 Error below 0.9 units in the last place of the result for |x| <= 8 pi, and below 1e-16 (float: 6e-8) for all accepted x.
 Its parts, in units of the last place of [1/2, 1): the final addition 0.5; in the cosine the rounding of z = r^2 0.25,
 the rest below 0.1; in the sine four roundings in r^3 S(z) of 0.04 to 0.07 each and that of its sum with the tail 0.06;
-approximation below 0.04. Proven, operation by operation: tools/math_proof.py. Measured: docs/mathematics.md.
+approximation below 0.04. Proven, operation by operation: tools/math_proof.py. Measured: docs/results/arithmetic.md.
 """
 
 from __future__ import annotations

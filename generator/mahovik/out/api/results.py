@@ -13,6 +13,7 @@ from mahovik.core.stand.units import show
 from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.out.api.fields import Array, Field, Named
+from mahovik.out.api.show import arrays
 
 Real = NDArray[Any]
 
@@ -49,8 +50,6 @@ class Result(Named):
         return f"<{type(self).__name__}: {of}; {shapes}>"
 
     def _repr_html_(self) -> str:
-        from mahovik.out.api.show import arrays
-
         return arrays(repr(self), self)
 
 
