@@ -43,7 +43,7 @@ STAGES = (
     ("core.motion",),
     ("core.stand",),
     ("stands",),
-    ("errors", "nearest"),
+    ("contract", "errors", "nearest"),
     ("mahovik",),
 )
 """From the top of the house down; names on one floor never import one another. `mahovik` is the package itself."""
@@ -57,16 +57,26 @@ FRONT_DOOR = {"mahovik": {"out.api", "errors", "core.stand"}}
 FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
 
 ONLY = {
-    "proof.reference": {"errors", "core.stand", "numpy"},
-    "proof.rigorous": {"errors", "core.stand", "flint"},
-    "core.lower": {"core.routines", "core.formula", "core.derive", "core.program", "core.stand", "errors", "numpy"},
+    "proof.reference": {"contract", "errors", "core.stand", "numpy"},
+    "proof.rigorous": {"contract", "errors", "core.stand", "flint"},
+    "core.lower": {
+        "contract",
+        "core.routines",
+        "core.formula",
+        "core.derive",
+        "core.program",
+        "core.stand",
+        "errors",
+        "numpy",
+    },
     "core.formula": {"core.derive", "errors", "sympy"},
     "core.derive": {"errors", "sympy"},
-    "core.program": {"errors", "numpy"},
-    "core.routines": {"errors", "core.program", "mpmath", "numpy"},
+    "core.program": {"contract", "errors", "numpy"},
+    "core.routines": {"contract", "errors", "core.program", "mpmath", "numpy"},
+    "contract": set(),
     "errors": set(),
     "nearest": set(),
-}
+}  # fmt: skip
 """Where the house is stricter still: all that a stage may import, besides the standard library and itself."""
 
 

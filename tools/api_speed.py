@@ -1,4 +1,4 @@
-"""Nanoseconds a state of `Model.forward`, beside the same batch C on arrays that lie ready: docs/python.md.
+"""Nanoseconds a state of `Model.forward`, beside the same batch C on arrays that lie ready: docs/results/python.md.
 
 python tools/api_speed.py [--print]
 """
@@ -16,7 +16,7 @@ from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.api.compiled import compiled
 
-BLOCK = campaign.Block("docs/python.md", "speed")
+BLOCK = campaign.Block("docs/results/python.md", "speed")
 COUNTS = (1, 10, 100, 1000, 10_000, 100_000)
 ROUNDS = 40
 ROUND = 0.01  # s, of each candidate

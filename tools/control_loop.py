@@ -1,4 +1,4 @@
-"""What a control loop costs on an emulated Cortex-M7 and M4: writes the tables of docs/control-loop.md.
+"""What a control loop costs on an emulated Cortex-M7 and M4: writes the tables of docs/results/control-loop.md.
 
 python tools/control_loop.py [--ticks 100000]
 """
@@ -111,7 +111,7 @@ def read_counts(printed: str) -> Counts:
     return Counts(stages, ticks, run, followed, strayed, observed)
 
 
-BLOCK = campaign.Block("docs/control-loop.md", "figures: tools/control_loop.py")
+BLOCK = campaign.Block("docs/results/control-loop.md", "figures: tools/control_loop.py")
 
 CYCLES = 2.0
 """Cycles an instruction takes on silicon: an assumption, and a careful one. Both cores issue at least an instruction a

@@ -1,4 +1,4 @@
-"""How often and how fast `mahovik design` finds few flywheels for simple motions: the table of docs/design.md.
+"""How often and how fast `mahovik design` finds few flywheels for simple motions: the table of docs/results/design.md.
 
 python tools/design_campaign.py [--seeds 10] [--first 7000] [--rows TEXT] [--write]
 
@@ -24,7 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.design import Outcome, Wishes, design_stand
 from mahovik.use.design.read import read_freedom
 
-BLOCK = campaign.Block("docs/design.md", "campaign: tools/design_campaign.py --write")
+BLOCK = campaign.Block("docs/results/design.md", "campaign: tools/design_campaign.py --write")
 SECONDS = 60.0
 FREE = """
 schema = 1

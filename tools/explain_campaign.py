@@ -1,4 +1,4 @@
-"""Faults planted in programs of random stands, and what `judge --explain` says of them: writes docs/diagnosis.md.
+"""Plant faults in programs of random stands, ask `judge --explain` for them, write docs/results/diagnosis.md.
 
 python tools/explain_campaign.py [--stands 6] [--jobs 2] [--write]
 
@@ -24,7 +24,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
 from mahovik.proof.verify.states import Request
 
-BLOCK = campaign.Block("docs/diagnosis.md", "campaign: tools/explain_campaign.py --write")
+BLOCK = campaign.Block("docs/results/diagnosis.md", "campaign: tools/explain_campaign.py --write")
 
 COUNTS = (2, 1, 1, 3, 4, 2, 3, 5, 2, 8)
 """Flywheels of the stands, in turn."""

@@ -1,5 +1,5 @@
 """What rounding to float costs: measures every quantity of verify over random and example stands, and writes the table
-of docs/verification.md; exit status 1 where a bound is not met.
+of docs/results/verification.md; exit status 1 where a bound is not met.
 
 python tools/float_bounds.py [--stands 48] [--states 40] [--jobs 2]
 """
@@ -21,7 +21,7 @@ from mahovik.proof.verify.draw import rounded
 from mahovik.stands import names, path
 from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, states
 
-BLOCK = campaign.Block("docs/verification.md", "float: tools/float_bounds.py")
+BLOCK = campaign.Block("docs/results/verification.md", "float: tools/float_bounds.py")
 Worst = dict[tuple[str, str], float]
 UNITS = "units of `check`"
 

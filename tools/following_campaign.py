@@ -1,4 +1,4 @@
-"""How well bench8 follows its programmes with mismatch: writes the tables of docs/following.md.
+"""How well bench8 follows its programmes with mismatch: writes the tables of docs/results/following.md.
 
 python tools/following_campaign.py [--seeds 10] [--mismatch 1] [--write]
 """
@@ -26,7 +26,7 @@ from mahovik.use.control.wanted import Wanted
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.wishes import Wishes
 
-BLOCK = campaign.Block("docs/following.md", "campaign: tools/following_campaign.py --write")
+BLOCK = campaign.Block("docs/results/following.md", "campaign: tools/following_campaign.py --write")
 
 WINDINGS = ("spin", "rock")
 LIMIT, TRIMMED = 0.05, 0.01

@@ -1,4 +1,4 @@
-"""Fuzzes the C of the example stands, double and float: writes the table of docs/fuzzing.md.
+"""Fuzzes the C of the example stands, double and float: writes the table of docs/results/fuzzing.md.
 
 python tools/fuzz_campaign.py [--runs 10500000] [--quick] [STAND ...]
 
@@ -32,7 +32,7 @@ from mahovik.core.toolchain.fuzzing import FLAGS, Run, compile_harness, fuzz, mi
 from mahovik.errors import CheckError
 from mahovik.stands import path
 
-BLOCK = campaign.Block("docs/fuzzing.md", "figures: tools/fuzz_campaign.py")
+BLOCK = campaign.Block("docs/results/fuzzing.md", "figures: tools/fuzz_campaign.py")
 
 STANDS = ("demo3", "bench8", "shaker2", "auv6", "remus6", "sat4")
 """Together they have every kind of wrench: legs, suspension, added mass, buoyancy, damping, run-time wrenches."""

@@ -1,4 +1,4 @@
-"""How long generation, the start of commands and the C compiler take: writes the tables of docs/generation.md.
+"""How long generation, the start of commands and the C compiler take: writes the tables of docs/results/generation.md.
 
 python tools/generation_time.py [--repeat 5] [--only generation|start] [--no-page]
 
@@ -25,7 +25,9 @@ from mahovik.core.formula.cache import VARIABLE
 from mahovik.stands import path
 
 PARTS = ("generation", "start")
-BLOCKS = {part: campaign.Block("docs/generation.md", f"figures: tools/generation_time.py {part}") for part in PARTS}
+BLOCKS = {
+    part: campaign.Block("docs/results/generation.md", f"figures: tools/generation_time.py {part}") for part in PARTS
+}
 
 COUNTS = (2, 8, 64, 1000)
 """Flywheels."""

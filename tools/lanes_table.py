@@ -1,4 +1,4 @@
-"""What lanes are worth: instructions and time of forward and coupled, by lanes and flags, into docs/lanes.md.
+"""What lanes are worth: instructions and time of forward and coupled, by lanes and flags, into docs/results/lanes.md.
 
 python tools/lanes_table.py [--flywheels 2,8,64,1000] [--print]
 
@@ -33,7 +33,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge
 
-BLOCK = campaign.Block("docs/lanes.md", "lanes: tools/lanes_table.py")
+BLOCK = campaign.Block("docs/results/lanes.md", "lanes: tools/lanes_table.py")
 
 FUNCTIONS = ("forward", "coupled")
 MANY = 1000

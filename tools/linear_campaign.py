@@ -1,4 +1,6 @@
-"""Linear models against automatic differentiation, steady states against simulation: docs/linear.md, docs/response.md.
+"""Compare linear models with automatic differentiation and steady states with simulation.
+
+Writes docs/results/linear.md and docs/results/response.md.
 
 python tools/linear_campaign.py [--stands 200] [--first 1] [--write]
 
@@ -30,7 +32,7 @@ from mahovik.use.study.rest import rest
 Array = NDArray[np.float64]
 
 BLOCKS = {
-    name: campaign.Block(f"docs/{name}.md", "campaign: tools/linear_campaign.py --write")
+    name: campaign.Block(f"docs/results/{name}.md", "campaign: tools/linear_campaign.py --write")
     for name in ("linear", "response")
 }
 AGREEMENT, EQUAL = 1e-10, 1e-6

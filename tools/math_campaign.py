@@ -1,4 +1,4 @@
-"""Accuracy of sincos, sqrt, atan2 and wrap, compiled, against Arb: writes the tables of docs/mathematics.md.
+"""Accuracy of sincos, sqrt, atan2 and wrap, compiled, against Arb: writes the tables of docs/results/arithmetic.md.
 
 python tools/math_campaign.py [--samples 100000] [--quick]
 
@@ -33,7 +33,7 @@ from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.routines import atan2, sincos, square_root, unwind, wrap
 
 MEASURED, PROVEN = (
-    campaign.Block("docs/mathematics.md", f"{what}: tools/math_campaign.py") for what in ("measured", "proven")
+    campaign.Block("docs/results/arithmetic.md", f"{what}: tools/math_campaign.py") for what in ("measured", "proven")
 )
 BITS = 200
 NEAR = 8 * np.pi

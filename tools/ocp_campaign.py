@@ -1,4 +1,4 @@
-"""(13) by IPOPT on bench8 and on seeded random stands: the table of docs/planning-ocp.md.
+"""(13) by IPOPT on bench8 and on seeded random stands: the table of docs/results/optimal-control.md.
 
 python tools/ocp_campaign.py [--stands 1] [--first 8000] [--seconds 120] [--rows TEXT] [--write]
 
@@ -26,7 +26,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import Plan, Wishes, plan_motion
 from mahovik.use.plan.wishes import Method
 
-BLOCK = campaign.Block("docs/planning-ocp.md", "campaign: tools/ocp_campaign.py --write")
+BLOCK = campaign.Block("docs/results/optimal-control.md", "campaign: tools/ocp_campaign.py --write")
 STANDS = Path(mahovik.stands.__file__).parent
 METHODS: tuple[Method, ...] = ("ocp-partition", "ocp")
 

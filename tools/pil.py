@@ -95,7 +95,7 @@ def read_run(printed: str) -> Run:
     return Run(torques, followed, numbers["samples with a torque cut"], counts)
 
 
-BLOCK = campaign.Block("docs/servo.md", "figures: tools/pil.py --write")
+BLOCK = campaign.Block("docs/results/servo.md", "figures: tools/pil.py --write")
 STAND = "bench8"
 BOARDS = (("m7", "double"), ("m4", "float"))
 ROWS = ("programme_at", "servo_step", "trim_step")

@@ -1,4 +1,4 @@
-"""How often and how fast `mahovik plan` finds programmes, on seeded random stands: the tables of docs/planning.md.
+"""How often and how fast `mahovik plan` finds programmes on seeded random stands: docs/results/planning.md.
 
 python tools/plan_campaign.py [--stands 4] [--first 5000] [--seconds 30] [--jobs 1] [--write]
 
@@ -24,7 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import Wishes, plan_motion
 from mahovik.use.plan.certificate import certified, wrong_items
 
-BLOCK = campaign.Block("docs/planning.md", "campaign: tools/plan_campaign.py --write")
+BLOCK = campaign.Block("docs/results/planning.md", "campaign: tools/plan_campaign.py --write")
 OMEGA = 2.0 * np.pi / PERIOD
 
 

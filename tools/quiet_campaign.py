@@ -1,4 +1,4 @@
-"""How much quieter `mahovik quiet` makes sat4 and seeded random satellites: the tables of docs/quiet.md.
+"""How much quieter `mahovik quiet` makes sat4 and seeded random satellites: the tables of docs/results/quiet.md.
 
 python tools/quiet_campaign.py [--stands 6] [--first 100] [--jobs 1] [--write]
 
@@ -24,7 +24,7 @@ from mahovik.stands import path
 from mahovik.use.study.quiet import Quieted, Wish, quiet
 from mahovik.use.study.quiet.wheels import momentum_axes
 
-BLOCK = campaign.Block("docs/quiet.md", "campaign: tools/quiet_campaign.py --write")
+BLOCK = campaign.Block("docs/results/quiet.md", "campaign: tools/quiet_campaign.py --write")
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
 REQUIRED = 10.0

@@ -1,4 +1,4 @@
-"""Whether what preflight refuses is out of reach indeed: a search is let loose on it. The table of docs/planning.md.
+"""Search for motions that preflight refuses, and write what was found into docs/results/planning.md.
 
 python tools/refusal_campaign.py [--stands 4] [--first 8000] [--seconds 5] [--jobs 1] [--write]
 
@@ -24,7 +24,7 @@ from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.search import search
 
-BLOCK = campaign.Block("docs/planning.md", "refusals: tools/refusal_campaign.py --write")
+BLOCK = campaign.Block("docs/results/planning.md", "refusals: tools/refusal_campaign.py --write")
 COUNTS = (6, 8, 12)
 ROUNDS = 3
 

@@ -1,4 +1,4 @@
-"""How often and how fast run-ups and run-downs are found, on seeded random stands: the table of docs/planning-runup.md.
+"""How often and how fast run-ups and run-downs are found, on seeded random stands: the table of docs/results/run-up.md.
 
 python tools/runup_campaign.py [--stands 10] [--first 7000] [--verify 1] [--rows TEXT] [--write]
 
@@ -24,7 +24,7 @@ from mahovik.use.plan import Wishes, plan_motion
 from mahovik.use.plan.certificate import certified, wrong_items
 from mahovik.use.plan.runup import shortcomings, with_runup
 
-BLOCK = campaign.Block("docs/planning-runup.md", "campaign: tools/runup_campaign.py --write")
+BLOCK = campaign.Block("docs/results/run-up.md", "campaign: tools/runup_campaign.py --write")
 KEYS = ("runup", "rundown")
 
 

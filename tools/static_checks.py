@@ -1,4 +1,4 @@
-"""Static checks of the example stands' C: compilers, analyser, cppcheck; writes the table of docs/misra.md.
+"""Static checks of the example stands' C: compilers, analyser, cppcheck. Writes docs/results/static-checks.md.
 
 python tools/static_checks.py [--stands bench8,...] [--page]
 
@@ -28,7 +28,7 @@ from mahovik.core.toolchain.static_checks import (
 )
 from mahovik.stands import names, path
 
-BLOCK = campaign.Block("docs/misra.md", "misra: tools/static_checks.py")
+BLOCK = campaign.Block("docs/results/static-checks.md", "misra: tools/static_checks.py")
 REALS = ("double", "float")
 
 

@@ -1,4 +1,4 @@
-"""The same bits on every target: writes the tables of docs/targets.md, and a short one into README.md.
+"""The same bits on every target: writes the tables of docs/results/targets.md, and a short one into README.md.
 
 python tools/targets_table.py [--states 20]
 """
@@ -13,7 +13,9 @@ from mahovik.core.stand import load
 from mahovik.proof.verify.targets import REALS, SWEEP, TargetRow, TargetsReport, asked, verify_targets
 from mahovik.stands import path
 
-README, PAGE = (campaign.Block(name, "targets: tools/targets_table.py") for name in ("README.md", "docs/targets.md"))
+README, PAGE = (
+    campaign.Block(name, "targets: tools/targets_table.py") for name in ("README.md", "docs/results/targets.md")
+)
 STAND = "bench8"
 
 

@@ -2,7 +2,7 @@
 
 python tools/verify_campaign.py [--stands 50] [--states 60] [--jobs 2] [--write]
 
-With --write the summary goes into docs/verification.md as well.
+With --write the summary goes into docs/results/verification.md as well.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from random_stands import random_stands, verify_random
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.report import conclusion, worst_lines
 
-BLOCK = campaign.Block("docs/verification.md", "campaign: tools/verify_campaign.py --write")
+BLOCK = campaign.Block("docs/results/verification.md", "campaign: tools/verify_campaign.py --write")
 HEAD = ("flywheels", "stands", "passed", "C - reference", "second - reference", "C - second")
 
 

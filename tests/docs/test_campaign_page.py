@@ -1,4 +1,4 @@
-"""docs/verification.md holds what tools/verify_campaign.py --write says."""
+"""docs/results/verification.md holds what tools/verify_campaign.py --write says."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def test_the_campaign_on_the_page() -> None:
     assert {"0", "1", "5", "6", "7", "12", "64"} <= {row[0] for row in rows}
     assert sum(int(row[1]) for row in rows) == sum(int(row[2]) for row in rows) == 50
     assert all(0.0 < float(number) <= 1e-12 for row in rows for number in row[3:])
-    assert written.BLOCK.page_with(text) == (ROOT / "docs" / "verification.md").read_text(encoding="utf-8")
+    assert written.BLOCK.page_with(text) == (ROOT / "docs" / "results" / "verification.md").read_text(encoding="utf-8")
 
 
 def test_the_summary() -> None:

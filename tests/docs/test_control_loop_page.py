@@ -1,4 +1,4 @@
-"""docs/control-loop.md holds the tables that tools/control_loop.py writes; its estimates follow from its counts."""
+"""docs/results/control-loop.md: the tables of tools/control_loop.py; its estimates follow from its counts."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import control_loop as written
 
 from docs.pages import ROOT, rows
 
-PAGE = ROOT / "docs" / "control-loop.md"
+PAGE = ROOT / "docs" / "results" / "control-loop.md"
 
 
 def test_estimates_follow_from_counts() -> None:

@@ -1,4 +1,4 @@
-"""docs/design.md: its keys are those that the reader knows, its file is read, its table is that of the campaign."""
+"""docs/design.md: keys are the reader's, the file is read; docs/results/design.md has the campaign's table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""docs/linear.md and docs/response.md hold what tools/linear_campaign.py --write says; their numbers are the code's."""
+"""docs/results/linear.md and response.md hold what tools/linear_campaign.py writes; their numbers are the code's."""
 
 from __future__ import annotations
 
