@@ -15,8 +15,8 @@ import numpy as np
 
 from faults.drivers import NULLS, nulls, routines
 from faults.emitted import Emitted, Host, Planted, files_of, first_error, stand_of, states_of
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.manifest import manifest
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.errors import ToolchainError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear
 
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import State
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from mahovik.proof.reference import evaluate

@@ -12,7 +12,7 @@ import pytest
 
 from emit.compiled import bits
 from lower.refusals import FILL
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
 from mahovik.core.toolchain.library import filled

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lower.test_inverse import ask, made
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import rest_state
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend

@@ -14,13 +14,14 @@ from numpy.typing import NDArray
 
 from emit.compiled import compiled
 from lower.refusals import refuses
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower import parameters as lowered
 from mahovik.core.lower.checks import within
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.thresholds import THRESHOLDS
-from mahovik.core.program.function import STATUS_VALUES, Program
+from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand import Stand, structure

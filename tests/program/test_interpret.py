@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.build import call
 from mahovik.core.program.expression import (
     Convert,
@@ -24,7 +25,6 @@ from mahovik.core.program.expression import (
     unequal,
     word,
 )
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, FLOAT, Field, Kind, Struct
 from program.small import argument, evaluate, function, program, run

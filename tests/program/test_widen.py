@@ -2,9 +2,10 @@
 
 import pytest
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.expression import Not, Select, Status, both, equal, integer, real, unequal
-from mahovik.core.program.function import STATUS_VALUES, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.refusal import without_returns

@@ -21,7 +21,6 @@ from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import verify_c
 from mahovik.proof.verify.report import Report, conclusion
-from mahovik.proof.verify.states import MAX_PHASE
 from mahovik.stands import path
 from strategies import stands
 from verify.build import everything
@@ -70,7 +69,7 @@ def test_states_are_those_that_float_takes() -> None:
     for _, state in draw(everything(), 3, 40, "float"):
         numbers = [*state.position, *state.V, *state.phi, *state.phi_dot, *state.tau, *(state.angles or ())]
         assert all(float(np.float32(x)) == x for x in numbers)
-        assert max(map(abs, (*state.phi, *(state.angles or ()))), default=0.0) <= MAX_PHASE["float"] == SINGLE.max_phase
+        assert max(map(abs, (*state.phi, *(state.angles or ()))), default=0.0) <= SINGLE.max_phase
 
 
 def test_rank_is_decided_by_the_thresholds_of_float() -> None:

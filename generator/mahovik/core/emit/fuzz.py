@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik import __version__
+from mahovik.contract.quantities import QUANTITIES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.declaration import pointed
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.literal import real_literal
@@ -18,9 +20,9 @@ from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower import drawn
 from mahovik.core.lower.drawn import Input, Rule
-from mahovik.core.lower.limits import BOUND_OF, limits
+from mahovik.core.lower.limits import limits
 from mahovik.core.program.call import Argument
-from mahovik.core.program.function import STATUS_VALUES, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import Identities
 
@@ -101,8 +103,8 @@ class _Harness:
 
     def _largest(self, name: str) -> str:
         """The bound of an input as C has it."""
-        bound = BOUND_OF.get(name)
-        return self._names.constant(bound) if bound else self._real(1.0)
+        row = QUANTITIES.get(name)
+        return self._names.constant(row.bounds[0]) if row and row.bounds else self._real(1.0)
 
     # ---- drawing inputs ----
 

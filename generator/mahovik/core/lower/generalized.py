@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.lower.flywheels import sine_and_cosine
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import SINGULAR_BELOW
 from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body

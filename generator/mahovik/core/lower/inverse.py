@@ -6,6 +6,7 @@ limits (`allocate`). Singular values, rank and what they say are those of the st
 
 from __future__ import annotations
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.demand import check_demand
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES
@@ -13,7 +14,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, either, integer, real, select
-from mahovik.core.program.function import STATUS_VALUES, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 _POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT")

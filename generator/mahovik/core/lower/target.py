@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import motion as derived_motion
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.flywheels import sine_and_cosine
 from mahovik.core.lower.generalized import angles_argument
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import SINGULAR_BELOW
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument

@@ -19,6 +19,7 @@ from mahovik.out.api.fields import Array, field
 from mahovik.out.api.inputs import Given
 from mahovik.out.api.making import attitudes, packed, wrenches
 from mahovik.out.api.results import Result
+from mahovik.out.api.show import functions
 from mahovik.out.api.states import States
 
 Real = Literal["double", "float"]
@@ -274,9 +275,11 @@ class Built:
         return f"<Model of {self._stand.name}: {len(self._flywheels)} flywheels; {how}>"
 
     def _repr_html_(self) -> str:
-        from mahovik.out.api.show import model
-
-        return model(self)
+        rows = [
+            (f.name, ", ".join(f.takes), ", ".join(f.gives), "batch C" if f.wide else "C, state by state")
+            for f in self.functions
+        ]
+        return functions(repr(self), rows)
 
 
 def _order(order: int) -> Array:

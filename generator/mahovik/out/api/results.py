@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.out.api.fields import Array, Field, Named
+from mahovik.out.api.show import arrays
 
 Real = NDArray[Any]
 
@@ -33,7 +34,7 @@ class Result(Named):
 
     def status_names(self) -> list[str]:
         """The status of each state in words, as `mahovik eval` has it: `OK`, `NEAR_SINGULAR|LIMITED`."""
-        return [words(int(number)) for number in np.atleast_1d(self.status)]
+        return [status_words(int(number)) for number in np.atleast_1d(self.status)]
 
     def has_status(self, name: str) -> NDArray[np.bool_]:
         """Is the status so named set, for each state?"""
@@ -49,16 +50,7 @@ class Result(Named):
         return f"<{type(self).__name__}: {of}; {shapes}>"
 
     def _repr_html_(self) -> str:
-        from mahovik.out.api.show import arrays
-
         return arrays(repr(self), self)
-
-
-def words(status: int) -> str:
-    """A status in words."""
-    if status <= 0:
-        return next(name for name, value in STATUS_VALUES.items() if value == status)
-    return "|".join(name for name, value in STATUS_VALUES.items() if value > 0 and status & value)
 
 
 class Forward(Result):
