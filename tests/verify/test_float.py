@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from random_stands import random_stands
 
 from cli.run import DEMO3, refused, run
 from mahovik.core.emit.generate import generate
@@ -16,7 +17,6 @@ from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import Stand, load
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE, FLOAT
-from mahovik.proof.verify.campaign import random_stands
 from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import verify_c
