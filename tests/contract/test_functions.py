@@ -17,10 +17,6 @@ from mahovik.proof.second.evaluate import PROBLEMS
 from mahovik.proof.verify.c_backend import with_all_inputs
 from mahovik.stands import path
 
-RENAMED = {"attitude": "generalized", "measure": "points", "target": "state_from_coordinates", "stand": "table"}
-"""Names that the C is about to lose."""
-
-
 def public_functions() -> Iterator[Function]:
     """Public functions of example stands, with phases and with their sines and cosines as input."""
     for name in ("demo3", "sat4"):
@@ -35,14 +31,14 @@ def programs() -> list[Function]:
 
 
 def test_every_public_function_has_a_row_and_every_row_a_function(programs: list[Function]) -> None:
-    assert {RENAMED.get(f.name, f.name) for f in programs} == set(FUNCTIONS)
+    assert {f.name for f in programs} == set(FUNCTIONS)
 
 
 def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Function]) -> None:
     seen: dict[str, set[str]] = {}
     for f in programs:
-        row = FUNCTIONS[RENAMED.get(f.name, f.name)]
-        taken = [RENAMED.get(a.name, a.name) for a in f.arguments if a.direction != "out"]
+        row = FUNCTIONS[f.name]
+        taken = [a.name for a in f.arguments if a.direction != "out"]
         assert [name for name in row.takes if name in taken] == taken, f.name
         assert f.equation == row.equation, f.name
         seen.setdefault(row.name, set()).update(taken)

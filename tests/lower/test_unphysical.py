@@ -213,7 +213,7 @@ def test_the_compiled_prepare_refuses_each_kind_in_any_body_and_writes_nothing(n
     good = c.values.parameters
     bodies: list[tuple[Any, ...]] = [("carrier",)]
     bodies += [(kind, k, "body") for kind in ("instrument", "flywheel") for k in range(len(good.get(kind, ())))]
-    inputs = {"stand": c.table()}
+    inputs = {"table": c.table()}
 
     def refused(path: tuple[Any, ...], value: Any, due: str = "NOT_POSITIVE_DEFINITE") -> None:
         refuses(c, "prepare", inputs | {"parameters": with_value(good, path, value)}, due)
@@ -244,7 +244,7 @@ def test_what_has_no_inverse_is_refused(real: str, tiny: float) -> None:
     parameters = copy.deepcopy(c.generated.values.parameters)
     parameters["flywheel"][0]["body"]["inertia"] = [tiny, tiny, tiny, 0.0, 0.0, 0.0]
     parameters["flywheel"][0]["body"]["center_of_mass"] = [0.0, 0.0, 0.0]
-    inputs = {"parameters": parameters, "stand": c.generated.values.table}
+    inputs = {"parameters": parameters, "table": c.generated.values.table}
     assert c.call("prepare", inputs)[0] == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]
     parameters = copy.deepcopy(c.generated.values.parameters)
     for body in (parameters["carrier"], *(w["body"] for w in parameters["flywheel"])):

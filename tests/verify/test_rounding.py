@@ -171,10 +171,10 @@ def test_the_program_is_the_literal_equations_to_sixty_digits() -> None:
     parameters, table = made.values.parameters, made.values.table
     with ctx.workprec(320):
         unprepared = ExactProgram(made.layout, made.program, table, made.values.mounting)
-        status, found = unprepared.call("prepare", {"parameters": parameters, "stand": table})  # its laws are exact
+        status, found = unprepared.call("prepare", {"parameters": parameters, "table": table})  # its laws are exact
         assert status == 0
         mounting = unprepared.call("prepare_mounts", {"parameters": parameters})[1]["mounting"]
-        program = ExactProgram(made.layout, made.program, found["stand"], mounting)
+        program = ExactProgram(made.layout, made.program, found["table"], mounting)
         for _, state in draw(stand, 4, 8)[1:]:
             at = rigorous.pieces_at(stand, state, 320)
             for want in wants_of("rigorous"):

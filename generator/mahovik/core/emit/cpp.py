@@ -132,7 +132,7 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
     """A whole program in C++17 that calls `forward`, by its file name."""
     names = Names(generated.program.name)
     forward = generated.program.function("forward")
-    given = {"stand": "stand::default_table", "x": "x"}
+    given = {"table": "stand::default_table", "x": "x"}
     zeroed = [a for a in forward.arguments if a.direction == "in" and a.name not in given]
     text = template("cmake/example.cpp.j2").render(
         name=stand.name,

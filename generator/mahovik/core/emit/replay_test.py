@@ -45,7 +45,7 @@ def replay_test(
         {"type": names.type(layout.state), "name": title, "lines": _members(numbers, precision)}
         for title, numbers in (("before", before), ("after", after))
     ]
-    passed = {"stand": "&stand" if table is not None else f"&{names.function('default')}", "x": "&x", "next": "&x"}
+    passed = {"table": "&table" if table is not None else f"&{names.function('default')}", "x": "&x", "next": "&x"}
     for name, value in inputs.items():
         if not arguments[name].shape:
             passed[name] = _number(value, precision) if name == "dt" else str(value)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.lower.drawn import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
+from mahovik.core.lower.test_inputs import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
 from mahovik.core.lower.values import Values
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program

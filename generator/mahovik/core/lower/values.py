@@ -133,13 +133,13 @@ class Values:
 
     def _table(self) -> dict[str, Any]:
         """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
-        inputs = {"parameters": self.parameters, "stand": self._laws()}
+        inputs = {"parameters": self.parameters, "table": self._laws()}
         status, outputs = self._program.run("prepare", inputs)
         if status != STATUS_VALUES["OK"]:
             name = status_words(status)
             where = f"stand {self._stand.name}: its masses and inertias are refused by prepare"
             raise StandError([f"{where} in {self._layout.precision.name}: {name}"])
-        table: dict[str, Any] = outputs["stand"]
+        table: dict[str, Any] = outputs["table"]
         return table
 
     def _options(self) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from mahovik.contract.quantities import QUANTITIES
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.core.lower.thresholds import thresholds
-from mahovik.core.program.arrays import Passed
+from mahovik.core.program.arrays import ArgumentLayout
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.errors import RefusedError
@@ -22,7 +22,7 @@ from mahovik.out.api.fields import Array, field
 def refused(
     function: str,
     status: NDArray[np.int32],
-    inputs: Mapping[str, tuple[Passed, Array]],
+    inputs: Mapping[str, tuple[ArgumentLayout, Array]],
     stand: Stand,
     wrenches: Sequence[str],
 ) -> RefusedError:
@@ -39,7 +39,7 @@ def refused(
 
 
 def _blamed(
-    index: int, inputs: Mapping[str, tuple[Passed, Array]], stand: Stand, wrenches: Sequence[str]
+    index: int, inputs: Mapping[str, tuple[ArgumentLayout, Array]], stand: Stand, wrenches: Sequence[str]
 ) -> Iterator[str]:
     for argument, memory in inputs.values():
         if argument.name == "dt" and not 0.0 < memory[0] <= _bounds(memory)["MAX_STEP"].value:
@@ -58,7 +58,7 @@ def _blamed(
             yield from _wrong(member.name, column, labels, member.unit)
 
 
-def _option(argument: Passed, memory: Array, stand: Stand) -> Iterator[str]:
+def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[str]:
     """Options of `inverse` that are outside their ranges."""
     least = thresholds(_precision(memory["weight"])).weight
     for member in argument.members:

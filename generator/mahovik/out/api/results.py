@@ -126,7 +126,7 @@ class Points(Result):
     angular_acceleration: Real
 
 
-class ForwardSlopes(Result):
+class ForwardJacobian(Result):
     """Derivatives of `forward`: `V_dot_V` (6, 6), `V_dot_phi`, `V_dot_phi_dot`, `V_dot_phi_ddot` (6, N)."""
 
     V_dot_V: Real
@@ -135,7 +135,7 @@ class ForwardSlopes(Result):
     V_dot_phi_ddot: Real
 
 
-class CoupledSlopes(Result):
+class CoupledJacobian(Result):
     """Derivatives of `coupled`: of `V_dot` and of `phi_ddot`, by V, phi, phi_dot and tau."""
 
     V_dot_V: Real

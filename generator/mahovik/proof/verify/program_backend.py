@@ -92,7 +92,7 @@ class ProgramBackend:
         zero = (0.0,) * 6
         wrench = [number for body in self.inputs for number in state.wrench.get(body, zero)]
         return {
-            "stand": self._table,
+            "table": self._table,
             "mounting": self._mounting,
             "x": x,
             "sine": [math.sin(phi) for phi in state.phi],
@@ -136,7 +136,7 @@ class ProgramBackend:
         if state.quaternion is not None:
             raise StateError("generalized: needs angles, not a quaternion")
         angles = state.angles or (0.0, 0.0, 0.0)
-        found: dict[str, Any] = self._call("attitude", {**inputs, "angles": angles})["out"]
+        found: dict[str, Any] = self._call("generalized", {**inputs, "angles": angles})["out"]
         return found
 
     def _torque(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
@@ -145,7 +145,7 @@ class ProgramBackend:
     def _mounts(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
             return {"mount_wrench": np.zeros((0, 6))}
-        flat = self._call("mounts", inputs)["loads"]
+        flat = self._call("mounts", inputs)["mount_wrench"]
         return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
 
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
@@ -165,5 +165,5 @@ class ProgramBackend:
     def _points(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.sensors:
             return {"points": {}}
-        readings = self._call("measure", inputs)["out"]
+        readings = self._call("points", inputs)["out"]
         return {"points": dict(zip(self.layout.sensors, readings, strict=True))}

@@ -116,8 +116,8 @@ class _Draw:
         )
         if body.buoyancy is not None:
             own = body.buoyancy
-            afloat = Buoyancy(self.times(own.displaced_mass), self.vector(own.center))
-            changed = replace(changed, buoyancy=afloat)
+            buoyancy = Buoyancy(self.times(own.displaced_mass), self.vector(own.center))
+            changed = replace(changed, buoyancy=buoyancy)
         if body.damping is not None:
             changed = replace(changed, damping=self.damping(body.damping))
         return changed

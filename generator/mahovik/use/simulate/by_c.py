@@ -75,7 +75,7 @@ class CMotion:
             return ffi.cast(f"{self.case.stand.name}_real *", array.ctypes.data)
 
         known = {
-            "stand": self.c.library.default("default"),
+            "table": self.c.library.default("default"),
             "x": self._x,
             "tau": real(self._drive),
             "phi_ddot": real(self._drive),

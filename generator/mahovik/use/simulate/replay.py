@@ -105,7 +105,7 @@ class CMachine:
     def step(self, step: Step) -> int:
         """See Machine."""
         name, inputs = inputs_of(self.generated, step)
-        known: dict[str, Any] = {"stand": self._table, "x": self._x, "next": self._x}
+        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         for key, value in inputs.items():
             if isinstance(value, np.ndarray):
                 kind = f"{self._prefix}_real[]" if value.dtype.kind == "f" else "int[]"
@@ -159,7 +159,7 @@ class InterpreterMachine:
     def step(self, step: Step) -> int:
         """See Machine."""
         name, inputs = inputs_of(self.generated, step)
-        known: dict[str, Any] = {"stand": self._table, "x": self._x, "next": self._x}
+        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
         known["dt"] = self.generated.program.precision.scalar(step.dt)
         arguments = self.generated.program.function(name).arguments

@@ -42,7 +42,7 @@ class PlantByC:
         self._motors = [(s, each.motor) for s, each in enumerate(stand.flywheels) if each.motor is not None]
         self._fastest = _fastest(stand)
         known: dict[str, Any] = {
-            "stand": own.library.default("default"),
+            "table": own.library.default("default"),
             "x": self._x,
             "tau": ffi.cast(f"{stand.name}_real *", self._drive.ctypes.data),
             "locked": ffi.new(f"int[{N}]"),

@@ -1,4 +1,4 @@
-"""target: a wanted motion in generalized coordinates as the twist and its rate that inverse takes."""
+"""state_from_coordinates: a wanted motion in generalized coordinates as the twist and its rate that inverse takes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from mahovik.core.program.types import Kind
 _NAMES = ("psi", "theta", "phi")
 
 
-def target(lib: Library) -> Function:
+def state_from_coordinates(lib: Library) -> Function:
     """V = A q', V* = A q'' + D q' (10)."""
     layout = lib.layout
     sequence = layout.structure.angles
@@ -65,7 +65,7 @@ def target(lib: Library) -> Function:
         body.set(x.place.V[i + 3], omega[i])
     body.ret(Status("OK"))
     return Function(
-        "target",
+        "state_from_coordinates",
         "State and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q'.",
         (position, angles, q_dot, q_ddot, x, V_dot),
         body.statements,
