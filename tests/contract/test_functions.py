@@ -17,6 +17,7 @@ from mahovik.proof.second.evaluate import PROBLEMS
 from mahovik.proof.verify.c_backend import with_all_inputs
 from mahovik.stands import path
 
+
 def public_functions() -> Iterator[Function]:
     """Public functions of example stands, with phases and with their sines and cosines as input."""
     for name in ("demo3", "sat4"):
