@@ -12,8 +12,8 @@ from statistics import median
 import campaign
 from random_stands import random_stands
 
+from mahovik.contract.functions import wants_of
 from mahovik.core.stand import load
-from mahovik.proof.rigorous import WANTS
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.rounding.limits import MARGIN, ULPS
 from mahovik.proof.verify.rounding.measure import measure_rounding
@@ -119,7 +119,7 @@ def joined(all_found: Sequence[Found]) -> dict[tuple[str, str], Worst]:
     for found in all_found:
         for key, worst in found.items():
             total[key] = total.get(key, Worst()).join(worst)
-    order = list(WANTS)
+    order = wants_of("rigorous")
     return {key: total[key] for key in sorted(total, key=lambda key: order.index(key[0]))}
 
 
