@@ -268,7 +268,7 @@ class _Writer:
             yield f"integers({first}, {number}, {low}, {high});"
         elif middle:
             yield f"about({first}, {self._first(middle, f.shape)}, {number});"
-        elif f.name == "generalized" and kind != BITS:
+        elif f.name == "attitude" and kind != BITS:
             size = self.real(2.0) if kind == NORMAL else self._names.constant("LARGEST")
             yield f"quaternion({place}, {size});"
         elif kind == BITS and not f.shape:
