@@ -10,13 +10,10 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.lower.limits import limits
-from mahovik.core.motion import load, loads, ranges, steady
+from mahovik.core.motion import load, loads, steady
 from mahovik.core.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
-from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import RegimeError
-from mahovik.use.simulate.case import MAX_STEP
 
 SHAKER = load_stand(stands.path("shaker2"))
 HEAD = "schema = 1\n"
@@ -117,14 +114,14 @@ def test_tables(tmp_path: Path) -> None:
         (left("hold = false"), "expected true"),
         (left("ramp = 5"), "ramp: expected a table with from, to"),
         (left("ramp = { to = 5 }"), "ramp, duration: required, but missing"),
-        (left("ramp = { to = 5, duration = 0 }"), "duration: 0 is not above 0"),
-        (left("ramp = { to = 5, duration = 1, start = -1 }"), "start: -1 is negative"),
+        (left("ramp = { to = 5, duration = 0 }"), "duration: 0 s is not above 0"),
+        (left("ramp = { to = 5, duration = 1, start = -1 }"), "start: -1 s is negative"),
         (left("ramp = { too = 5, to = 5, duration = 1 }"), 'unknown key "too", did you mean "to"?'),
-        (left('sweep = { from = 1, to = 5, duration = 1, scale = "dec" }'), 'expected "linear" or "log"'),
+        (left('sweep = { from = 1, to = 5, duration = 1, scale = "dec" }'), 'scale: unknown "dec"'),
         (left('sweep = { from = 0, to = 5, duration = 1, scale = "log" }'), "two speeds of one sign"),
         (left('sweep = { from = "1 m", to = 5, duration = 1 }'), 'sweep, from: unit "m" does not fit'),
-        (left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 is not above 0"),
-        (left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 is negative"),
+        (left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 N m is not above 0"),
+        (left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 rad/s is negative"),
         (left("speed = 1e300"), 'left", speed: a speed of 1e+300 rad/s is out of range, at most 100000 in magnitude'),
         (left("speed = -2e5"), "a speed of 200000 rad/s is out of range"),
         (left("ramp = { to = 2e5, duration = 1 }"), "ramp: a speed of 200000 rad/s"),
@@ -142,7 +139,7 @@ def test_tables(tmp_path: Path) -> None:
             HEAD + REST + "[wrench]\ncarrier = [0, 0, 1e12, 0, 0, 0]",
             'wrench "carrier", Z: a force of 1e+12 N is out of',
         ),
-        (left("speed = 1\ninitial_speed = 2"), "initial_speed: goes with a law of torque"),
+        (left("speed = 1\ninitial_speed = 2"), "initial_speed: not allowed with `speed`"),
         (left("table = 3"), "expected the name of a CSV file"),
         (HEAD + "flywheel = 3\n" + REST, "flywheel: expected a table of flywheels"),
         (HEAD + REST + "[wrench]\ncarier = [0, 0, 0, 0, 0, 0]", 'unknown body "carier", did you mean "carrier"?'),
@@ -200,13 +197,6 @@ def test_a_table_of_wrenches_out_of_range(tmp_path: Path) -> None:
     assert 'wrench "left", Z: a force of -3e+09 N is out of range' in line
 
 
-def test_the_ranges_are_those_of_the_c() -> None:
-    c = {name: limit.value for name, limit in limits(DOUBLE).items()}
-    for name in ("MAX_SPEED", "MAX_ACCELERATION", "MAX_WRENCH", "MAX_PHASE"):
-        assert getattr(ranges, name) == c[name]
-    assert c["MAX_STEP"] == MAX_STEP
-
-
 @pytest.mark.parametrize("until", [0.1, 0.3, 0.7, 1.1, 2.3, 4.1, 1e-3, 123.457])
 def test_a_last_time_in_ms_that_is_until(until: float, tmp_path: Path) -> None:
     """Converted it may be a hair below; half a step of output less is not the same."""
@@ -228,7 +218,7 @@ def test_a_key_of_json_that_is_there_twice(text: str) -> None:
 def test_missing_files(tmp_path: Path) -> None:
     (line,) = problems(left('table = "none.csv"'), tmp_path)
     assert "cannot be read: No such file" in line
-    with pytest.raises(RegimeError, match="cannot be read"):
+    with pytest.raises(RegimeError, match="no such file"):
         load(tmp_path / "none.toml", SHAKER, 1.0)
 
 

@@ -9,6 +9,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik import __version__
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.quantities import QUANTITIES, TABLES, Draw
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.declaration import pointed
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.literal import real_literal
@@ -16,25 +19,13 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.places import STEP, Results, closed, length, loops
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
-from mahovik.core.lower import drawn
-from mahovik.core.lower.drawn import Input, Rule
-from mahovik.core.lower.limits import BOUND_OF, limits
+from mahovik.core.lower import test_inputs
+from mahovik.core.lower.limits import limits
+from mahovik.core.lower.test_inputs import Input
 from mahovik.core.program.call import Argument
-from mahovik.core.program.function import STATUS_VALUES, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import Identities
-
-UNREAD = {
-    "attitude": "the attitude of its state",
-    "target": "what its state holds before",
-    "inverse": "infinity, which is no limit at all",
-    "inverse_fast": "near and limits",
-    "inverse_fast_at": "near and limits",
-}
-"""Functions that may succeed though a real among their arguments is NaN or infinite, and what it is: see the header."""
-
-_CONSTANTS = {"table": "table", "mount_table": "mounting", "parameters": "parameters", "inverse_options": "options"}
-"""Where the harness keeps structs that are not drawn member by member."""
 
 
 def fuzz_harness(program: Program, identities: Identities) -> str:
@@ -51,8 +42,8 @@ class _Harness:
         self._results = Results(self._names)
         self._public = [f for f in program.functions if f.public]
         self._structs = {s.name: s for s in program.structs}
-        self._inputs = drawn.inputs(program)
-        self._plan = drawn.plan(program)
+        self._inputs = test_inputs.inputs(program)
+        self._plan = test_inputs.plan(program)
         self._limits = limits(program.precision)
 
     def text(self, identities: Identities) -> str:
@@ -101,8 +92,8 @@ class _Harness:
 
     def _largest(self, name: str) -> str:
         """The bound of an input as C has it."""
-        bound = BOUND_OF.get(name)
-        return self._names.constant(bound) if bound else self._real(1.0)
+        row = QUANTITIES.get(name)
+        return self._names.constant(row.bounds[0]) if row and row.bounds else self._real(1.0)
 
     # ---- drawing inputs ----
 
@@ -114,23 +105,23 @@ class _Harness:
 
     def _draw(self, each: Input, place: str) -> Iterator[str]:
         match each.rule:
-            case Rule.ATTITUDE:
+            case Draw.ATTITUDE:
                 yield f"{STEP}draw_attitude(from, {place});"
-            case Rule.TURNS:
-                yield f"{STEP}draw_turns(from, {place}, {_given(drawn.COSINE)}, {self._size(each.shape)});"
-            case Rule.INTEGER:
+            case Draw.TURNS:
+                yield f"{STEP}draw_turns(from, {place}, {_given(test_inputs.COSINE)}, {self._size(each.shape)});"
+            case Draw.INTEGER:
                 yield f"{STEP}{place} = draw_int(from, {each.lowest}, {each.span}u);"
-            case Rule.ORDER:
+            case Draw.ORDER:
                 yield f"{STEP}{place} = draw_order(from);"
-            case Rule.STEP:
+            case Draw.STEP:
                 yield f"{STEP}{place} = draw_step(from);"
-            case Rule.REALS | Rule.FLAGS | Rule.FACTOR:
+            case Draw.REALS | Draw.FLAGS | Draw.FACTOR:
                 outer = each.shape[:-1]
                 loop, element, inner = loops(place, len(outer), [length(self._names, n) for n in outer], STEP)
                 yield from loop
                 address = element if each.shape else f"&{element}"
                 size = self._size(each.shape)
-                if each.rule is Rule.FLAGS:
+                if each.rule is Draw.FLAGS:
                     yield f"{inner}draw_flags(from, {address}, {size});"
                 else:
                     yield f"{inner}draw_reals(from, {address}, {size}, {self._largest(each.name)});"
@@ -190,7 +181,7 @@ class _Harness:
             ],
             "refusals": self._mask(f, negative=True, more=("BAD_ARGUMENT",) if pointers else ()),
             "bits": self._mask(f, negative=False),
-            "may_ignore": UNREAD.get(f.name, ""),
+            "may_ignore": FUNCTIONS[f.name].unread,
             "overlap": wrapped(self._overlapping(f, state), STEP * 2) if state else [],
             "state": self._result(f, next(a for a in results if a.name == state)) if state else "",
         }
@@ -209,7 +200,7 @@ class _Harness:
 
     def _source(self, a: Argument) -> str:
         kind = a.type.name if isinstance(a.type, Struct) else ""
-        return _given(_CONSTANTS.get(kind, a.name))
+        return _given(TABLES[kind].symbol if kind in TABLES else a.name)
 
     def _draws(self, f: Function) -> list[str]:
         """Names of what is drawn for a function, constants first: what prepare refuses is not used."""
@@ -222,7 +213,7 @@ class _Harness:
         if "inverse_options" in kinds:
             found.append("options")
         names = {a.name for a in self._inputs}
-        named = [a for a in f.arguments if a.direction != "out" and a.name in names and a.name != drawn.COSINE]
+        named = [a for a in f.arguments if a.direction != "out" and a.name in names and a.name != test_inputs.COSINE]
         return found + [a.name for a in sorted(named, key=lambda a: a.direction != "inout")]
 
     def _begin(self, f: Function, a: Argument) -> Iterator[str]:
@@ -268,7 +259,7 @@ class _Harness:
         """The recorder's step beside step itself."""
         taken = [a for a in f.arguments if a.name != "next"]
         given = [
-            ("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("stand", "x")
+            ("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("table", "x")
         ]
         before = self._names.function(f.name)
         after = self._names.function(f"recorder_{f.name}")

@@ -16,9 +16,8 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.fault import Case, Fault, Stage
 from mahovik.proof.diagnose.sheet import NOT_COMPARED, Sheet
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.evaluate import Values
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.states import Request

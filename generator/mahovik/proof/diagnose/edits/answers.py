@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from mahovik.proof.diagnose.fault import Case, Edit
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import Spinning
-from mahovik.proof.reference.evaluate import Values
 from mahovik.proof.reference.pieces import Pieces
 
 

@@ -10,9 +10,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.proof.diagnose.fault import Case, Edit
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import Bodies, Fixed, Mounted, Placed, Spinning
-from mahovik.proof.reference.evaluate import Values
 from mahovik.proof.reference.mass import coupling, coupling_bias, mass_matrix_rate
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import Phi

@@ -9,8 +9,7 @@ import numpy as np
 from mahovik.proof.diagnose.edits.answers import value, values
 from mahovik.proof.diagnose.edits.matrices import pieces
 from mahovik.proof.diagnose.fault import Case, Fault
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.evaluate import Values
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.linear import solve
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import block_diagonal

@@ -12,10 +12,9 @@ from mahovik.proof.diagnose.edits.matrices import each_wheel, minus
 from mahovik.proof.diagnose.edits.reading import state
 from mahovik.proof.diagnose.edits.wrenches import Motion, drive
 from mahovik.proof.diagnose.fault import Case, Fault
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import Spinning
 from mahovik.proof.reference.coupled import spin_up_torque
-from mahovik.proof.reference.evaluate import Values
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1
