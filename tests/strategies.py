@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 import numpy as np
 from hypothesis import strategies as st
 
 from mahovik.core.stand import Stand, State
 from mahovik.core.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
+from mahovik.laws import LAWS
 
 _SEEDS = st.integers(0, 2**32 - 1)
 
@@ -16,12 +20,11 @@ def features(
     fluid: bool | None = None,
     gravity: bool | None = None,
     stream: bool | None = None,
-    suspension: bool | None = None,
-    legs: int | None = None,
     instruments: int | None = None,
     points: int | None = None,
     wrench_inputs: bool | None = None,
     motors: bool | None = None,
+    laws: Mapping[str, int] = MappingProxyType({}),
 ) -> st.SearchStrategy[Features]:
     """Which kinds of wrench and body a stand has; what is not given is drawn, and shrinks to absent."""
 
@@ -38,11 +41,10 @@ def features(
         gravity=flag(gravity),
         stream=flag(stream),
         fluid=flag(fluid),
-        suspension=flag(suspension),
-        legs=count(legs),
         points=count(points),
         wrench_inputs=flag(wrench_inputs),
         motors=flag(motors),
+        laws=st.fixed_dictionaries({law: count(laws.get(law)) for law in LAWS}),
     )
 
 
@@ -55,12 +57,11 @@ def stands(
     fluid: bool | None = None,
     gravity: bool | None = None,
     stream: bool | None = None,
-    suspension: bool | None = None,
-    legs: int | None = None,
     instruments: int | None = None,
     points: int | None = None,
     wrench_inputs: bool | None = None,
     motors: bool | None = None,
+    laws: Mapping[str, int] = MappingProxyType({}),
 ) -> Stand:
     """General stands; options left None are drawn. Every body is a cloud of point masses off its origin."""
     has = draw(
@@ -68,12 +69,11 @@ def stands(
             fluid=fluid,
             gravity=gravity,
             stream=stream,
-            suspension=suspension,
-            legs=legs,
             instruments=instruments,
             points=points,
             wrench_inputs=wrench_inputs,
             motors=motors,
+            laws=laws,
         )
     )
     flywheels = draw(st.integers(min_flywheels, max_flywheels))

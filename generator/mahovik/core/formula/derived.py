@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
+from importlib import import_module
 from typing import Any
 
 from mahovik.core.formula.cache import Cache
@@ -16,7 +17,7 @@ from mahovik.core.formula.tree import as_json, from_json
 
 
 class Derived:
-    """A module of derive/: its functions return formulas, and matrices, tuples, dicts and records of these."""
+    """A module of derive/, or the `derive` of a law: its functions return formulas, matrices and records of them."""
 
     def __init__(self, module: str) -> None:
         self._module = module
@@ -27,8 +28,9 @@ class Derived:
         return partial(_recalled, self._module, name)
 
 
-accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = map(
-    Derived, ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "sensitivity", "wrench")
+_MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "sensitivity", "wrench")
+accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = (
+    Derived(f"core.derive.{name}") for name in _MODULES
 )
 
 
@@ -78,8 +80,6 @@ def _recalled(module: str, name: str, *arguments: str | bool) -> Any:
 
 
 def _derived(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
-    from mahovik.core import derive
-    from mahovik.core.derive import accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench  # noqa: F401  read from the package
     from mahovik.core.formula.ordered import ordered
 
-    return ordered(getattr(getattr(derive, module), name)(*arguments))
+    return ordered(getattr(import_module(f"mahovik.{module}"), name)(*arguments))

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from html import escape
 
+from mahovik import laws
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 
@@ -39,7 +40,6 @@ def bodies(stand: Stand) -> str:
     ]  # fmt: skip
     gravity = math.hypot(*stand.gravity)
     parts = [f"{summary.mass:.4g} kg in all", f"gravity {gravity:.4g} m/s2"]
-    parts += ["suspension"] if stand.suspension else []
-    parts += [f"{len(stand.legs)} legs"] if stand.legs else []
+    parts += [words for law in laws.parts("text") if (words := law.short(stand))]
     parts += [f"points {', '.join(p.name for p in stand.points)}"] if stand.points else []
     return table(repr(stand).strip("<>"), head, rows, "; ".join(parts))
