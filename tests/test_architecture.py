@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import subprocess
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -43,7 +44,7 @@ STAGES = (
     ("core.motion",),
     ("core.stand",),
     ("stands",),
-    ("errors", "nearest"),
+    ("contract", "errors", "laws", "nearest"),
     ("mahovik",),
 )
 """From the top of the house down; names on one floor never import one another. `mahovik` is the package itself."""
@@ -54,19 +55,60 @@ WINGS = ("core", "proof", "use", "out")
 FRONT_DOOR = {"mahovik": {"out.api", "errors", "core.stand"}}
 """`import mahovik` offers what these have, and loads it when it is asked for: the only imports that point up."""
 
+LAW_PARTS = {
+    "__init__": (),
+    "data": ("core.stand.model",),
+    "schema": ("core.stand.fields", "core.stand.law", "core.stand.model", "core.stand.shapes", "core.stand.toml",
+               "core.stand.units"),
+    "random": ("core.stand.draw", "core.stand.model", "core.stand.state"),
+    "text": ("core.stand.model",),
+    "derive": ("core.derive.attitude", "core.derive.screw", "core.derive.symbols"),
+    "lower": ("core.formula.derived", "core.lower.fmu.member", "core.lower.fmu.units", "core.lower.law",
+              "core.lower.laws", "core.lower.library", "core.lower.symbolic", "core.program", "core.stand.model",
+              "core.stand.structure"),
+    "reference": ("core.stand.model", "core.stand.state", "errors", "proof.reference.array", "proof.reference.pose",
+                  "proof.reference.rotation", "proof.reference.screw"),
+    "rigorous": ("core.stand.model", "core.stand.state", "errors", "proof.rigorous.ball", "proof.rigorous.rotation",
+                 "proof.rigorous.screw"),
+    "second": ("core.stand.model", "core.stand.state", "errors", "proof.second.chart", "proof.second.rotation"),
+    "scale": ("core.stand.model", "core.stand.state", "proof.reference.array", "proof.reference.pose",
+              "proof.verify.scales.parts"),
+    "faults": ("core.stand.model", "core.stand.state", "proof.diagnose.law_fault", "proof.reference.array",
+               "proof.reference.pose"),
+    "plan": ("core.stand.model", "errors", "use.plan.array", "use.plan.residual.kinematics",
+             "use.plan.residual.slopes", "use.plan.residual.spatial"),
+    "mismatch": ("core.stand.model", "use.control.measurement"),
+    "report": ("core.stand.model", "out.report.stand.markup", "out.report.stand.tie"),
+}  # fmt: skip
+"""Parts of a law, and all that each may import of the package: the vocabulary of the stage that asks for it, never the
+stage itself. Every part may import the law's own `data`; `faults` its `reference` as well."""
+
 FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
+FLOOR |= {f"laws.{part}": -1 for part in LAW_PARTS}  # loaded by name, so that no stage imports one
 
 ONLY = {
-    "proof.reference": {"errors", "core.stand", "numpy"},
-    "proof.rigorous": {"errors", "core.stand", "flint"},
-    "core.lower": {"core.routines", "core.formula", "core.derive", "core.program", "core.stand", "errors", "numpy"},
+    "proof.reference": {"contract", "laws", "errors", "core.stand", "numpy"},
+    "proof.rigorous": {"contract", "laws", "errors", "core.stand", "flint"},
+    "core.lower": {
+        "contract",
+        "core.routines",
+        "core.formula",
+        "core.derive",
+        "core.program",
+        "core.stand",
+        "errors",
+        "laws",
+        "numpy",
+    },
     "core.formula": {"core.derive", "errors", "sympy"},
     "core.derive": {"errors", "sympy"},
-    "core.program": {"errors", "numpy"},
-    "core.routines": {"errors", "core.program", "mpmath", "numpy"},
+    "core.program": {"contract", "errors", "numpy"},
+    "core.routines": {"contract", "errors", "core.program", "mpmath", "numpy"},
+    "contract": set(),
     "errors": set(),
+    "laws": set(),
     "nearest": set(),
-}
+}  # fmt: skip
 """Where the house is stricter still: all that a stage may import, besides the standard library and itself."""
 
 
@@ -78,6 +120,8 @@ def name_of(path: Path) -> str:
 def stage_of(path: Path) -> str:
     """The stage a module belongs to."""
     parts = path.relative_to(PACKAGE).parts
+    if parts[0] == "laws" and len(parts) == 3:
+        return f"laws.{path.stem}"
     if parts[0] in WINGS:
         return f"{parts[0]}.{parts[1]}" if len(parts) > 2 else "mahovik"
     return "mahovik" if parts[0] == "__init__.py" else parts[0].removesuffix(".py")
@@ -109,6 +153,8 @@ def target(name: str) -> str:
     if parts[0] != "mahovik":
         return "" if parts[0] in sys.stdlib_module_names else parts[0]
     name = ".".join(parts[1:3]) if len(parts) > 2 and parts[1] in WINGS else ".".join(parts[1:2])
+    if len(parts) > 3 and parts[1] == "laws":
+        name = f"laws.{parts[3]}"
     return name if name in FLOOR else "mahovik"
 
 
@@ -151,7 +197,40 @@ def test_imports_point_down(stage: str) -> None:
         known = {stage} | FRONT_DOOR.get(stage, set())
         return [n for n in imported(path) if (t := target(n)) in FLOOR and t not in known and FLOOR[t] <= FLOOR[stage]]
 
-    assert each(of(stage), upward) == {}
+    if not stage.startswith("laws."):
+        assert each(of(stage), upward) == {}
+
+
+def vocabulary_of(path: Path) -> tuple[str, ...]:
+    """Dotted names that the part of a law may import of the package."""
+    own = f"mahovik.laws.{path.parent.name}"
+    also = (f"{own}.reference",) if path.stem == "faults" else ()
+    return (f"{own}.data", *also, *(f"mahovik.{name}" for name in LAW_PARTS[path.stem]))
+
+
+def test_parts_of_laws_import_the_vocabulary_of_their_stage_only() -> None:
+    """A law knows the words in which a stage asks, never the stage: it could not be read without it otherwise."""
+
+    def beyond(path: Path) -> list[str]:
+        ours = [n for n in imported(path) if n.startswith("mahovik.")]
+        return [n for n in ours if not any(n == v or n.startswith(f"{v}.") for v in vocabulary_of(path))]
+
+    assert each(sorted(PACKAGE.glob("laws/*/*.py")), beyond) == {}
+
+
+def test_listing_the_laws_loads_none_of_their_parts() -> None:
+    """`check` stays quick: neither SymPy nor CasADi comes with the list."""
+    code = "import sys, mahovik.laws; assert not {'sympy', 'casadi', 'numpy'} & set(sys.modules), 'loaded'"
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+
+
+def test_check_loads_no_derivation() -> None:
+    """Reading a stand file asks the laws for their schemas, which need no algebra."""
+    code = (
+        "import sys; from mahovik import stands; from mahovik.core.stand import load; load(stands.path('bench8'));"
+        "assert not {'sympy', 'casadi'} & set(sys.modules), 'loaded'"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
 
 
 @pytest.mark.parametrize("stage", ONLY)

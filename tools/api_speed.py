@@ -1,4 +1,4 @@
-"""Nanoseconds a state of `Model.forward`, beside the same batch C on arrays that lie ready: docs/python.md.
+"""Nanoseconds a state of `Model.forward`, beside the same batch C on arrays that lie ready: docs/results/python.md.
 
 python tools/api_speed.py [--print]
 """
@@ -19,7 +19,7 @@ from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.api.compiled import compiled
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "python.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "python.md"
 BEGIN, END = "<!-- speed -->", "<!-- end of speed -->"
 COUNTS = (1, 10, 100, 1000, 10_000, 100_000)
 ROUNDS = 40

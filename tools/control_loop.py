@@ -1,4 +1,4 @@
-"""What a control loop costs on an emulated Cortex-M7 and M4: writes the tables of docs/control-loop.md.
+"""What a control loop costs on an emulated Cortex-M7 and M4: writes the tables of docs/results/control-loop.md.
 
 python tools/control_loop.py [--ticks 100000]
 """
@@ -17,7 +17,7 @@ from mahovik.core.toolchain.loop import BENCH8, Counts, control_loop, read_count
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.stands import path
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "control-loop.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "control-loop.md"
 BEGIN, END = "<!-- figures: tools/control_loop.py -->", "<!-- end of figures -->"
 
 CYCLES = 2.0

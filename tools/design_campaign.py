@@ -1,4 +1,4 @@
-"""How often and how fast `mahovik design` finds few flywheels for simple motions: the table of docs/design.md.
+"""How often and how fast `mahovik design` finds few flywheels for simple motions: the table of docs/results/design.md.
 
 python tools/design_campaign.py [--seeds 10] [--first 7000] [--rows TEXT] [--write]
 
@@ -28,7 +28,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.design import Outcome, Wishes, design_stand
 from mahovik.use.design.read import read_freedom
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "design.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "design.md"
 BEGIN, END = "<!-- campaign: tools/design_campaign.py --write -->", "<!-- end of campaign -->"
 SECONDS = 60.0
 FREE = """
@@ -108,7 +108,7 @@ def main() -> None:
     options.add_argument("--seeds", type=int, default=10, help="stands a row")
     options.add_argument("--first", type=int, default=7000, help="first seed")
     options.add_argument("--rows", default="", help="those whose name holds this text")
-    options.add_argument("--write", action="store_true", help="into docs/design.md")
+    options.add_argument("--write", action="store_true", help="into docs/results/design.md")
     asked = options.parse_args()
     lines, few = [], False
     for row in ROWS:

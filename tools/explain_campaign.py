@@ -1,4 +1,4 @@
-"""Faults planted in programs of random stands, and what `judge --explain` says of them: writes docs/diagnosis.md.
+"""Plant faults in programs of random stands, ask `judge --explain` for them, write docs/results/diagnosis.md.
 
 python tools/explain_campaign.py [--stands 6] [--jobs 2] [--write]
 
@@ -27,7 +27,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
 from mahovik.proof.verify.states import Request
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "diagnosis.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "diagnosis.md"
 BEGIN, END = "<!-- campaign: tools/explain_campaign.py --write -->", "<!-- end of campaign -->"
 
 COUNTS = (2, 1, 1, 3, 4, 2, 3, 5, 2, 8)
@@ -238,7 +238,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--stands", type=int, default=6)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--write", action="store_true", help="the summary into docs/diagnosis.md as well")
+    parser.add_argument("--write", action="store_true", help="the summary into docs/results/diagnosis.md as well")
     given = parser.parse_args()
     found: list[Outcome] = []
     right: list[Outcome] = []

@@ -1,5 +1,5 @@
 """What rounding to float costs: measures every quantity of verify over random and example stands, and writes the table
-of docs/verification.md; exit status 1 where a bound is not met.
+of docs/results/verification.md; exit status 1 where a bound is not met.
 
 python tools/float_bounds.py [--stands 48] [--states 40] [--jobs 2]
 """
@@ -93,7 +93,7 @@ def main() -> None:
         for _, found in pool.map(measured, range(total), [given.states] * total):
             for key, off in found.items():
                 worst[key] = max(worst.get(key, 0.0), off)
-    page = ROOT / "docs" / "verification.md"
+    page = ROOT / "docs" / "results" / "verification.md"
     before, rest = page.read_text(encoding="utf-8").split(BEGIN)
     text = f"{before}{BEGIN}\n\n{table(worst, total, given.states)}\n\n{END}{rest.split(END)[1]}"
     page.write_text(text, encoding="utf-8")

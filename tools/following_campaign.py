@@ -1,4 +1,4 @@
-"""How well bench8 follows its programmes with mismatch: writes the tables of docs/following.md.
+"""How well bench8 follows its programmes with mismatch: writes the tables of docs/results/following.md.
 
 python tools/following_campaign.py [--seeds 10] [--mismatch 1] [--write]
 """
@@ -27,7 +27,7 @@ from mahovik.use.control.wanted import Wanted
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.wishes import Wishes
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "following.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "following.md"
 BEGIN, END = "<!-- campaign: tools/following_campaign.py --write -->", "<!-- end of campaign -->"
 
 WINDINGS = ("spin", "rock")
@@ -106,7 +106,7 @@ def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--seeds", type=int, default=10)
     options.add_argument("--mismatch", type=float, default=1.0, help="per cent")
-    options.add_argument("--write", action="store_true", help="into docs/following.md")
+    options.add_argument("--write", action="store_true", help="into docs/results/following.md")
     asked = options.parse_args()
     stand = load(path("bench8"))
     motion = load_motion(path("bench8").with_suffix(".motion.json"), stand)

@@ -1,4 +1,4 @@
-"""Fuzzes the C of the example stands, double and float: writes the table of docs/fuzzing.md.
+"""Fuzzes the C of the example stands, double and float: writes the table of docs/results/fuzzing.md.
 
 python tools/fuzz_campaign.py [--runs 10500000] [--quick] [STAND ...]
 
@@ -32,7 +32,7 @@ from mahovik.errors import CheckError
 from mahovik.stands import path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "fuzzing.md"
+PAGE = ROOT / "docs" / "results" / "fuzzing.md"
 BEGIN, END = "<!-- figures: tools/fuzz_campaign.py -->", "<!-- end of figures -->"
 
 STANDS = ("demo3", "bench8", "shaker2", "auv6", "remus6", "sat4")

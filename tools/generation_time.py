@@ -1,4 +1,4 @@
-"""How long generation, the start of commands and the C compiler take: writes the tables of docs/generation.md.
+"""How long generation, the start of commands and the C compiler take: writes the tables of docs/results/generation.md.
 
 python tools/generation_time.py [--repeat 5] [--only generation|start] [--no-page]
 
@@ -23,7 +23,7 @@ from pathlib import Path
 from mahovik.core.formula.cache import VARIABLE
 from mahovik.stands import path
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "generation.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "generation.md"
 BEGIN, END = "<!-- figures: tools/generation_time.py {} -->", "<!-- end of figures -->"
 PARTS = ("generation", "start")
 

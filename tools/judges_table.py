@@ -1,4 +1,4 @@
-"""What outside judges say of the example stands: writes docs/judges.md, and its short table into README.md.
+"""What outside judges say of the example stands: writes docs/results/judges.md, and its short table into README.md.
 
 python tools/judges_table.py [--states 200]
 """
@@ -25,7 +25,7 @@ ITS_WORDS = (*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), MOTION)
 
 NOTE = (
     "Basilisk: of stands whose flywheels are cut to what its reaction wheel can be; "
-    "[the cases where it is\nnot exact](docs/judges.md#where-its-model-is-not-exact) are shown as well.\n"
+    "[the cases where it is\nnot exact](docs/results/judges.md#where-its-model-is-not-exact) are shown as well.\n"
 )
 
 BASILISK = """
@@ -83,7 +83,7 @@ def page(reports: Sequence[Report], dry: Sequence[str], versions: Sequence[str],
         "# Outside judges\n\n"
         "Written by `python tools/judges_table.py`. The generated C against multibody programs of others, given the "
         "same stand:\nthe largest difference relative to the natural scale "
-        "([what that is](verification.md#the-natural-scale)), over "
+        "([what that is](../verification.md#the-natural-scale)), over "
         f"{states} random and extreme states a stand.\n"
         f"They know no fluid, suspension or legs; these were taken out of {', '.join(dry)}.\n"
     )
@@ -133,7 +133,7 @@ def main() -> None:
     ]
     dry = [f"`{stand.name}`" for stand in stands if missing(stand)]
     text = page(reports, dry, versions, states, of_basilisk(exact, asymmetric, simple))
-    (ROOT / "docs" / "judges.md").write_text(text, encoding="utf-8")
+    (ROOT / "docs" / "results" / "judges.md").write_text(text, encoding="utf-8")
     readme = ROOT / "README.md"
     text = with_table(readme.read_text(encoding="utf-8"), short([*reports, *exact], versions))
     readme.write_text(text, encoding="utf-8")

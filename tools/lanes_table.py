@@ -1,4 +1,4 @@
-"""What lanes are worth: instructions and time of forward and coupled, by lanes and flags, into docs/lanes.md.
+"""What lanes are worth: instructions and time of forward and coupled, by lanes and flags, into docs/results/lanes.md.
 
 python tools/lanes_table.py [--flywheels 2,8,64,1000] [--print]
 
@@ -35,7 +35,7 @@ from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "lanes.md"
+PAGE = ROOT / "docs" / "results" / "lanes.md"
 BEGIN, END = "<!-- lanes: tools/lanes_table.py -->", "<!-- end of lanes -->"
 
 FUNCTIONS = ("forward", "coupled")

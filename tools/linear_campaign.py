@@ -1,4 +1,6 @@
-"""Linear models against automatic differentiation, steady states against simulation: docs/linear.md, docs/response.md.
+"""Compare linear models with automatic differentiation and steady states with simulation.
+
+Writes docs/results/linear.md and docs/results/response.md.
 
 python tools/linear_campaign.py [--stands 200] [--first 1] [--write]
 
@@ -34,7 +36,7 @@ from mahovik.use.study.rest import rest
 
 Array = NDArray[np.float64]
 
-DOCS = Path(__file__).resolve().parents[1] / "docs"
+DOCS = Path(__file__).resolve().parents[1] / "docs" / "results"
 BEGIN, END = "<!-- campaign: tools/linear_campaign.py --write -->", "<!-- end of campaign -->"
 AGREEMENT, EQUAL = 1e-10, 1e-6
 FLYWHEELS = (0, 1, 2, 4, 8)

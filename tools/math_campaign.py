@@ -1,4 +1,4 @@
-"""Accuracy of sincos, sqrt, atan2 and wrap, compiled, against Arb: writes the tables of docs/mathematics.md.
+"""Accuracy of sincos, sqrt, atan2 and wrap, compiled, against Arb: writes the tables of docs/results/arithmetic.md.
 
 python tools/math_campaign.py [--samples 100000] [--quick]
 
@@ -36,7 +36,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import math_proof
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "mathematics.md"
+PAGE = ROOT / "docs" / "results" / "arithmetic.md"
 MEASURED = "<!-- measured: tools/math_campaign.py -->", "<!-- end of measured -->"
 PROVEN = "<!-- proven: tools/math_campaign.py -->", "<!-- end of proven -->"
 BITS = 200

@@ -1,4 +1,4 @@
-"""(13) by IPOPT on bench8 and on seeded random stands: the table of docs/planning-ocp.md.
+"""(13) by IPOPT on bench8 and on seeded random stands: the table of docs/results/optimal-control.md.
 
 python tools/ocp_campaign.py [--stands 1] [--first 8000] [--seconds 120] [--rows TEXT] [--write]
 
@@ -30,7 +30,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import Plan, Wishes, plan_motion
 from mahovik.use.plan.wishes import Method
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-ocp.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "optimal-control.md"
 BEGIN, END = "<!-- campaign: tools/ocp_campaign.py --write -->", "<!-- end of campaign -->"
 STANDS = Path(mahovik.stands.__file__).parent
 METHODS: tuple[Method, ...] = ("ocp-partition", "ocp")
@@ -80,7 +80,7 @@ def main() -> None:
     options.add_argument("--first", type=int, default=8000, help="first seed")
     options.add_argument("--seconds", type=float, default=120.0, help="cut-off of a plan")
     options.add_argument("--rows", default="", help="those whose name holds this text")
-    options.add_argument("--write", action="store_true", help="into docs/planning-ocp.md")
+    options.add_argument("--write", action="store_true", help="into docs/results/optimal-control.md")
     asked = options.parse_args()
     lines, wrong = [], []
     for case in cases(asked.first, asked.stands):

@@ -24,7 +24,7 @@ from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.stands import motions, path, servos
 from mahovik.use.control.mismatch import mismatched
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "servo.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "servo.md"
 BEGIN, END = "<!-- figures: tools/pil.py --write -->", "<!-- end of figures -->"
 STAND = "bench8"
 BOARDS = (("m7", "double"), ("m4", "float"))
@@ -97,7 +97,7 @@ def main() -> None:
     parser.add_argument("--samples", type=int, default=6000)
     parser.add_argument("--mismatch", type=float, default=0.01)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--write", action="store_true", help="into docs/servo.md")
+    parser.add_argument("--write", action="store_true", help="into docs/results/servo.md")
     given = parser.parse_args()
     results = [found(board, real, given) for board, real in BOARDS]
     text = figures(results, given)

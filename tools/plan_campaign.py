@@ -1,4 +1,4 @@
-"""How often and how fast `mahovik plan` finds programmes, on seeded random stands: the tables of docs/planning.md.
+"""How often and how fast `mahovik plan` finds programmes on seeded random stands: docs/results/planning.md.
 
 python tools/plan_campaign.py [--stands 4] [--first 5000] [--seconds 30] [--jobs 1] [--write]
 
@@ -30,7 +30,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import Wishes, plan_motion
 from mahovik.use.plan.certificate import certified, wrong_items
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "planning.md"
 BEGIN, END = "<!-- campaign: tools/plan_campaign.py --write -->", "<!-- end of campaign -->"
 OMEGA = 2.0 * np.pi / PERIOD
 
@@ -140,7 +140,7 @@ def main() -> None:
     options.add_argument("--jobs", type=int, default=1)
     options.add_argument("--rows", default="", help="those whose line holds this text")
     options.add_argument("--verify", type=int, help="stands of a row whose programmes are verified; default all")
-    options.add_argument("--write", action="store_true", help="into docs/planning.md")
+    options.add_argument("--write", action="store_true", help="into docs/results/planning.md")
     asked = options.parse_args()
     seeds = list(range(asked.first, asked.first + asked.stands))
     n = len(seeds)

@@ -1,4 +1,4 @@
-"""Plants every fault, runs the checks that must catch it, and writes docs/planted-faults.md.
+"""Plants every fault, runs the checks that must catch it, and writes docs/results/planted-faults.md.
 
 python tools/planted_faults.py [--page]
 

@@ -1,4 +1,4 @@
-"""What Frama-C Eva proves of the example stands' C: runs the delivered scripts, and writes the table of docs/proofs.md.
+"""Run the delivered Frama-C scripts of the example stands, and write docs/results/proofs.md.
 
 python tools/proofs.py [--stands demo3,...] [--quick] [--tried] [--jobs 2] [--page]
 
@@ -26,7 +26,7 @@ from mahovik.stands import names, path
 
 ROOT = Path(__file__).resolve().parents[1]
 KEPT = ROOT / "build" / "proofs"
-PAGE = ROOT / "docs" / "proofs.md"
+PAGE = ROOT / "docs" / "results" / "proofs.md"
 BEGIN, END = "<!-- proofs: tools/proofs.py -->", "<!-- end of proofs -->"
 REALS = ("double", "float")
 QUICK = {"demo3": ("any_forward", "any_torque", "normal_prepare", "any_wrap", "routine_sincos", "routine_sqrt")}

@@ -1,4 +1,4 @@
-"""How much quieter `mahovik quiet` makes sat4 and seeded random satellites: the tables of docs/quiet.md.
+"""How much quieter `mahovik quiet` makes sat4 and seeded random satellites: the tables of docs/results/quiet.md.
 
 python tools/quiet_campaign.py [--stands 6] [--first 100] [--jobs 1] [--write]
 
@@ -31,7 +31,7 @@ from mahovik.stands import path
 from mahovik.use.study.quiet import Quieted, Wish, quiet
 from mahovik.use.study.quiet.wheels import momentum_axes
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "quiet.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "quiet.md"
 BEGIN, END = "<!-- campaign: tools/quiet_campaign.py --write -->", "<!-- end of campaign -->"
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
@@ -195,7 +195,7 @@ def main() -> None:
     options.add_argument("--stands", type=int, default=6, help="stands a row")
     options.add_argument("--first", type=int, default=100, help="first seed")
     options.add_argument("--jobs", type=int, default=1)
-    options.add_argument("--write", action="store_true", help="into docs/quiet.md")
+    options.add_argument("--write", action="store_true", help="into docs/results/quiet.md")
     asked = options.parse_args()
     with ProcessPoolExecutor(asked.jobs) as pool:
         sat4 = list(pool.map(of_sat4, SAT4))

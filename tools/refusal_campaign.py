@@ -1,4 +1,4 @@
-"""Whether what preflight refuses is out of reach indeed: a search is let loose on it. The table of docs/planning.md.
+"""Search for motions that preflight refuses, and write what was found into docs/results/planning.md.
 
 python tools/refusal_campaign.py [--stands 4] [--first 8000] [--seconds 5] [--jobs 1] [--write]
 
@@ -32,7 +32,7 @@ from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.search import search
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "planning.md"
 BEGIN, END = "<!-- refusals: tools/refusal_campaign.py --write -->", "<!-- end of refusals -->"
 COUNTS = (6, 8, 12)
 ROUNDS = 3
@@ -98,7 +98,7 @@ def main() -> None:
     options.add_argument("--first", type=int, default=8000, help="first seed")
     options.add_argument("--seconds", type=float, default=5.0, help="cut-off of a search")
     options.add_argument("--jobs", type=int, default=1)
-    options.add_argument("--write", action="store_true", help="into docs/planning.md")
+    options.add_argument("--write", action="store_true", help="into docs/results/planning.md")
     asked = options.parse_args()
     seeds = range(asked.first, asked.first + asked.stands)
     lines, false = [], 0

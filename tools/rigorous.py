@@ -1,4 +1,4 @@
-"""The true error of the C of the example stands and of random ones, by enclosures: writes docs/rounding.md.
+"""The true error of the C of the example stands and of random ones, by enclosures: writes docs/results/rounding.md.
 
 python tools/rigorous.py [--states 200] [--random 12] [--random-states 24] [--jobs 2]
 """
@@ -22,7 +22,7 @@ from mahovik.proof.verify.rounding.measure import measure_rounding
 from mahovik.proof.verify.rounding.report import ulp_text
 from mahovik.stands import names, path
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "rounding.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "rounding.md"
 SHORT = ("forward", "coupled", "torque")
 HEAD = ("want", "quantity", "ulp", "function alone", "judges", "of scale", "judges of scale", "accepted", "relative")
 RANDOM = "random"
@@ -33,7 +33,7 @@ Written by `python tools/rigorous.py` (`make rigorous`). How far is the C from t
 programs in the same arithmetic does not say: both round. Here (1)-(9) are evaluated literally in ball arithmetic (Arb,
 by python-flint): each number is a midpoint and a radius, each operation gives a ball that holds the exact result, and
 the precision, 256 bits at first, is doubled until no ball adds more than 2^-16 ulp. So every error below is an upper
-bound, proved for its states; the states are samples ([which](verification.md#states)).
+bound, proved for its states; the states are samples ([which](../verification.md#states)).
 
 ```sh
 mahovik new demo3
@@ -49,7 +49,7 @@ status is 1 where an error is above the tolerance of `verify`{limit}.
   (for `float` those of a state are rounded to float first); all that follows is exact: mountings, inertias, attitude,
   sums, the solution. So the rounding of `prepare`, and for `float` that of the parameters, are errors of the C. It is
   the worst component of all states, in units in the last place of its
-  [natural scale](verification.md#the-natural-scale), the same that `verify` uses. (What comes before is not in it:
+  [natural scale](../verification.md#the-natural-scale), the same that `verify` uses. (What comes before is not in it:
   units are converted exactly and rounded once, an unbalance by angles is turned into a centre of mass.)
 * **function alone**: what the function itself rounds. Exact is then the program of the stand in ball arithmetic, with
   exact sine, cosine and square root, on the C's own prepared table and the quaternion that the C was given.

@@ -1,4 +1,4 @@
-"""How often and how fast run-ups and run-downs are found, on seeded random stands: the table of docs/planning-runup.md.
+"""How often and how fast run-ups and run-downs are found, on seeded random stands: the table of docs/results/run-up.md.
 
 python tools/runup_campaign.py [--stands 10] [--first 7000] [--verify 1] [--rows TEXT] [--write]
 
@@ -29,7 +29,7 @@ from mahovik.use.plan import Wishes, plan_motion
 from mahovik.use.plan.certificate import certified, wrong_items
 from mahovik.use.plan.runup import shortcomings, with_runup
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-runup.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "run-up.md"
 BEGIN, END = "<!-- campaign: tools/runup_campaign.py --write -->", "<!-- end of campaign -->"
 KEYS = ("runup", "rundown")
 
@@ -125,7 +125,7 @@ def main() -> None:
     options.add_argument("--first", type=int, default=7000, help="first seed")
     options.add_argument("--verify", type=int, default=1, help="stands of a row whose tables are verified")
     options.add_argument("--rows", default="", help="those whose line holds this text")
-    options.add_argument("--write", action="store_true", help="into docs/planning-runup.md")
+    options.add_argument("--write", action="store_true", help="into docs/results/run-up.md")
     asked = options.parse_args()
     lines, wrong = [], []
     for row in ROWS:

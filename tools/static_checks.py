@@ -1,4 +1,4 @@
-"""Static checks of the example stands' C: compilers, analyser, cppcheck; writes the table of docs/misra.md.
+"""Static checks of the example stands' C: compilers, analyser, cppcheck. Writes docs/results/static-checks.md.
 
 python tools/static_checks.py [--stands bench8,...] [--page]
 
@@ -28,7 +28,7 @@ from mahovik.core.toolchain.static_checks import (
 from mahovik.stands import names, path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "misra.md"
+PAGE = ROOT / "docs" / "results" / "static-checks.md"
 BEGIN, END = "<!-- misra: tools/static_checks.py -->", "<!-- end of misra -->"
 REALS = ("double", "float")
 
@@ -75,7 +75,7 @@ def main() -> int:
     """Runs what is asked."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--stands", default=",".join(names()))
-    parser.add_argument("--page", action="store_true", help="write docs/misra.md")
+    parser.add_argument("--page", action="store_true", help="write docs/results/static-checks.md")
     given = parser.parse_args()
     stands = given.stands.split(",")
     counts: dict[tuple[str, str], Counter[str]] = {}

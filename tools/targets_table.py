@@ -1,4 +1,4 @@
-"""The same bits on every target: writes the tables of docs/targets.md, and a short one into README.md.
+"""The same bits on every target: writes the tables of docs/results/targets.md, and a short one into README.md.
 
 python tools/targets_table.py [--states 20]
 """
@@ -68,7 +68,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--states", type=int, default=SWEEP)
     report = verify_targets(load(path(STAND)), asked("all"), parser.parse_args().states)
-    for page, text in ((ROOT / "README.md", short(report)), (ROOT / "docs" / "targets.md", full(report))):
+    for page, text in ((ROOT / "README.md", short(report)), (ROOT / "docs" / "results" / "targets.md", full(report))):
         page.write_text(between_markers(page.read_text(encoding="utf-8"), text), encoding="utf-8")
     print(report.conclusion)
     raise SystemExit(0 if report.passed else 1)

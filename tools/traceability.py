@@ -1,4 +1,4 @@
-"""Mutants of every program function and what notices them; docs/traceability.md, equation by equation.
+"""Mutants of every program function and what notices them; docs/results/traceability.md, equation by equation.
 
 python tools/traceability.py [--jobs 2] [--functions forward,step] | --page
 

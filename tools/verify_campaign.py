@@ -2,7 +2,7 @@
 
 python tools/verify_campaign.py [--stands 50] [--states 60] [--jobs 2] [--write]
 
-With --write the summary goes into docs/verification.md as well.
+With --write the summary goes into docs/results/verification.md as well.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.campaign import random_stands, verify_random
 from mahovik.proof.verify.report import conclusion, worst_lines
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "verification.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "results" / "verification.md"
 BEGIN, END = "<!-- campaign: tools/verify_campaign.py --write -->", "<!-- end of campaign -->"
 HEAD = ("flywheels", "stands", "passed", "C - reference", "second - reference", "C - second")
 
@@ -75,7 +75,7 @@ def main() -> None:
     parser.add_argument("--stands", type=int, default=50)
     parser.add_argument("--states", type=int, default=60)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--write", action="store_true", help="the summary into docs/verification.md as well")
+    parser.add_argument("--write", action="store_true", help="the summary into docs/results/verification.md as well")
     given = parser.parse_args()
     verdicts = []
     with ProcessPoolExecutor(given.jobs) as pool:

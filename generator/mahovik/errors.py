@@ -59,7 +59,7 @@ class StateError(MahovikError):
 
 
 class RefusedError(StateError):
-    """Of the states of a call the C refused some.
+    """The C refused some states of a call.
 
     function  that was called
     index     of the first refused state
@@ -93,7 +93,7 @@ class NoCompilerError(ToolchainError):
 
 
 class CheckError(MahovikError):
-    """What was asked to be checked is not so."""
+    """A check failed."""
 
     exit_status = 1
 

@@ -1,14 +1,14 @@
-"""A name that is not known: the known one that was meant, or all that there are."""
+"""Suggestions for an unknown name: the most similar known name, or a list of the known ones."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 ALIKE = 0.4
-"""Of 1: below this no name is meant, and all are told."""
+"""Minimum similarity (0 to 1) for a suggestion; below it the known names are listed."""
 
 LISTED = 24
-"""Names that are told; after them dots."""
+"""Most names in that list; dots stand for the rest."""
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
@@ -17,7 +17,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
 
 
 def alike(name: object, known: Iterable[str]) -> str | None:
-    """The known name that may be meant; None where nothing is alike."""
+    """The known name that may be meant; None if none is similar."""
     names = list(known)
     if isinstance(name, str) and name and names:
         best = nearest(name, names)
@@ -27,9 +27,9 @@ def alike(name: object, known: Iterable[str]) -> str | None:
 
 
 def meant(name: object, known: Iterable[str], none: str = "there is none") -> str:
-    """How a message about an unknown name ends.
+    """End of a message about an unknown name.
 
-    `, did you mean "mass"?`; where nothing is alike `, expected one of mass, inertia`; where nothing is known `none`.
+    `, did you mean "mass"?`; `, expected one of mass, inertia` if none is similar; `none` if no name is known.
     """
     names = list(known)
     if not names:

@@ -1,4 +1,4 @@
-"""docs/verification.md holds what tools/verify_campaign.py --write says."""
+"""docs/results/verification.md holds what tools/verify_campaign.py --write says."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from docs.pages import ROOT, cells, tool
 
 
 def test_the_campaign_on_the_page() -> None:
-    written, page = tool("verify_campaign"), (ROOT / "docs" / "verification.md").read_text(encoding="utf-8")
+    written, page = tool("verify_campaign"), (ROOT / "docs" / "results" / "verification.md").read_text(encoding="utf-8")
     text = page.partition(written.BEGIN)[2].partition(written.END)[0].strip()
     assert text.startswith("50 of 50 stands passed, 60 states each; accepted is 1e-12. ")
     head, _, *rows = [cells(line) for line in text.splitlines() if line.startswith("|")]

@@ -1,10 +1,10 @@
-"""docs/control-loop.md holds the tables that tools/control_loop.py writes; its estimates follow from its counts."""
+"""docs/results/control-loop.md: the tables of tools/control_loop.py; its estimates follow from its counts."""
 
 from __future__ import annotations
 
 from docs.pages import ROOT, rows, tool
 
-PAGE = ROOT / "docs" / "control-loop.md"
+PAGE = ROOT / "docs" / "results" / "control-loop.md"
 
 
 def test_estimates_follow_from_counts() -> None:

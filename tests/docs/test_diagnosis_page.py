@@ -1,4 +1,4 @@
-"""docs/diagnosis.md holds what tools/explain_campaign.py --write says, fault by fault."""
+"""docs/results/diagnosis.md holds what tools/explain_campaign.py --write says, fault by fault."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from docs.pages import ROOT, cells
 from mahovik.proof.diagnose.faults import DICTIONARY
 
-PAGE = ROOT / "docs" / "diagnosis.md"
+PAGE = ROOT / "docs" / "results" / "diagnosis.md"
 
 
 @pytest.fixture(name="written")

@@ -1,4 +1,4 @@
-"""README and docs/judges.md hold the tables that tools/judges_table.py writes; their numbers are the judges'."""
+"""README and docs/results/judges.md hold the tables of tools/judges_table.py; their numbers are the judges'."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_the_table_of_the_readme() -> None:
 
 
 def test_the_page() -> None:
-    written, page = tool("judges_table"), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
+    written, page = tool("judges_table"), (ROOT / "docs" / "results" / "judges.md").read_text(encoding="utf-8")
     for judge, part in zip(JUDGES, page.split("\n## ")[1:-1], strict=True):
         assert part.startswith(judge)
         head, _, *rows = lines_of(part)
@@ -44,7 +44,7 @@ def test_the_page() -> None:
 
 
 def test_basilisk_where_it_is_exact_and_where_not() -> None:
-    written, page = tool("judges_table"), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
+    written, page = tool("judges_table"), (ROOT / "docs" / "results" / "judges.md").read_text(encoding="utf-8")
     part = page.split("\n## ")[-1]
     assert part.startswith("basilisk")
     exact, _, off = part.partition("### Where its model is not exact")

@@ -1,4 +1,4 @@
-"""docs/linear.md and docs/response.md hold what tools/linear_campaign.py --write says; their numbers are the code's."""
+"""docs/results/linear.md and response.md hold what tools/linear_campaign.py writes; their numbers are the code's."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mahovik.use.study.response.speeds import EXACT, MOST_TURNS
 
 def rows(name: str) -> tuple[str, list[list[str]]]:
     """What the tool wrote on a page, and the rows of its table."""
-    written, page = tool("linear_campaign"), (ROOT / "docs" / name).read_text(encoding="utf-8")
+    written, page = tool("linear_campaign"), (ROOT / "docs" / "results" / name).read_text(encoding="utf-8")
     text = page.partition(written.BEGIN)[2].partition(written.END)[0].strip()
     assert written.with_text(page, text) == page
     return text, [cells(line) for line in text.splitlines() if line.startswith("|")][2:]

@@ -21,7 +21,7 @@ def report() -> TargetsReport:
     return TargetsReport("bench8", "0", "1", 20, tuple(rows))
 
 
-@pytest.mark.parametrize(("page", "form"), [("README.md", "short"), ("docs/targets.md", "full")])
+@pytest.mark.parametrize(("page", "form"), [("README.md", "short"), ("docs/results/targets.md", "full")])
 def test_the_tables_name_every_target_and_compiler(page: str, form: str) -> None:
     """Same rows and columns as the tool writes, versions aside; every pair equal, and twelve at least."""
     written, text = tool("targets_table"), (ROOT / page).read_text(encoding="utf-8")

@@ -6,6 +6,7 @@ Kept away from what C leaves undefined: ints stay small, divisors of ints are no
 import math
 
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert as Converted
 from mahovik.core.program.expression import (
     Not,
@@ -20,7 +21,7 @@ from mahovik.core.program.expression import (
     select,
     word,
 )
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind
 
 REALS, WORDS, INTS = 5, 3, 3

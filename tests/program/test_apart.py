@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from mahovik.core.program.apart import apart
 from mahovik.core.program.build import Body
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 
 PAIR = Struct("pair", "Two vectors.", (Field("a", Kind.REAL, (3,)), Field("b", Kind.REAL, (3,))))

@@ -53,8 +53,9 @@ def kinked():
 def widened(narrow, varying, precision=DOUBLE):
     """Program of the wide form of the last of some functions, and its lanes."""
     wide = Wide(precision)
-    widener = Widener(wide)
-    made = widener.function(Inliner(without_returns(tuple(narrow)), RESERVED)[narrow[-1].name], varying)
+    inliner = Inliner(without_returns(tuple(narrow)), RESERVED)
+    widener = Widener(wide, inliner.__getitem__)
+    made = widener.function(inliner[narrow[-1].name], varying)
     found = program(*widener.functions, precision=precision)
     validate(found)
     return found, made, wide.lanes

@@ -17,7 +17,8 @@ from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.batch import ALIKE, BATCHED
 from mahovik.core.program.arrays import ArrayFunction, Member, Order, Passed, member, members, record
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

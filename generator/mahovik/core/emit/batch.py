@@ -15,8 +15,9 @@ from mahovik.core.emit.statement import Statements, dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.batch import Batch, Batches, batches
 from mahovik.core.program.apart import apart
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import BitCast
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Declare, Loop, Statement, When
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.walk import expressions

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from mahovik.core.emit.layout import hanging, paragraph, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
+from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Struct
 
 
@@ -51,7 +54,7 @@ def _argument(a: Argument, names: Names, apart: bool) -> str:
     return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
 
 
-def contract(function: Function, names: Names) -> list[str]:
+def contract(function: Function, names: Names, program: Program) -> list[str]:
     """The comment above a public prototype: purpose, equation, arguments, statuses, cost."""
     lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
     width = max((len(_shaped(a)) for a in function.arguments), default=0)
@@ -70,9 +73,14 @@ def contract(function: Function, names: Names) -> list[str]:
         if any(a.direction != "in" for a in function.arguments):
             text += " Nothing is written when the status is negative."
         lines += paragraph(text, " * ", " * ")
-    lines += paragraph(counted(function), " * ", " * ")
+    lines += paragraph(counted(function, program), " * ", " * ")
     lines[-1] += " */"
     return lines
+
+
+def declared(functions: Iterable[Function], program: Program, names: Names) -> list[dict[str, object]]:
+    """Contract and prototype of each function, as the templates of headers take them."""
+    return [{"comment": contract(f, names, program), "prototype": prototype(f, names)} for f in functions]
 
 
 def null_check(function: Function, names: Names) -> list[str]:
@@ -108,9 +116,9 @@ def titled(function: Function) -> str:
     return purpose if purpose.endswith("?") else f"{purpose}."
 
 
-def counted(function: Function) -> str:
+def counted(function: Function, program: Program) -> str:
     """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
-    found = cost(function)
+    found = cost(function, program.functions)
     if not found.total:
         return "No operation on reals."
     divisions = {0: "no division", 1: "1 of them a division"}.get(

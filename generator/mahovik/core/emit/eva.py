@@ -14,7 +14,8 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
-from mahovik.core.program.function import Argument, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import Identities
 

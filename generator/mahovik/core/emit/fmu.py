@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik import __version__
-from mahovik.core.emit.declaration import contract, null_check, prototype, summary
+from mahovik.core.emit.declaration import declared, null_check, prototype, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
@@ -109,8 +109,7 @@ class _Printer:
         statements = Statements(self._names, Expressions(self._names, program.precision))
         if name.endswith(".h.j2"):
             public = [f for f in program.functions if f.public]
-            functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
-            return template(name).render(**self._known, functions=functions)
+            return template(name).render(**self._known, functions=declared(public, program, self._names))
 
         def printed(f: Function) -> dict[str, Any]:
             body = [*(null_check(f, self._names) if f.returns else []), *statements.block(f.body, "    ")]

@@ -19,7 +19,8 @@ from mahovik.core.emit.templates import template
 from mahovik.core.lower import drawn
 from mahovik.core.lower.drawn import Input, Rule
 from mahovik.core.lower.limits import BOUND_OF, limits
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import STATUS_VALUES, Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import Identities
 

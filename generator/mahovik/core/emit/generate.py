@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import paragraph, wrapped
 from mahovik.core.emit.literal import real_literal
@@ -42,7 +42,7 @@ LANES = (1, 2, 4, 8)
 
 
 def host_lanes(flywheels: int) -> int:
-    """The number of lanes that suits a desk's processor: docs/lanes.md measures it. Firmware has 1."""
+    """The number of lanes that suits a desk's processor: docs/results/lanes.md measures it. Firmware has 1."""
     return 1 if flywheels < 2 else 2 if flywheels <= 4 else 4
 
 
@@ -99,7 +99,7 @@ class _Printer:
     def header(self) -> str:
         """The header: the manual of the generated code."""
         public = [f for f in self._program.functions if f.public]
-        functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
+        functions = declared(public, self._program, self._names)
         structs = [struct_lines(s, self._names) for s in self._program.structs if not internal(self._layout, s)]
         return template("stand.h.j2").render(
             **self._common(),

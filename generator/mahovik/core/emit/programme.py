@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import paragraph, wrapped
@@ -90,9 +90,7 @@ class _Printer:
                 for c in self._made.courses
             ],
             clock=struct_lines(CLOCK, self._names),
-            functions=[
-                {"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in self._made.public
-            ],
+            functions=declared(self._made.public, self._made.program, self._names),
         )
 
     def source(self) -> str:

@@ -16,7 +16,8 @@ from mahovik.core.emit.templates import template
 from mahovik.core.lower import drawn
 from mahovik.core.lower.drawn import Input, Rule
 from mahovik.core.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.stand.identity import Identities
 

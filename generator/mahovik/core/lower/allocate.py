@@ -15,8 +15,9 @@ from __future__ import annotations
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, both, equal, integer, magnitude, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 

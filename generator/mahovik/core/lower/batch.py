@@ -45,7 +45,7 @@ def batches(program: Program) -> Batches:
     entries = [f for f in program.functions if f.name in BATCHED]
     needed = reachable(tuple(replace(f, public=f in entries) for f in program.functions))
     inliner = Inliner(without_returns(tuple(program.function(f.name) for f in needed)), RESERVED)
-    widener = Widener(Wide(program.precision))
+    widener = Widener(Wide(program.precision), inliner.__getitem__)
     found = []
     for each in (False, True):
         for narrow in sorted(entries, key=lambda f: BATCHED.index(f.name)):

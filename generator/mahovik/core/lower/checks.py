@@ -5,8 +5,9 @@ from __future__ import annotations
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, bits_of, both, real, unequal, word
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 

@@ -18,8 +18,9 @@ from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, Status, both, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 

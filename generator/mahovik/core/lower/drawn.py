@@ -12,7 +12,8 @@ from enum import Enum
 from math import prod
 from typing import Any
 
-from mahovik.core.program.function import Argument, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
 
 SEED = 0x6D61686F

@@ -22,8 +22,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.schur import start_schur
 from mahovik.core.lower.wrenches import own_wrenches
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status, equal, integer, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 

@@ -11,8 +11,9 @@ from mahovik.core.lower.flywheels import AT_NOTES, Turns, named_turns, places_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")

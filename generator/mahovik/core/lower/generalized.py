@@ -13,8 +13,9 @@ from mahovik.core.lower.limits import SINGULAR_BELOW
 from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, magnitude, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 _NAMES = ("psi", "theta", "phi")

@@ -11,8 +11,9 @@ from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, either, integer, real, select
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function
+from mahovik.core.program.function import STATUS_VALUES, Function
 from mahovik.core.program.types import Kind
 
 _POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT")

@@ -21,8 +21,9 @@ from mahovik.core.lower.sensitivity import set_weights
 from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, equal, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 

@@ -11,8 +11,9 @@ from contextlib import contextmanager
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 
 

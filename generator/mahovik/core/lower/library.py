@@ -6,8 +6,9 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import Limit, limits
 from mahovik.core.lower.thresholds import Thresholds, thresholds
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Operand, Place, Status, unequal
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.prune import pruned
 from mahovik.core.program.types import Kind
 

@@ -17,8 +17,9 @@ from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, Status, both, either, magnitude, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 
 

@@ -12,8 +12,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, Status, as_expr, both, either, equal, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 

@@ -11,8 +11,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.limits import SINGULAR_BELOW
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Status, magnitude
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 _NAMES = ("psi", "theta", "phi")

@@ -15,7 +15,8 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.thresholds import thresholds
 from mahovik.core.program.build import Body
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import STATUS_VALUES, Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Kind
 from mahovik.core.stand.model import Body as StandBody

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from mahovik.core.program.expression import Call, Const, Expr, Place
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.expression import Const, Expr, Place
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.walk import expressions
 
 
@@ -20,7 +21,7 @@ def apart(program: Program) -> frozenset[tuple[str, str]]:
     for caller in reversed(program.functions):  # each comes after all that call it
         for call in _calls(caller):
             for result in _overlapping(caller, call, found):
-                found.discard((call.function.name, result))
+                found.discard((call.signature.name, result))
     return frozenset(found)
 
 
@@ -30,7 +31,7 @@ def _calls(function: Function) -> Iterator[Call]:
 
 def _overlapping(caller: Function, call: Call, found: set[tuple[str, str]]) -> Iterator[str]:
     """Results of a call that may overlap another of its arguments."""
-    passed = list(zip(call.function.arguments, call.arguments, strict=True))
+    passed = list(zip(call.signature.arguments, call.arguments, strict=True))
     for parameter, value in passed:
         if parameter.direction == "in" or not isinstance(value, Place):
             continue

@@ -8,12 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
-
-if TYPE_CHECKING:
-    from mahovik.core.program.function import Function
 
 Number: TypeAlias = int | float | Fraction
 Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
@@ -281,18 +278,6 @@ class BitCast(Expr):
             raise TypeError("bits are cast between real and word")
         self.operand = operand
         self.kind = kind
-
-
-class Call(Expr):
-    """A call of a function that returns a real or a status. Array and struct arguments are whole places."""
-
-    __slots__ = ("arguments", "function")
-
-    def __init__(self, function: Function, arguments: tuple[Expr, ...]) -> None:
-        self.function = function
-        self.arguments = arguments
-        if function.returns is not None:
-            self.kind = function.returns
 
 
 def as_expr(value: Operand, kind: Kind) -> Expr:

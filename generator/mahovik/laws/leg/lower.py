@@ -13,8 +13,9 @@ from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import Structure

@@ -50,5 +50,6 @@ def spin_axes(axis: Array, zero: Array) -> Array:
     """Axes (3x3, columns) of a flywheel: the first along `axis`, the second the part of `zero` across it."""
     first = axis / np.linalg.norm(axis)
     second = zero - (zero @ first) * first
+    second = second - (second @ first) * first  # once more: what rounding left along the axis of a nearly parallel zero
     second = second / np.linalg.norm(second)
     return np.column_stack([first, second, np.cross(first, second)])

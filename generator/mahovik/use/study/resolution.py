@@ -34,8 +34,8 @@ UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
 
 FACTOR = 32.0
-"""Units of rounding in a result, at most: what tools/float_bounds.py measures (docs/verification.md), rounded up. Most
-are below 8; the largest are of flywheels whose mounting axes, nearly along one another, lose digits."""
+"""Units of rounding in a result, at most: what tools/float_bounds.py measures (docs/results/verification.md), rounded
+up. Most are below 8; the largest are of flywheels whose mounting axes, nearly along one another, lose digits."""
 
 PART = 0.5
 """Of an effect: what rounding at its worst may be, so that the effect is still to be seen."""

@@ -11,8 +11,9 @@ from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, Status, both, integer, real, unequal
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
     Expr,
@@ -22,7 +23,7 @@ from mahovik.core.program.expression import (
     select,
     word,
 )
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 
 MOST = 2**31 - 1

@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
     Expr,
@@ -25,7 +26,6 @@ from mahovik.core.program.expression import (
     select,
     word,
 )
-from mahovik.core.program.function import Argument
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 

@@ -11,8 +11,9 @@ from __future__ import annotations
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Operand, Status, either, integer, real, select, unequal
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 REACHED = 3.0

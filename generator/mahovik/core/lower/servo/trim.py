@@ -13,6 +13,7 @@ from mahovik.core.lower.programme.clock import MOST
 from mahovik.core.lower.programme.place import check_phase
 from mahovik.core.lower.servo.form import ServoForm, TrimForm
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
     Not,
@@ -26,7 +27,7 @@ from mahovik.core.program.expression import (
     select,
     unequal,
 )
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 

@@ -72,15 +72,22 @@ def modes(model: LinearModel) -> Modes:
     limit = max(FREE * float(np.abs(values).max(initial=0.0)), SLOWEST)
     zero = np.abs(values) <= limit
     found = [_free(column) for column in _still(model.A, places)]
-    order = np.argsort(np.abs(values), kind="stable")
     rounding = FREE * np.abs(values)
     found += [
         _mode(complex(values[i]), vectors[places, i], bool(abs(values[i].imag) > rounding[i]))
-        for i in order
+        for i in _by_size(values)
         if not zero[i] and values[i].imag > -rounding[i]
     ]
     coordinates = tuple(model.states[i] for i in places)
     return Modes(coordinates, tuple(found), int(zero.sum()))
+
+
+def _by_size(values: NDArray[np.complex128]) -> list[int]:
+    """Indices of eigenvalues by magnitude; of magnitudes that only rounding tells apart, the growing one first."""
+    order = np.argsort(np.abs(values), kind="stable")
+    sizes = np.abs(values)[order]
+    group = np.concatenate([[0], np.cumsum(np.diff(sizes) > FREE * sizes[1:])]).astype(int)
+    return [int(order[i]) for i in np.lexsort((-values[order].real, group))]
 
 
 def _mode(value: complex, shape: NDArray[np.complex128], turning: bool) -> Mode:
