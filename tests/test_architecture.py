@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import ast
 import re
-import subprocess
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -52,39 +51,8 @@ STAGES = (
 WINGS = ("core", "proof", "use", "out")
 """Folders of stages, each with one purpose; what it is stands in its `__init__`."""
 
-FRONT_DOOR = {"mahovik": {"out.api", "errors", "core.stand"}}
-"""`import mahovik` offers what these have, and loads it when it is asked for: the only imports that point up."""
-
-LAW_PARTS = {
-    "__init__": (),
-    "data": ("core.stand.model",),
-    "schema": ("core.stand.fields", "core.stand.law", "core.stand.model", "core.stand.shapes", "core.stand.toml",
-               "core.stand.units"),
-    "random": ("core.stand.draw", "core.stand.model", "core.stand.state"),
-    "text": ("core.stand.model",),
-    "derive": ("core.derive.attitude", "core.derive.screw", "core.derive.symbols"),
-    "lower": ("core.formula.derived", "core.lower.fmu.member", "core.lower.fmu.units", "core.lower.law",
-              "core.lower.laws", "core.lower.library", "core.lower.symbolic", "core.program", "core.stand.model",
-              "core.stand.structure"),
-    "reference": ("core.stand.model", "core.stand.state", "errors", "proof.reference.array", "proof.reference.pose",
-                  "proof.reference.rotation", "proof.reference.screw"),
-    "rigorous": ("core.stand.model", "core.stand.state", "errors", "proof.rigorous.ball", "proof.rigorous.rotation",
-                 "proof.rigorous.screw"),
-    "second": ("core.stand.model", "core.stand.state", "errors", "proof.second.chart", "proof.second.rotation"),
-    "scale": ("core.stand.model", "core.stand.state", "proof.reference.array", "proof.reference.pose",
-              "proof.verify.scales.parts"),
-    "faults": ("core.stand.model", "core.stand.state", "proof.diagnose.law_fault", "proof.reference.array",
-               "proof.reference.pose"),
-    "plan": ("core.stand.model", "errors", "use.plan.array", "use.plan.residual.kinematics",
-             "use.plan.residual.slopes", "use.plan.residual.spatial"),
-    "mismatch": ("core.stand.model", "use.control.measurement"),
-    "report": ("core.stand.model", "out.report.stand.markup", "out.report.stand.tie"),
-}  # fmt: skip
-"""Parts of a law, and all that each may import of the package: the vocabulary of the stage that asks for it, never the
-stage itself. Every part may import the law's own `data`; `faults` its `reference` as well."""
-
 FLOOR = {name: floor for floor, names in enumerate(STAGES) for name in names}
-FLOOR |= {f"laws.{part}": -1 for part in LAW_PARTS}  # loaded by name, so that no stage imports one
+FLOOR |= {f"laws.{path.stem}": -1 for path in PACKAGE.glob("laws/*/*.py")}  # test_laws says what each may import
 
 ONLY = {
     "proof.reference": {"contract", "laws", "errors", "core.stand", "numpy"},
@@ -194,43 +162,64 @@ def test_imports_point_down(stage: str) -> None:
     """A stage imports lower stages only; those of one floor never one another."""
 
     def upward(path: Path) -> list[str]:
-        known = {stage} | FRONT_DOOR.get(stage, set())
-        return [n for n in imported(path) if (t := target(n)) in FLOOR and t not in known and FLOOR[t] <= FLOOR[stage]]
+        return [n for n in imported(path) if (t := target(n)) in FLOOR and t != stage and FLOOR[t] <= FLOOR[stage]]
 
     if not stage.startswith("laws."):
         assert each(of(stage), upward) == {}
 
 
-def vocabulary_of(path: Path) -> tuple[str, ...]:
-    """Dotted names that the part of a law may import of the package."""
-    own = f"mahovik.laws.{path.parent.name}"
-    also = (f"{own}.reference",) if path.stem == "faults" else ()
-    return (f"{own}.data", *also, *(f"mahovik.{name}" for name in LAW_PARTS[path.stem]))
+def module_name(path: Path) -> str:
+    """Dotted name of a module; that of a package is its folder's."""
+    return ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts).removesuffix(".__init__")
 
 
-def test_parts_of_laws_import_the_vocabulary_of_their_stage_only() -> None:
-    """A law knows the words in which a stage asks, never the stage: it could not be read without it otherwise."""
+def imports_between(modules: Mapping[str, Iterable[str]]) -> dict[str, set[str]]:
+    """Which of the modules each of them imports, from the dotted names that it imports."""
 
-    def beyond(path: Path) -> list[str]:
-        ours = [n for n in imported(path) if n.startswith("mahovik.")]
-        return [n for n in ours if not any(n == v or n.startswith(f"{v}.") for v in vocabulary_of(path))]
+    def module_of(name: str) -> str:
+        while name and name not in modules:
+            name = name.rpartition(".")[0]
+        return name
 
-    assert each(sorted(PACKAGE.glob("laws/*/*.py")), beyond) == {}
-
-
-def test_listing_the_laws_loads_none_of_their_parts() -> None:
-    """`check` stays quick: neither SymPy nor CasADi comes with the list."""
-    code = "import sys, mahovik.laws; assert not {'sympy', 'casadi', 'numpy'} & set(sys.modules), 'loaded'"
-    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+    return {module: {module_of(name) for name in names} - {"", module} for module, names in modules.items()}
 
 
-def test_check_loads_no_derivation() -> None:
-    """Reading a stand file asks the laws for their schemas, which need no algebra."""
-    code = (
-        "import sys; from mahovik import stands; from mahovik.core.stand import load; load(stands.path('bench8'));"
-        "assert not {'sympy', 'casadi'} & set(sys.modules), 'loaded'"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+def circle(graph: Mapping[str, set[str]]) -> list[str]:
+    """A circle of imports, the module where it closes first and last; empty if there is none."""
+    done: set[str] = set()
+
+    def search(route: list[str]) -> list[str]:
+        for module in sorted(graph[route[-1]] - done):
+            if module in route:
+                return [*route[route.index(module) :], module]
+            if found := search([*route, module]):
+                return found
+        done.add(route[-1])
+        return []
+
+    return next((found for module in graph if module not in done and (found := search([module]))), [])
+
+
+def test_no_circles_of_imports() -> None:
+    """No module imports itself through others; imports in functions and for types alone count."""
+    assert circle(imports_between({module_name(path): list(imported(path)) for path in MODULES})) == []
+
+
+def test_a_circle_of_imports_is_found(tmp_path: Path) -> None:
+    """One that closes through a name of a package, an import for types and an import in a function."""
+    texts = {
+        "mahovik.a": "from mahovik.b import value",
+        "mahovik.b": "if TYPE_CHECKING:\n    from mahovik.c.d import Thing",
+        "mahovik.c": "from mahovik.c.d import Thing",
+        "mahovik.c.d": "def f():\n    import mahovik.a",
+    }
+    graph = {}
+    for name, text in texts.items():
+        path = tmp_path / f"{name}.py"
+        path.write_text(text, encoding="utf-8")
+        graph[name] = list(imported(path))
+    assert circle(imports_between(graph)) == ["mahovik.a", "mahovik.b", "mahovik.c.d", "mahovik.a"]
+    assert circle(imports_between(graph | {"mahovik.c.d": []})) == []
 
 
 @pytest.mark.parametrize("stage", ONLY)

@@ -1,6 +1,8 @@
 """The public interface: as recorded, loaded when asked for, typed, and as its page says."""
 
+import ast
 import doctest
+import importlib
 import inspect
 import subprocess
 import sys
@@ -67,6 +69,16 @@ def test_every_name_can_be_had():
     assert set(mahovik.__all__) <= scope.keys()
     with pytest.raises(AttributeError, match="no attribute 'bild'"):
         _ = mahovik.bild
+
+
+def test_type_checkers_know_the_same_names():
+    """`__init__.pyi` names each public object, in the module where it is found."""
+    stub = ast.parse(Path(mahovik.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
+    known = {"__version__": mahovik.__version__}
+    for node in ast.walk(stub):
+        if isinstance(node, ast.ImportFrom):
+            known |= {a.name: getattr(importlib.import_module(node.module), a.name) for a in node.names}
+    assert known == {name: getattr(mahovik, name) for name in mahovik.__all__}
 
 
 def test_the_page_lists_the_functions():

@@ -7,11 +7,13 @@ from dataclasses import replace
 
 import pytest
 
-from mahovik.contract.functions import FUNCTIONS, PublicFunction
+from mahovik.contract.functions import FUNCTIONS, WANTS, PublicFunction, wants_of
 from mahovik.core.lower.program import lower
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.read import load
+from mahovik.proof.rigorous.evaluate import ANSWERS
+from mahovik.proof.second.evaluate import PROBLEMS
 from mahovik.proof.verify.c_backend import with_all_inputs
 from mahovik.stands import path
 
@@ -40,7 +42,7 @@ def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Functi
         taken = [a.name for a in f.arguments if a.direction != "out"]
         assert [name for name in row.takes if name in taken] == taken, f.name
         assert f.equation == row.equation, f.name
-        seen.setdefault(f.name, set()).update(taken)
+        seen.setdefault(row.name, set()).update(taken)
     assert {name: taken for name, taken in seen.items() if taken != set(FUNCTIONS[name].takes)} == {}
 
 
@@ -49,3 +51,9 @@ def test_a_want_without_a_referee_is_refused() -> None:
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ("differences",), want=True)
     with pytest.raises(ValueError, match="expected judges among"):
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ())
+
+
+def test_referees_answer_the_wants_of_their_rows_and_no_others() -> None:
+    assert set(PROBLEMS) | {"generalized"} == set(wants_of("second"))
+    assert set(ANSWERS) == set(wants_of("rigorous"))
+    assert set(wants_of("reference")) == set(WANTS)

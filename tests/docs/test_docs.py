@@ -13,11 +13,11 @@ import sympy as sp
 from pydantic import BaseModel
 
 from docs.pages import PAGES, ROOT, Block, anchors, blocks, cells, links, prose, rows, tables
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.derive import flywheel
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.lower.limits import limits
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import load, loads, schema
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler

@@ -10,7 +10,7 @@ from types import ModuleType
 import pytest
 
 from docs.pages import ROOT, cells
-from mahovik.proof.rigorous import WANTS
+from mahovik.contract.functions import wants_of
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.rounding.limits import MARGIN, ULPS
 from mahovik.stands import names
@@ -78,7 +78,7 @@ def test_forward_is_right_to_fifty_ulp_on_every_example_stand(real: str) -> None
 def test_nothing_is_left_out(real: str) -> None:
     """Every quantity that has an enclosure, in both tables."""
     examples, stands, random = tables(real)
-    assert {want for want, _ in map(key, examples)} == set(WANTS)
+    assert {want for want, _ in map(key, examples)} == set(wants_of("rigorous"))
     assert list(map(key, examples)) == list(map(key, random))
     assert {want for want, _ in map(key, stands)} == set(tool().SHORT)
 

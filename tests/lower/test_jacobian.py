@@ -10,8 +10,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.cost import cost
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand, random_state
 from mahovik.proof.second import Second

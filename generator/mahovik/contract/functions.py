@@ -62,7 +62,7 @@ class PublicFunction:
             raise ValueError(f"{self.name}: a want needs a judge among {', '.join(REFEREES)}")
 
 
-_STATE = ("stand", "x")
+_STATE = ("table", "x")
 
 _ROWS = (
     PublicFunction(
@@ -108,7 +108,7 @@ _ROWS = (
     PublicFunction(
         "mounts",
         "",
-        ("stand", "mounting", "x", "V_dot", "phi_ddot", "wrench"),
+        ("table", "mounting", "x", "V_dot", "phi_ddot", "wrench"),
         ("mount_wrench",),
         ("reference", "rigorous"),
         want=True,
@@ -137,7 +137,7 @@ _ROWS = (
         unread="infinity, which is no limit at all",
     ),
     PublicFunction(
-        "attitude",
+        "generalized",
         "(10), (11)",
         (*_STATE, "angles", "phi_ddot", "wrench"),
         ("A", "D", "I0", "J0", "q_dot", "q_ddot"),
@@ -146,7 +146,7 @@ _ROWS = (
         unread="the attitude of its state",
     ),
     PublicFunction(
-        "measure",
+        "points",
         "",
         (*_STATE, "V_dot"),
         ("points",),
@@ -203,7 +203,7 @@ _ROWS = (
     ),
     PublicFunction("quaternion", "", ("angles",), ("attitude",), ("reference",)),
     PublicFunction(
-        "target",
+        "state_from_coordinates",
         "(10)",
         ("position", "angles", "q_dot", "q_ddot", "x"),
         ("x", "V_dot"),
@@ -239,8 +239,8 @@ _ROWS = (
     PublicFunction(
         "prepare",
         "(2)",
-        ("parameters", "stand"),
-        ("stand",),
+        ("parameters", "table"),
+        ("table",),
         ("table",),
         python=False,
         claimed=(NORMAL, BITS),

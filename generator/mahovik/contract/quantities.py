@@ -114,7 +114,7 @@ QUANTITIES = {
         Quantity("q_dot", "m/s, rad/s", "O1 in E0, then psi, theta, phi", "6", ("MAX_VELOCITY",), 20.0, 2.0),
         Quantity("q_ddot", "m/s2, rad/s2", "O1 in E0, then psi, theta, phi", "6", _ANGULAR, 1e3, 16.0),
         # what all states of a batch share
-        Quantity("stand", "", "the prepared table", "", draw=Draw.NEVER, shared=True),
+        Quantity("table", "", "numbers of the stand, prepared", "", draw=Draw.NEVER, shared=True),
         Quantity("mounting", "", "the prepared mountings", "", draw=Draw.NEVER, shared=True),
         Quantity("options", "", "how inverse chooses", "", draw=Draw.NEVER, shared=True),
         Quantity("locked", "", "flywheels", "N", draw=Draw.FLAGS, integers=(0, 1), shared=True),
@@ -154,7 +154,7 @@ def ordinary(symbol: str) -> float:
     return QUANTITIES[symbol].ordinary if symbol in QUANTITIES else 1.0
 
 
-def limits_of(symbol: str, real: str) -> tuple[float, ...]:
+def limits_of(symbol: str, real: str = "double") -> tuple[float, ...]:
     """Accepted magnitudes: of the six components, of every component, or none."""
     return QUANTITIES[symbol].limits(real) if symbol in QUANTITIES else ()
 

@@ -60,10 +60,10 @@ def status_bits(value: int) -> tuple[str, ...]:
 
 
 def status_words(value: int) -> str:
-    """A status in words: `OK`, `RANGE`, `NEAR_SINGULAR|LIMITED`."""
+    """A status in words: `OK`, `RANGE`, `NEAR_SINGULAR|LIMITED`; the number where it is no status."""
     if value > 0:
-        return "|".join(status_bits(value))
-    return next(status.name for status in STATUSES if status.value == value)
+        return "|".join(status_bits(value)) or str(value)
+    return next((status.name for status in STATUSES if status.value == value), str(value))
 
 
 def refusal_reason(name: str, otherwise: str) -> str:

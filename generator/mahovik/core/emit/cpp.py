@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik import __version__
+from mahovik.contract.status import BITS, REFUSALS
 from mahovik.core.emit.declaration import contract
 from mahovik.core.emit.generate import Generated, internal
 from mahovik.core.emit.layout import hanging, wrapped
@@ -12,7 +13,7 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.status import statuses
 from mahovik.core.emit.templates import template
 from mahovik.core.program.call import Argument
-from mahovik.core.program.function import STATUS_VALUES, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -53,8 +54,8 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
         flywheels=bool(generated.layout.flywheels),
         ints=any(a.shape and _kind(a, names) == "int" for f in program.functions if f.public for a in f.arguments),
         statuses=[(c.removeprefix(names.constant("")), *more) for c, *more in statuses(names, generated.layout)],
-        refusals=[name for name, value in STATUS_VALUES.items() if value < 0],
-        bits=[name for name, value in STATUS_VALUES.items() if value > 0],
+        refusals=REFUSALS,
+        bits=BITS,
         counts=[(_count(c), names.constant(c.name), c.comment) for c in program.counts],
         structs=[
             (_struct(s), names.type(s), s.purpose)
@@ -131,7 +132,7 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
     """A whole program in C++17 that calls `forward`, by its file name."""
     names = Names(generated.program.name)
     forward = generated.program.function("forward")
-    given = {"stand": "stand::default_table", "x": "x"}
+    given = {"table": "stand::default_table", "x": "x"}
     zeroed = [a for a in forward.arguments if a.direction == "in" and a.name not in given]
     text = template("cmake/example.cpp.j2").render(
         name=stand.name,

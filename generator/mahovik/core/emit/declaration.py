@@ -34,22 +34,22 @@ def _member(f: Field, names: Names) -> str:
     return f"{names.type(f.type)} {f.name}{''.join(dimensions(names, f.shape))};"
 
 
-def prototype(function: Function, names: Names, apart: frozenset[tuple[str, str]] = frozenset()) -> str:
+def prototype(function: Function, names: Names, restrictable: frozenset[tuple[str, str]] = frozenset()) -> str:
     """Storage, return type, name and arguments, wrapped under the opening parenthesis.
 
-    `apart`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
+    `restrictable`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
     """
     returns = names.type(function.returns) if function.returns is not None else "void"
     head = f"{'' if function.public else 'static '}{returns} {names.function(function.name)}("
-    arguments = [_argument(a, names, (function.name, a.name) in apart) for a in function.arguments] or ["void"]
+    arguments = [_argument(a, names, (function.name, a.name) in restrictable) for a in function.arguments] or ["void"]
     return "\n".join(hanging(head, arguments))
 
 
-def _argument(a: Argument, names: Names, apart: bool) -> str:
+def _argument(a: Argument, names: Names, restrictable: bool) -> str:
     const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
-    star = ("*restrict " if apart else "*") if a.variable.pointer else ""
+    star = ("*restrict " if restrictable else "*") if a.variable.pointer else ""
     sizes = "".join(dimensions(names, a.shape))
-    if apart and sizes:
+    if restrictable and sizes:
         sizes = f"[restrict {sizes.removeprefix('[')}"
     return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
 

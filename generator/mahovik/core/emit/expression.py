@@ -39,7 +39,7 @@ class Expressions:
         return self._print(e)[0]
 
     def place(self, place: Place) -> str:
-        """C text of a place that is read or written: `stand->flywheel[s].mu_c[0]`, `*energy`."""
+        """C text of a place that is read or written: `table->flywheel[s].mu_c[0]`, `*energy`."""
         root = place.root
         if root.pointer and not place.path:
             return f"*{root.name}"

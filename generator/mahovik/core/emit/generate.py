@@ -21,9 +21,9 @@ from mahovik.core.lower.limits import limits
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme.form import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
-from mahovik.core.program.apart import apart
 from mahovik.core.program.expression import BitCast
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import DOUBLE, FLOAT, Struct
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import identities
@@ -93,7 +93,7 @@ class _Printer:
         self._names = Names(program.name)
         self._expressions = Expressions(self._names, program.precision)
         self._statements = Statements(self._names, self._expressions)
-        self._apart = apart(program)
+        self._restrictable = restrictable(program)
         self._identities = identities(stand)
 
     def header(self) -> str:
@@ -186,7 +186,7 @@ class _Printer:
             comment = summary(f)
         return {
             "comment": comment,
-            "prototype": prototype(f, self._names, self._apart),
+            "prototype": prototype(f, self._names, self._restrictable),
             "body": [*null_check(f, self._names), *self._statements.block(f.body, "    ")],
         }
 

@@ -20,9 +20,9 @@ from mahovik.core.emit.templates import template
 from mahovik.core.lower.programme.clock import CLOCK
 from mahovik.core.lower.programme.play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
 from mahovik.core.lower.programme.program import Course, ProgrammeProgram
-from mahovik.core.program.apart import apart
 from mahovik.core.program.expression import BitCast
 from mahovik.core.program.function import Function
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Precision, Struct
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import identities
@@ -78,7 +78,7 @@ class _Printer:
         self._names = _Names(made.program.name)
         self._precision: Precision = made.program.precision
         self._statements = Statements(self._names, Expressions(self._names, self._precision))
-        self._apart = apart(made.program)
+        self._restrictable = restrictable(made.program)
 
     def header(self) -> str:
         """The header: the manual."""
@@ -186,7 +186,7 @@ class _Printer:
 
     def _function(self, f: Function) -> dict[str, Any]:
         body = [*null_check(f, self._names), *self._statements.block(f.body, "    ")]
-        return {"comment": summary(f), "prototype": prototype(f, self._names, self._apart), "body": body}
+        return {"comment": summary(f), "prototype": prototype(f, self._names, self._restrictable), "body": body}
 
     def _wrapper(self, course: Course) -> dict[str, Any]:
         table = f"&{self._names.function(course.form.table.name)}_values"

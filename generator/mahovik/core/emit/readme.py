@@ -57,7 +57,7 @@ def _zeroed(a: Argument, names: Names) -> str:
 
 
 def _call(function: Function, names: Names) -> str:
-    sources = {"stand": f"&{names.function('default')}", "x": "&x"}
+    sources = {"table": f"&{names.function('default')}", "x": "&x"}
     arguments = ", ".join(sources.get(a.name, a.name) for a in function.arguments)
     return f"{names.function(function.name)}({arguments})"
 

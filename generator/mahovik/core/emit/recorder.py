@@ -88,7 +88,7 @@ def _recorder() -> Argument:
 
 
 def _start(layout: Layout) -> Function:
-    arguments = (_recorder(), Argument("stand", layout.table), Argument("x", layout.state))
+    arguments = (_recorder(), Argument("table", layout.table), Argument("x", layout.state))
     return Function("recorder_start", "", arguments, (), returns=Kind.STATUS, public=True)
 
 

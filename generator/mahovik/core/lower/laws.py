@@ -18,7 +18,7 @@ def damp(lib: Library) -> Function:
     damper = Argument("damper", layout.damper)
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
     P = Argument("P", Kind.REAL, (6,), "inout", "N, N m", "wrench that is added to")
-    stand = lib.table_argument()
+    table = lib.table_argument()
     body = Body()
     factors: Place | None = None
     if layout.terms or layout.quadratic_damping:
@@ -40,12 +40,12 @@ def damp(lib: Library) -> Function:
         assert factors is not None
         first, last = damper.place.first_term, damper.place.last_term
         with body.loop("t", last, start=first, most=layout.terms) as t:
-            term = stand.place.term[t]
+            term = table.place.term[t]
             body.add(P.place[term.wrench], term.value * factors[term.first] * factors[term.second])
     return Function(
         "damp",
         "Adds the damping of one body to its wrench, both in the body's own frame.",
-        (stand, damper, V, P),
+        (table, damper, V, P),
         body.statements,
         equation="(7)",
     )

@@ -44,7 +44,7 @@ class Library:
 
     def table_argument(self) -> Argument:
         """The prepared stand."""
-        return Argument("stand", self.layout.table, purpose="the prepared table")
+        return Argument("table", self.layout.table, purpose="the prepared table")
 
     def state_argument(self) -> Argument:
         """The state."""

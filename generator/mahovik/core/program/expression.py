@@ -323,12 +323,12 @@ def unequal(left: Operand, right: Operand) -> Expr:
     return compare("!=", left, right)
 
 
-def both(left: Expr, right: Expr) -> Expr:
+def and_(left: Expr, right: Expr) -> Expr:
     """left && right"""
     return Logic("&&", left, right)
 
 
-def either(left: Expr, right: Expr) -> Expr:
+def or_(left: Expr, right: Expr) -> Expr:
     """left || right"""
     return Logic("||", left, right)
 

@@ -9,21 +9,6 @@ from mahovik.core.program.call import Argument, Signature
 from mahovik.core.program.statement import Statement
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
 
-STATUS_VALUES = {
-    "OK": 0,
-    "NEAR_SINGULAR": 1,
-    "DAMPED": 2,
-    "LIMITED": 4,
-    "UNREACHABLE": 8,
-    "RANK_DEFICIENT": 16,
-    "NOT_FINITE": -1,
-    "RANGE": -2,
-    "NOT_POSITIVE_DEFINITE": -3,
-    "SINGULAR_ATTITUDE": -4,
-    "BAD_ARGUMENT": -5,
-}
-"""The statuses of stand.md, the same numbers for every stand."""
-
 
 @dataclass(frozen=True, eq=False)
 class Function:

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
     Binary,
@@ -32,7 +33,7 @@ from mahovik.core.program.expression import (
     Status,
     Variable,
 )
-from mahovik.core.program.function import STATUS_VALUES, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Field, Kind, Precision, Struct
 

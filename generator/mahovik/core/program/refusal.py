@@ -14,9 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import Compare, Expr, Place, Status, Variable, equal, select, unequal, word
-from mahovik.core.program.function import STATUS_VALUES, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import called

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from mahovik.core.program.call import Argument, Call
-from mahovik.core.program.expression import Expr, Not, Place, Variable, both, select, unequal, word
+from mahovik.core.program.expression import Expr, Not, Place, Variable, and_, select, unequal, word
 from mahovik.core.program.function import Function
 from mahovik.core.program.refusal import REFUSED
 from mahovik.core.program.rewrite import FreshNames
@@ -123,14 +123,14 @@ class _Widening:
         """Both branches of a condition that varies."""
         if where is None and not s.otherwise and any(isinstance(x, Do) for x in s.body) and _only_refuse(s.body):
             return self._anywhere(s)
-        condition = s.condition if where is None else both(where, s.condition)
+        condition = s.condition if where is None else and_(where, s.condition)
         if len(s.body) == 1 and not s.otherwise:
             return self._chosen(s.body, condition)
         kept = self._condition(s.condition if where is None else condition)
         found: list[Statement] = [kept, *self._chosen(s.body, kept.variable.place)]
         if s.otherwise:
             otherwise: Expr = Not(kept.variable.place)
-            found += self._chosen(s.otherwise, otherwise if where is None else both(where, otherwise))
+            found += self._chosen(s.otherwise, otherwise if where is None else and_(where, otherwise))
         return found
 
     def _condition(self, condition: Expr) -> Let:

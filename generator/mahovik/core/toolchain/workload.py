@@ -19,7 +19,7 @@ LONG_CALL = 100_000
 
 MANY = 50
 
-_OF_THE_STAND = {"stand": "default", "parameters": "default_parameters", "options": "default_options"}
+_OF_THE_STAND = {"table": "default", "parameters": "default_parameters", "options": "default_options"}
 """Arguments that the emitted C has constants for."""
 
 

@@ -64,28 +64,28 @@ class Legs(LawLowering):
 
     def add_functions(self, lib: Library) -> None:
         """The force of one leg."""
-        lib.add(pull(lib))
+        lib.add(add_leg(lib))
 
     def act(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the force of every leg."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
-            lib.check(body, "pull", stand.leg[k], x, C, F)
+            lib.check(body, "add_leg", stand.leg[k], x, C, F)
 
     def add_slopes(self, lib: Library) -> None:
         """The change of one leg's force."""
-        lib.add(pull_slope(lib))
+        lib.add(add_leg_slope(lib))
 
     def slope(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, change: Place, F: Place) -> None:
         """Adds the change of every leg's force."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
             named = {"leg": stand.leg[k], "x": x, "C": C, "change": change, "F": F}
-            body.call(lib["pull_slope"], *lib.passed("pull_slope", **named))
+            body.call(lib["add_leg_slope"], *lib.passed("add_leg_slope", **named))
 
 
 LOWERING = Legs()
 
 
-def pull(lib: Library) -> Function:
+def add_leg(lib: Library) -> Function:
     """Force of one leg, added to F."""
     law = Argument("leg", LEG)
     x = lib.state_argument()
@@ -128,7 +128,7 @@ def pull(lib: Library) -> Function:
     add_force(body, list(F.place), point, list(force), None)
     body.ret(Status("OK"))
     return Function(
-        "pull",
+        "add_leg",
         "Adds the force of one leg; RANGE where its ends meet, for then it has no direction.",
         (law, x, C, F),
         body.statements,
@@ -138,7 +138,7 @@ def pull(lib: Library) -> Function:
     )
 
 
-def pull_slope(lib: Library) -> Function:
+def add_leg_slope(lib: Library) -> Function:
     """Change of the force of one leg with the twist."""
     law = Argument("leg", LEG)
     x = lib.state_argument()
@@ -170,7 +170,7 @@ def pull_slope(lib: Library) -> Function:
     for i in range(3):
         body.add(F.place[3 + i], translate(arm[i], {"O": point, "f": force}))
     return Function(
-        "pull_slope",
+        "add_leg_slope",
         "Change of the force of one leg with the twist.",
         (law, x, C, change, F),
         body.statements,

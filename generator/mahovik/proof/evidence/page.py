@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from markupsafe import Markup
 
@@ -14,10 +14,7 @@ from mahovik import __version__
 from mahovik.core.emit.generate import described
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
-from mahovik.proof.evidence.piece import Subject, Table, Verdict
-
-if TYPE_CHECKING:
-    from mahovik.proof.evidence.collect import Collected
+from mahovik.proof.evidence.piece import Collected, Subject, Table, Verdict
 
 LONG = 14
 """Rows of a table from which on it is closed until it is asked for."""

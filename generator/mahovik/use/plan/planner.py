@@ -17,7 +17,7 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import certified, programme_of, without_refused_tables, wrong_items
 from mahovik.use.plan.choose import Improver, choose
 from mahovik.use.plan.figures import figures
-from mahovik.use.plan.finite import plan_finite
+from mahovik.use.plan.finite_planner import plan_finite
 from mahovik.use.plan.interrupt import deferred
 from mahovik.use.plan.ocp import plus_asked
 from mahovik.use.plan.outcome import Plan, Status, Tell, Ways

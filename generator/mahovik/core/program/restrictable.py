@@ -15,7 +15,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.walk import expressions
 
 
-def apart(program: Program) -> frozenset[tuple[str, str]]:
+def restrictable(program: Program) -> frozenset[tuple[str, str]]:
     """(function, argument) of all results of internal functions that lie apart from the function's other arguments."""
     found = {(f.name, a.name) for f in program.functions if not f.public for a in f.arguments if a.direction != "in"}
     for caller in reversed(program.functions):  # each comes after all that call it

@@ -24,7 +24,7 @@ def sense(lib: Library) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,))
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
-    out = Argument("out", layout.reading, (), "out")
+    out = Argument("out", layout.points_result, (), "out")
     body = Body()
     six, rates = parts_of_twist(V.place), list(V_dot.place)
     O, R = sensor.place.origin, sensor.place.axes
@@ -51,30 +51,30 @@ def sense(lib: Library) -> Function:
     )
 
 
-def measure(lib: Library) -> Function:
+def points(lib: Library) -> Function:
     """Readings of all instruments and points."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
-    out = Argument("out", layout.reading, (layout.sensor_count,), "out", purpose="a reading each")
+    out = Argument("out", layout.points_result, (layout.sensor_count,), "out", purpose="a reading each")
     body = Body()
-    check_inputs(lib, body, stand, x)
+    check_inputs(lib, body, table, x)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     C = body.local("C", (9,), comment="attitude")
     body.call(lib["rotation"], x.place.attitude, C)
     named = {"r": x.place.position, "V": x.place.V, "V_dot": V_dot.place, "C": C, "g": None}
     if layout.weight:
         g = body.local("g", (3,), comment="gravity in E1")
-        body.call(lib["rotate_back"], C, stand.place.gravity, g)
+        body.call(lib["rotate_back"], C, table.place.gravity, g)
         named["g"] = g
     with body.loop("k", layout.sensor_count) as k:
-        here = {"sensor": stand.place.sensor[k], "out": out.place[k]}
+        here = {"sensor": table.place.sensor[k], "out": out.place[k]}
         body.call(lib["sense"], *lib.passed("sense", **named, **here))
     body.ret(Status("OK"))
     return Function(
-        "measure",
+        "points",
         "What an accelerometer and a gyro read at each instrument and point.",
-        (stand, x, V_dot, out),
+        (table, x, V_dot, out),
         body.statements,
         returns=Kind.STATUS,
         statuses=STATE_STATUSES,

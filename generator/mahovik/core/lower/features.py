@@ -13,7 +13,7 @@ from mahovik.laws import parts
 
 
 @dataclass(frozen=True)
-class OwnBody:
+class LocalWrenchBody:
     """An instrument or flywheel with a wrench in its own frame.
 
     `index` in the stand's bodies; `instrument`, `flywheel` its number among those, `input` its row of the run-time
@@ -27,7 +27,7 @@ class OwnBody:
 
 
 @dataclass(frozen=True)
-class Kinds:
+class Features:
     """What stands of one structure have, at one precision."""
 
     structure: Structure
@@ -117,13 +117,13 @@ class Kinds:
         return NamedCount("WRENCHES", len(self.inputs), "bodies with a run-time wrench")
 
     @cached_property
-    def own(self) -> tuple[OwnBody, ...]:
+    def own(self) -> tuple[LocalWrenchBody, ...]:
         """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
         inputs = self.structure.wrench_inputs
         indices = sorted({*self.structure.damped, *inputs} - {0})
         fixed = 1 + self.instruments
         return tuple(
-            OwnBody(i, i - 1 if i < fixed else -1, i - fixed if i >= fixed else -1, _position(i, inputs))
+            LocalWrenchBody(i, i - 1 if i < fixed else -1, i - fixed if i >= fixed else -1, _position(i, inputs))
             for i in indices
         )
 

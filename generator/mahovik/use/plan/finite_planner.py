@@ -10,7 +10,7 @@ from mahovik.use.plan.bounds import exceeded
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import certified, programme_of, wrong_items
 from mahovik.use.plan.figures import singular_values
-from mahovik.use.plan.finite.search import FiniteProblem, FiniteSearch, Solved, search_finite, table_of
+from mahovik.use.plan.finite import FiniteProblem, FiniteSearch, Solved, search_finite, table_of
 from mahovik.use.plan.fourier import Angles
 from mahovik.use.plan.interrupt import deferred
 from mahovik.use.plan.objective import Cost

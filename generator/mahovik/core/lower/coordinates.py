@@ -1,14 +1,14 @@
-"""target: a wanted motion in generalized coordinates as the twist and its rate that inverse takes."""
+"""state_from_coordinates: a wanted motion in generalized coordinates as the twist and its rate that inverse takes."""
 
 from __future__ import annotations
 
+from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import motion as derived_motion
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.flywheels import sine_and_cosine
 from mahovik.core.lower.generalized import angles_argument
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import SINGULAR_BELOW
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
@@ -19,7 +19,7 @@ from mahovik.core.program.types import Kind
 _NAMES = ("psi", "theta", "phi")
 
 
-def target(lib: Library) -> Function:
+def state_from_coordinates(lib: Library) -> Function:
     """V = A q', V* = A q'' + D q' (10)."""
     layout = lib.layout
     sequence = layout.structure.angles
@@ -65,7 +65,7 @@ def target(lib: Library) -> Function:
         body.set(x.place.V[i + 3], omega[i])
     body.ret(Status("OK"))
     return Function(
-        "target",
+        "state_from_coordinates",
         "State and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q'.",
         (position, angles, q_dot, q_ddot, x, V_dot),
         body.statements,

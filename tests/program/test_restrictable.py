@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from mahovik.core.program.apart import apart
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 
 PAIR = Struct("pair", "Two vectors.", (Field("a", Kind.REAL, (3,)), Field("b", Kind.REAL, (3,))))
@@ -33,14 +33,16 @@ def program(*functions: Function) -> Program:
 def test_members_of_one_struct_lie_apart() -> None:
     inner, pair, _, body = passing()
     body.call(inner, pair.place.a, pair.place.b)
-    assert apart(program(inner, Function("f", "", (pair,), body.statements, public=True))) == {("copy", "target")}
+    assert restrictable(program(inner, Function("f", "", (pair,), body.statements, public=True))) == {
+        ("copy", "target")
+    }
 
 
 def test_one_call_on_one_place_takes_the_promise_away() -> None:
     inner, pair, other, body = passing()
     body.call(inner, pair.place.a, other.place)
     body.call(inner, pair.place.b, pair.place.b)
-    assert apart(program(inner, Function("f", "", (pair, other), body.statements, public=True))) == set()
+    assert restrictable(program(inner, Function("f", "", (pair, other), body.statements, public=True))) == set()
 
 
 def test_elements_by_index_may_be_the_same() -> None:
@@ -49,10 +51,12 @@ def test_elements_by_index_may_be_the_same() -> None:
     body = Body()
     with body.loop("i", 4) as i:
         body.call(inner, rows.place[0], rows.place[i])
-    assert apart(program(inner, Function("f", "", (rows,), body.statements, public=True))) == set()
+    assert restrictable(program(inner, Function("f", "", (rows,), body.statements, public=True))) == set()
     constant = Body()
     constant.call(inner, rows.place[0], rows.place[1])
-    assert apart(program(inner, Function("f", "", (rows,), constant.statements, public=True))) == {("copy", "target")}
+    assert restrictable(program(inner, Function("f", "", (rows,), constant.statements, public=True))) == {
+        ("copy", "target")
+    }
 
 
 def test_what_a_caller_cannot_promise_its_callee_cannot_either() -> None:
@@ -66,4 +70,4 @@ def test_what_a_caller_cannot_promise_its_callee_cannot_either() -> None:
     z = Argument("z", Kind.REAL, (3,), "inout")
     body = Body()
     body.call(middle, z.place, z.place)
-    assert apart(program(inner, middle, Function("f", "", (z,), body.statements, public=True))) == set()
+    assert restrictable(program(inner, middle, Function("f", "", (z,), body.statements, public=True))) == set()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lower.test_inverse import ask, made
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import rest_state
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend
@@ -24,19 +24,19 @@ def of_sequence(angles: str) -> CBackend:
 
 @pytest.mark.parametrize("theta", [0.7, 2.5, -0.7, -2.5])
 @pytest.mark.parametrize("angles", ["ship", "aircraft", "euler"])
-def test_target_inverts_the_generalized_form(angles: str, theta: float) -> None:
+def test_state_from_coordinates_inverts_the_generalized_form(angles: str, theta: float) -> None:
     """q' and q'' of `attitude` at some V, V* lead back to V, V*; on both sides of the singularities."""
     c = of_sequence(angles)
     rng = np.random.default_rng(4)
     x = {"position": [1.0, 2.0, 3.0], "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}
     x |= {"phi": [0.3], "phi_dot": [10.0]}
     at = [0.4, theta, -0.2]
-    given = {"stand": c.library.default("default"), "x": x, "phi_ddot": [5.0]}
-    found = c.call("attitude", given | {"angles": at})[1]["out"]
+    given = {"table": c.library.default("default"), "x": x, "phi_ddot": [5.0]}
+    found = c.call("generalized", given | {"angles": at})[1]["out"]
     quaternion = c.call("quaternion", {"angles": at})[1]["attitude"]
     forward = c.call("forward", given | {"x": x | {"attitude": quaternion}})[1]["V_dot"]
     asked = {"position": [4.0, 5.0, 6.0], "angles": at, "q_dot": found["q_dot"], "q_ddot": found["q_ddot"], "x": x}
-    status, out = c.library.run(c.program.function("target"), asked)
+    status, out = c.library.run(c.program.function("state_from_coordinates"), asked)
     assert status == 0
     assert out["x"]["position"] == [4.0, 5.0, 6.0]
     assert out["x"]["attitude"] == quaternion
@@ -51,7 +51,7 @@ def test_a_singular_attitude_is_refused(angles: str, theta: float) -> None:
     c = of_sequence(angles)
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0], "phi_dot": [0.0]}
     asked = {"position": [0.0] * 3, "angles": [0.1, theta, 0.2], "q_dot": [0.0] * 6, "q_ddot": [0.0] * 6, "x": x}
-    status, out = c.library.run(c.program.function("target"), asked, fill=7.5)
+    status, out = c.library.run(c.program.function("state_from_coordinates"), asked, fill=7.5)
     assert status == STATUS_VALUES["SINGULAR_ATTITUDE"]
     assert out["x"] == x
     assert out["V_dot"] == [7.5] * 6
