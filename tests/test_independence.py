@@ -89,8 +89,10 @@ ARITHMETIC = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.MatMult, ast.Pow, ast.Mod
 
 
 def computes(path: Path) -> list[int]:
-    """Lines with arithmetic; tuples repeated or joined are none."""
-    found = [n for n in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(n, ast.BinOp)]
+    """Lines with arithmetic; tuples repeated or joined are none, nor are places in a list."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    places = {id(n) for s in ast.walk(tree) if isinstance(s, ast.Slice) for n in ast.walk(s)}
+    found = [n for n in ast.walk(tree) if isinstance(n, ast.BinOp) and id(n) not in places]
     return [n.lineno for n in found if isinstance(n.op, ARITHMETIC) and not isinstance(n.left, ast.Tuple)]
 
 
