@@ -9,7 +9,7 @@ from mahovik.laws.leg.data import Leg, Legs
 
 
 def drawn(draw: Draw, count: int | None, mounts: Sequence[str]) -> Legs | None:
-    """As many legs as are given, or up to two."""
+    """The given number of legs, else up to two; None where there is none."""
     legs = tuple(_leg(draw) for _ in range(draw.count(count, 2)))
     return Legs(legs) if legs else None
 
