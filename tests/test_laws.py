@@ -34,13 +34,13 @@ LAW_PARTS = {
     "report": ("core.stand.model", "out.report.stand.markup", "out.report.stand.tie"),
 }  # fmt: skip
 """Parts of a law, and all that each may import of the package: the vocabulary of the stage that asks for it, never the
-stage itself. Every part may import the law's own `data`; `faults` its `reference` as well."""
+stage itself. Every part may import the law's own `data`; `faults` its `reference` and `lower` its `derive` as well."""
 
 
 def vocabulary_of(path: Path) -> tuple[str, ...]:
     """Dotted names that the part of a law may import of the package."""
     own = f"mahovik.laws.{path.parent.name}"
-    also = (f"{own}.reference",) if path.stem == "faults" else ()
+    also = {"faults": (f"{own}.reference",), "lower": (f"{own}.derive",)}.get(path.stem, ())
     return (f"{own}.data", *also, *(f"mahovik.{name}" for name in LAW_PARTS[path.stem]))
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from mahovik.core.formula.derived import Derived
+from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.fmu.member import Member, members
 from mahovik.core.lower.law import LawLowering
@@ -34,7 +34,10 @@ LEG = Struct(
     ),
 )
 
-formulas = Derived("laws.leg.derive")
+if TYPE_CHECKING:
+    from mahovik.laws.leg import derive as formulas
+else:  # without SymPy, until a formula has to be derived
+    formulas = FormulaModule("laws.leg.derive")
 
 
 class Legs(LawLowering):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from mahovik.core.formula.derived import Derived
+from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.lower.fmu import units
 from mahovik.core.lower.fmu.member import Member, matrix, member, vector
 from mahovik.core.lower.law import LawLowering
@@ -32,7 +32,10 @@ SUSPENSION = Struct(
     ),
 )
 
-formulas = Derived("laws.suspension.derive")
+if TYPE_CHECKING:
+    from mahovik.laws.suspension import derive as formulas
+else:  # without SymPy, until a formula has to be derived
+    formulas = FormulaModule("laws.suspension.derive")
 
 
 class Suspension(LawLowering):
