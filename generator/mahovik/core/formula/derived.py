@@ -19,7 +19,7 @@ from mahovik.core.formula.tree import as_json, from_json
 
 
 class FormulaModule:
-    """A module of derivations: one of derive/, or `derive` of a law. Its functions give formulas and records of them."""
+    """A module of derive/, or the `derive` of a law: its functions give formulas and records of them."""
 
     def __init__(self, module: str) -> None:
         self._module = module
