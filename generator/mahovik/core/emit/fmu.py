@@ -131,7 +131,7 @@ class _Printer:
             laws=groups["LAWS"].count > 0,
             suspects=self._suspects(),
             mounted=any(f.shape for f in self._layout.parameters.fields if f.name != "added_mass"),
-            suspended=self._layout.suspended,
+            quaternions=[place for law in self._layout.law_tables for place in law.quaternions],
             members=[(f.name, self._count(f)) for f in self._layout.state.fields],
             attitude=3,
             sensors=bool(self._layout.sensors),
