@@ -8,10 +8,12 @@ from math import prod, sqrt
 from typing import Any
 
 from mahovik import __version__
+from mahovik.contract.functions import ANY, BITS, FUNCTIONS, NORMAL
+from mahovik.contract.quantities import ORDINARY_STEP, TABLES, ordinary, ordinary_integers
+from mahovik.core.emit.calls import call, declaration, over, passed
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
 from mahovik.core.program.call import Argument
@@ -19,8 +21,8 @@ from mahovik.core.program.function import Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import Identities
 
-NORMAL, ANY, BITS, ROUTINE = "normal", "any", "bits", "routine"
-"""Sets of inputs; the last are drivers of the routines that work on bits."""
+ROUTINE = "routine"
+"""Set of the drivers of the routines that work on bits; the other sets are those of the contract."""
 
 ROUTINES = ("sincos", "sqrt", "atan2")
 
@@ -29,45 +31,6 @@ _UNROLLED = 6
 
 _MERGED = ("solve_coupled", "check_inertia")
 """Functions with a status whose branches need not be kept apart; those without a status are merged as well."""
-
-CLAIMED = {
-    "forward": (NORMAL, ANY, BITS),
-    "coupled": (NORMAL, ANY),
-    "torque": (NORMAL, ANY),
-    "momentum": (NORMAL, ANY),
-    "wrap": (NORMAL, ANY, BITS),
-    "step": (BITS,),
-    "prepare": (NORMAL, BITS),
-}
-"""What must be without alarm. Far out, numbers inside `step` and `prepare` may overflow, to be refused later: there
-anything means bits, where that is no alarm. Over the stages of a step intervals grow too wide to show more of most
-stands, even of ordinary magnitudes."""
-
-_SIZES = {
-    "position": 100.0,
-    "V": 20.0,
-    "phi": 100.0,
-    "phi_dot": 1000.0,
-    "phi_ddot": 1e4,
-    "V_dot": 1e3,
-    "tau": 100.0,
-    "wrench": 1e3,
-    "angles": 7.0,
-    "q_dot": 20.0,
-    "q_ddot": 1e3,
-    "stream": 10.0,
-    "zero": 1000.0,
-}
-"""Ordinary magnitudes by name, SI; others: 1."""
-
-_STEP = (1e-6, 1e-3)
-"""s: ordinary time steps."""
-
-_INTEGERS = {"locked": (0, 1), "order": (2, 4), "bits": (0, 32), "per_turn": (-100000, 100000)}
-_COUNTS = (-(1 << 20), 1 << 20)
-"""Ordinary integers by name; and of counts."""
-
-_CONSTANTS = {"parameters": "default_parameters", "inverse_options": "default_options"}
 
 
 @dataclass(frozen=True)
@@ -85,7 +48,7 @@ class Driver:
     @property
     def claimed(self) -> bool:
         """Must it be without alarm? Others are tried."""
-        return self.set == ROUTINE or self.set in CLAIMED.get(self.function, ())
+        return self.set == ROUTINE or self.set in FUNCTIONS[self.function].claimed
 
     @property
     def finite(self) -> bool:
@@ -179,14 +142,14 @@ class _Writer:
         kind = BITS if driver.set == ROUTINE else driver.set
         for a in function.arguments:
             yield from (f"    {line}" for line in self._given(a, kind))
-        call = f"{self._names.function(function.name)}({', '.join(self._passed(a) for a in function.arguments)})"
+        text = call(self._names, function, self._passed)
         if function.returns is not Kind.STATUS:
-            yield f"    {'(void)' if function.returns else ''}{call};"
+            yield f"    {'(void)' if function.returns else ''}{text};"
             yield "    Frama_C_show_each_returned(0);"
             yield "}"
             return
         results = [a for a in function.arguments if a.direction == "out"]
-        yield f"    const {self._names.type(Kind.STATUS)} status = {call};"
+        yield f"    const {self._names.type(Kind.STATUS)} status = {text};"
         yield "    if (status < 0) {"
         for a in results:
             yield from (f"        {line}" for line in self._asserted("untouched", a))
@@ -211,7 +174,7 @@ class _Writer:
             return
         if self._default(a):
             return
-        yield f"{type_} {a.name}{''.join(dimensions(self._names, a.shape))};"
+        yield f"{declaration(self._names, a.name, a.type, a.shape)};"
         if a.direction == "out":
             return
         if isinstance(a.type, Struct) and a.type.name == "mount_table":
@@ -235,8 +198,8 @@ class _Writer:
         name = f"{kind}_{struct.name}"
         if name not in self.fills:
             middle = ""
-            if struct.name in _CONSTANTS and kind == NORMAL:
-                middle = f"{self._names.function(_CONSTANTS[struct.name])}."
+            if struct.name in TABLES and kind == NORMAL:
+                middle = f"{self._names.function(TABLES[struct.name].default)}."
             lines = (line for f in struct.fields for line in self._member("x->", f, kind, middle))
             self.fills[name] = self._shared(name, f"{self._names.type(struct)} *x", lines)
         return name
@@ -250,25 +213,22 @@ class _Writer:
     def _filled(self, place: str, f: Field, kind: str, middle: str = "") -> Iterator[str]:
         """Fills a place with all values of a set."""
         if isinstance(f.type, Struct):
-            counts = [self._count(n) for n in f.shape]
-            for level, count in enumerate(counts):
-                index = "ijk"[level]
-                yield f"{'    ' * level}for (int {index} = 0; {index} < {count}; ++{index}) {{"
-            inner = "".join(f"[{'ijk'[level]}]" for level in range(len(counts)))
-            for member in f.type.fields:
-                for line in self._member(f"{place}{inner}.", member, kind, f"{middle}{inner}." if middle else ""):
-                    yield "    " * len(counts) + line
-            for level in reversed(range(len(counts))):
-                yield f"{'    ' * level}}}"
+            fields = f.type.fields
+
+            def members(element: str, indent: str, _: int) -> list[str]:
+                about = f"{middle}{element.removeprefix(place)}." if middle else ""
+                return [indent + line for m in fields for line in self._member(f"{element}.", m, kind, about)]
+
+            yield from over(self._names, place, f.shape, "", members)
             return
         first = self._first(place, f.shape)
         number = prod(int(n) for n in f.shape)
         if f.type is Kind.INT:
-            low, high = _INTEGERS.get(f.name, _COUNTS) if kind == NORMAL else ("INT_MIN", "INT_MAX")
+            low, high = ordinary_integers(f.name) if kind == NORMAL else ("INT_MIN", "INT_MAX")
             yield f"integers({first}, {number}, {low}, {high});"
         elif middle:
             yield f"about({first}, {self._first(middle, f.shape)}, {number});"
-        elif f.name == "generalized" and kind != BITS:
+        elif f.name == "attitude" and kind != BITS:
             size = self.real(2.0) if kind == NORMAL else self._names.constant("LARGEST")
             yield f"quaternion({place}, {size});"
         elif kind == BITS and not f.shape:
@@ -276,18 +236,15 @@ class _Writer:
         elif kind == BITS:
             yield f"all_bits({first}, {number});"
         elif f.name == "dt" and kind == NORMAL:
-            yield f"{place} = real_in({self.real(_STEP[0])}, {self.real(_STEP[1])});"
+            yield f"{place} = real_in({self.real(ORDINARY_STEP[0])}, {self.real(ORDINARY_STEP[1])});"
         else:
             size = self._names.constant("LARGEST")
             if kind == NORMAL:
-                size = self.real(_SIZES.get(f.name, 1.0))
+                size = self.real(ordinary(f.name))
             yield f"reals({first}, {number}, {size});"
 
     def _passed(self, a: Argument) -> str:
-        default = self._default(a)
-        if default:
-            return f"&{default}"
-        return f"&{a.name}" if a.variable.pointer else a.name
+        return passed(a, self._default(a) or a.name)
 
     # ---- results ----
 
@@ -321,7 +278,3 @@ class _Writer:
     def _first(self, place: str, shape: tuple[Any, ...]) -> str:
         """Address of the first element."""
         return f"&{place}{'[0]' * len(shape)}"
-
-    def _count(self, n: Any) -> str:
-        found = dimensions(self._names, (n,))[0]
-        return found[1:-1]

@@ -68,9 +68,6 @@ KEYS = {"-": "", "-.": "7 2 1.5 2", ":": "1.5 2"}
 DASHED = "5 4"
 
 
-LINKS = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-
-
 def charts(panels: Sequence[Panel]) -> Markup:
     """Figures side by side where there is room. Panels without lines are left out. Raises UsageError: no matplotlib."""
     figures = "".join(figure(panel) for panel in panels if panel.lines)
@@ -178,6 +175,7 @@ def _adapted(svg: str, panel: Panel, words: str) -> str:
     svg = re.sub(
         r' d="[^"]*"', lambda found: re.sub(r"(\.\d\d)\d+", r"\1", found[0]), svg
     )  # short: a hundredth is enough
+    svg = svg.replace("xlink:href=", "href=")
     own = hashlib.sha256(svg.encode()).hexdigest()[:8]
 
     def group(found: re.Match[str]) -> str:
@@ -194,4 +192,4 @@ def _adapted(svg: str, panel: Panel, words: str) -> str:
     svg = re.sub(r'<g id="([\w.-]+)">', group, svg)
     svg = re.sub(r'( id="|"#|url\(#)', rf"\g<1>{own}", svg)
     head = f'<svg role="img" aria-label="{escape(words)}" viewBox='
-    return re.sub(r'<svg [^>]*?viewBox=("[^"]*")[^>]*>', lambda found: f"{head}{found[1]} {LINKS}>", svg, count=1)
+    return re.sub(r'<svg [^>]*?viewBox=("[^"]*")[^>]*>', lambda found: f"{head}{found[1]}>", svg, count=1)
