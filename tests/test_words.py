@@ -14,7 +14,7 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 PENDING: tuple[str, ...] = (
     "generator/mahovik/core/",
     "generator/mahovik/proof/",
-    "generator/mahovik/use/",
+    "generator/mahovik/use/plan/residual/",
     "generator/mahovik/out/",
     "tests/",
     "tools/",

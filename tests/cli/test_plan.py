@@ -63,7 +63,7 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
         (("--time", "0"), "--time"),
         (("--keep", "0"), "--keep"),
         (("--method", "ocp-partition"), "(13) needs six"),
-        (("--partition", "w1,w2"), "--partition goes with --method"),
+        (("--partition", "w1,w2"), "--partition needs --method"),
         (("--method", "radau"), "--method"),
     ],
 )

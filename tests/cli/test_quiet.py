@@ -47,7 +47,7 @@ def test_a_compiler_that_is_missing_is_told_before_the_search(monkeypatch: pytes
     def searched(*_: object) -> None:
         raise AssertionError("searched")
 
-    monkeypatch.setattr("mahovik.use.study.quiet.quieted.Search.run", searched)
+    monkeypatch.setattr("mahovik.use.study.quiet.result.Search.run", searched)
     assert "CC=no-such-compiler: no such command" in refused(
         "quiet", SAT4, "--point", "acc1", "--band", "20..200Hz", "--momentum", "0 0 1"
     )

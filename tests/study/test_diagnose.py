@@ -90,7 +90,7 @@ def test_the_dictionary_is_large_and_says_what_it_means() -> None:
         assert fault.words() != Fault.words()
         assert not fault.words().endswith(".")
         assert fault.equation
-        assert fault.look
+        assert fault.evaluate
 
 
 def test_every_fault_replaces_a_term() -> None:

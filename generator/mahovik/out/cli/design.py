@@ -48,7 +48,7 @@ def design(
     stand = load_stand(stand_file)
     from mahovik.core.motion.required import load_motion
     from mahovik.proof.verify.files import probe
-    from mahovik.use.design import Wishes, design_stand, freedom_of_keys, load_freedom
+    from mahovik.use.design import DesignOptions, design_stand, freedom_of_keys, load_freedom
 
     in_file = free.endswith(".toml")
     freedom = load_freedom(free, stand) if in_file else freedom_of_keys(free, stand)
@@ -60,7 +60,7 @@ def design(
             stand,
             lambda part: load_motion(Path(motion_file), part),
             freedom,
-            Wishes(seed, seconds, pareto=pareto or 0),
+            DesignOptions(seed, seconds, pareto=pareto or 0),
             lambda state: stage.say(state.words),
         )
     if found.stand is not None and found.programme is not None:
@@ -92,12 +92,12 @@ def _print(found: Outcome, path: Path, programme_path: Path) -> None:
 
     if found.programme is None or found.cost is None:
         return
-    from mahovik.use.design.show import changed, front, summary
+    from mahovik.use.design.show import change_rows, front, summary
 
     out = console()
     out.print(Text(f"{click.format_filename(path)}, {click.format_filename(programme_path)}"))
     rows = table("flywheel", "what", "unit", "before>", "after>", "margin>", "an error of", "gives>")
-    for row in changed(found):
+    for row in change_rows(found):
         rows.add_row(*map(Text, row))
     out.print(rows)
     for line in summary(found):

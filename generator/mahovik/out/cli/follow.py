@@ -127,7 +127,7 @@ def _case(
     from mahovik.core.motion.servo import load_servo
     from mahovik.proof.verify.programme.identity import motion_finding, stand_finding
     from mahovik.use.control.loop import Case
-    from mahovik.use.control.mismatch import mismatched
+    from mahovik.use.control.mismatch import with_mismatch
     from mahovik.use.control.trim import design_trim
     from mahovik.use.control.wanted import Wanted
 
@@ -158,7 +158,7 @@ def _case(
             periods = min(max(rounds, 1), MOST_ROUNDS) * each + MEASURED
     elif periods < MEASURED + 1:
         raise UsageError(f"--periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
-    real = mismatched(stand, share, seed)
+    real = with_mismatch(stand, share, seed)
     return Case(wanted, real, servo, periods, design, begin, backend), Path(servo_file).name
 
 

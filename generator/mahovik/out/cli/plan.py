@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
     from mahovik.core.motion.required.model import Winding
     from mahovik.use.plan import Plan
-    from mahovik.use.plan.wishes import Method
+    from mahovik.use.plan.options import Method
 
 
 @click.command(short_help="Find a programme that moves the carrier as required.")
@@ -63,7 +63,7 @@ def plan(
     from mahovik.core.motion.programme import programme_text
     from mahovik.core.motion.required import load_motion
     from mahovik.proof.verify.files import probe, write_all
-    from mahovik.use.plan import Wishes, plan_motion
+    from mahovik.use.plan import PlanOptions, plan_motion
 
     motion = load_motion(Path(motion_file), stand)
     chosen = _winding(winding, len(stand.flywheels), motion.periodic)
@@ -76,7 +76,7 @@ def plan(
         probe(path)
     with progress("searching") as stage:
         six = None if partition is None else tuple(partition.split(","))
-        wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
+        wishes = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
         found = plan_motion(stand, motion, wishes, lambda state: stage.say(state.words))
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)

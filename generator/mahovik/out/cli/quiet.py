@@ -15,8 +15,8 @@ from mahovik.out.cli.progress import progress
 from mahovik.out.cli.quantities import axes_of, fraction, frequency, interval, numbers, orders_of, speed, vector
 
 if TYPE_CHECKING:
-    from mahovik.use.study.quiet import Quieted
-    from mahovik.use.study.quiet.quieted import Jitter
+    from mahovik.use.study.quiet import QuietResult
+    from mahovik.use.study.quiet.result import Jitter
 
 
 @click.command()
@@ -72,12 +72,12 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
     if None not in (output, state_file) and Path(str(output)).resolve() == Path(str(state_file)).resolve():
         raise UsageError(f"-o and --state {state_file}: one file for both; give the state another name")
     backend, seconds = options.pop("backend"), options.pop("seconds")
-    wish = _wish(options, len(stand.flywheels))
+    chosen = _quiet_options(options, len(stand.flywheels))
     from mahovik.use.study.quiet import quiet as find
     from mahovik.use.study.quiet.files import regime_text, result
 
     with progress("searching") as stage:
-        found = find(stand, wish, seconds, None if backend == "none" else backend, stage.say)
+        found = find(stand, chosen, seconds, None if backend == "none" else backend, stage.say)
     said = result(found)
     if output is not None:
         write(Path(output), regime_text(found))
@@ -90,9 +90,9 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
     _end(found)
 
 
-def _wish(options: dict[str, Any], N: int) -> Any:
+def _quiet_options(options: dict[str, Any], N: int) -> Any:
     """The options as a wish. Raises UsageError."""
-    from mahovik.use.study.quiet import Wish
+    from mahovik.use.study.quiet import QuietOptions
 
     margin = fraction("--margin", options["margin"])
     avoid = []
@@ -104,7 +104,7 @@ def _wish(options: dict[str, Any], N: int) -> Any:
             avoid.append((f * (1.0 - margin), f * (1.0 + margin)))
     speeds = None if options["speeds"] is None else numbers("--speeds", options["speeds"], "speeds", N)
     momentum = None if options["momentum"] is None else vector("--momentum", options["momentum"])
-    return Wish(
+    return QuietOptions(
         options["point"],
         interval("--band", options["band"]),
         momentum,
@@ -124,14 +124,14 @@ def _wish(options: dict[str, Any], N: int) -> Any:
     )
 
 
-def _report(found: Quieted) -> None:
+def _report(found: QuietResult) -> None:
     """Two tables: flywheels, lines; and the figures."""
     from rich.text import Text
 
     from mahovik.use.study.quiet.wheels import rpm
 
     out = console()
-    band = f"{found.wish.band[0]:g} to {found.wish.band[1]:g} Hz"
+    band = f"{found.options.band[0]:g} to {found.options.band[1]:g} Hz"
     if found.wheels.moved > 1e-9:
         out.print(f"the given speeds do not hold the momentum: before is {rpm(found.wheels.moved):.4g} rpm off them")
     rows = table("flywheel", "before, rpm>", "after, rpm>", "change, rpm>", "phase, deg>")
@@ -146,7 +146,9 @@ def _report(found: Quieted) -> None:
             "" if jitter.simulated is None else f", simulated {jitter.simulated:.4g} (expected {jitter.expected:.4g})"
         )
         rms = jitter.free if jitter is found.before else jitter.rms
-        out.print(f"{name}: {found.wish.measure} of {found.wish.point}, {band}: RMS {rms:.4g} {found.unit}{simulated}")
+        out.print(
+            f"{name}: {found.options.measure} of {found.options.point}, {band}: RMS {rms:.4g} {found.unit}{simulated}"
+        )
     ratio = found.reduction
     words = f"{ratio:.4g} times lower" if ratio >= 1.0 else f"{1.0 / ratio:.4g} times higher"
     out.print(f"{words}; momentum within {found.momentum_error:.1g} N m s")
@@ -154,11 +156,11 @@ def _report(found: Quieted) -> None:
         out.print(f"phases off by {found.hold * 180.0 / 3.141592653589793:.3g} deg rms double what is left")
 
 
-def _lines(found: Quieted) -> Any:
+def _lines(found: QuietResult) -> Any:
     """Order 1 of all flywheels, before and after."""
     from rich.text import Text
 
-    from mahovik.use.study.quiet.lines import inside
+    from mahovik.use.study.quiet.lines import in_band
 
     rows = table("", "line, Hz>", "flywheels", f"apart, {found.unit}>", f"together, {found.unit}>", "simulated>", "")
 
@@ -168,7 +170,7 @@ def _lines(found: Quieted) -> Any:
             sizes = (2.0 * line.apart) ** 0.5, (2.0 * line.mean_square) ** 0.5
             names = " ".join(found.wheels.names[s] for s in line.flywheels)
             last = "-" if simulated is None else f"{simulated:.4g}"
-            where = "" if inside(line.frequency, found.wish.band) else "out of the band"
+            where = "" if in_band(line.frequency, found.options.band) else "out of the band"
             rows.add_row(name, f"{line.frequency:.4f}", Text(names), *(f"{x:.4g}" for x in sizes), last, where)
 
     add("before", found.before)
@@ -176,7 +178,7 @@ def _lines(found: Quieted) -> Any:
     return rows
 
 
-def _end(found: Quieted) -> None:
+def _end(found: QuietResult) -> None:
     """Warnings; exit status."""
     if found.interrupted:
         click.echo("interrupted: this is the best so far, not simulated", err=True)
@@ -191,7 +193,7 @@ def _end(found: Quieted) -> None:
     if found.reduction < 1.0:
         click.echo("error: nothing that is allowed is lower than before; this is the lowest of it", err=True)
         raise SystemExit(1)
-    wanted = found.wish.reduction
+    wanted = found.options.reduction
     if wanted is not None and found.reduction < wanted:
         click.echo(f"error: not {wanted:g} times lower within what is allowed; this is the lowest found", err=True)
         raise SystemExit(1)

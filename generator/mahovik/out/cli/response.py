@@ -18,7 +18,7 @@ from mahovik.out.cli.rest import read_phases
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.use.study.response.asked import Asked
+    from mahovik.use.study.response.speed_plan import SpeedPlan
     from mahovik.use.study.response.sweep import Sweep
 
 PICTURES = (".svg", ".png")
@@ -73,7 +73,7 @@ def response(
     if output is not None and Path(output).suffix not in SUFFIXES:
         raise UsageError(f"-o {output}: expected a name that ends in {', '.join(SUFFIXES)}")
     from mahovik.use.study.linear.points import places
-    from mahovik.use.study.response.asked import read_speeds
+    from mahovik.use.study.response.speed_plan import read_speeds
     from mahovik.use.study.response.sweep import sweep
 
     places(stand, [point])
@@ -124,7 +124,7 @@ def read_band(text: str) -> tuple[float, float]:
     return low, high
 
 
-def _warn(stand: Stand, asked: Asked) -> None:
+def _warn(stand: Stand, asked: SpeedPlan) -> None:
     """Speeds beyond those of the motors."""
     for s, wheel in enumerate(stand.flywheels):
         fastest = max(abs(asked.speeds(value)[s]) for value in asked.sweep or (0.0,))

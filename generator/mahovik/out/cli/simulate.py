@@ -163,14 +163,14 @@ def _plain(found: Run, output: str) -> dict[str, Any]:
         "rows": len(found.data),
         "columns": found.names,
         "t_end": float(found.data[-1, 0]) if len(found.data) else None,
-        "motors_short": {name: {"t": t, "torque": missing} for name, (t, missing) in found.short.items()},
+        "motors_short": {name: {"t": t, "torque": missing} for name, (t, missing) in found.weak_motors.items()},
         "stopped": found.stopped,
     }
 
 
 def _report(found: Run, as_json: bool) -> None:
     """Motors that fall short; why a run ended early. Exit status 1, or 130 for Ctrl-C."""
-    for name, (t, missing) in found.short.items():
+    for name, (t, missing) in found.weak_motors.items():
         click.echo(
             f"motor of {name}: cannot give what its law asks for; {missing:.4g} N m short at t = {t:.6g} s", err=as_json
         )

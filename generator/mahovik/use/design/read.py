@@ -1,4 +1,4 @@
-"""What is free, from a file (TOML) or a list of keys. Every problem of the file is found before any is reported."""
+"""Read the freedom of a design from a file (TOML) or a list of keys; all problems are found before any is reported."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from mahovik.errors import DesignError
 from mahovik.nearest import meant
 from mahovik.use.design.freedom import MIRRORS, PARTS, WIDTH, Freedom, Key, Limits, Tie, Weights
 from mahovik.use.design.limits import nearest_two
-from mahovik.use.design.space import numbers_of
+from mahovik.use.design.space import flywheel_numbers
 
 TOP = ("schema", "number", "phase", "speed", "harmonics", "quality", "free", "group", "limits", "cost")
 CHOICES = ("phase", "speed", "number")
@@ -56,7 +56,7 @@ def load_freedom(path: str | Path, stand: Stand) -> Freedom:
 
 
 def read_freedom(text: str, stand: Stand, source: str = "free") -> Freedom:
-    """Read and check what is free, given as text; `source` names it in messages. Raises DesignError."""
+    """Read and check a freedom given as text; `source` names it in messages. Raises DesignError."""
     try:
         document = parse(text)
     except (RecursionError, ValueError) as error:
@@ -66,7 +66,7 @@ def read_freedom(text: str, stand: Stand, source: str = "free") -> Freedom:
     top.only(TOP)
     if top.has("schema") and (isinstance(document["schema"], bool) or document["schema"] != 1):
         top.refuse("schema", f"expected 1, found {show(document['schema'])}")
-    reader = _Reader(top, stand)
+    reader = _FreedomReader(top, stand)
     freedom = reader.freedom()
     if problems.lines:
         raise DesignError(problems.lines)
@@ -74,7 +74,7 @@ def read_freedom(text: str, stand: Stand, source: str = "free") -> Freedom:
 
 
 def freedom_of_keys(keys: str, stand: Stand) -> Freedom:
-    """What `--free position,unbalance` frees, of all flywheels, with bounds by default. Raises DesignError."""
+    """Freedom of all flywheels from `--free position,unbalance`, with default bounds. Raises DesignError."""
     known = (*PARTS, *CHOICES)
     names = [key.strip() for key in keys.split(",")]
     problems = Problems(f"--free {keys}")
@@ -82,34 +82,34 @@ def freedom_of_keys(keys: str, stand: Stand) -> Freedom:
     free: dict[str, Any] = {}
     for name in names:
         if name not in known:
-            problems.add(f"unknown key {show(name)}{meant(name, known)} A file of what is free ends in .toml")
+            problems.add(f"unknown key {show(name)}{meant(name, known)} The name of a freedom file ends in .toml")
         elif name in CHOICES:
             document[name] = True
         else:
             free[name] = True
     if free:
         document["free"] = [free]
-    freedom = _Reader(Section(problems, document), stand).freedom()
+    freedom = _FreedomReader(Section(problems, document), stand).freedom()
     if problems.lines:
         raise DesignError(problems.lines)
     return freedom
 
 
-class _Reader:
-    """One document; problems are noted, and what is read of it then is of no use."""
+class _FreedomReader:
+    """Reads one document; after a problem was noted, the values read are not used."""
 
     def __init__(self, top: Section, stand: Stand) -> None:
         self.top, self.stand, self.N = top, stand, len(stand.flywheels)
         self.names = [s.name for s in stand.flywheels]
-        now = np.array([numbers_of(s) for s in stand.flywheels]).reshape(self.N, WIDTH)
+        now = np.array([flywheel_numbers(s) for s in stand.flywheels]).reshape(self.N, WIDTH)
         self.least, self.most, self.free = now.copy(), now.copy(), np.zeros((self.N, WIDTH), dtype=bool)
-        self.now = now
+        self.current = now
 
     def freedom(self) -> Freedom:
-        """All of it."""
+        """The whole document."""
         top = self.top
         if not self.N:
-            top.problems.add(f"stand {self.stand.name} has no flywheel: there is nothing to design")
+            top.problems.add(f"stand {self.stand.name} has no flywheels: there is nothing to design")
             return Freedom(self.least, self.most, self.free)
         number = self._number()
         for where, section in self._tables("free"):
@@ -119,7 +119,7 @@ class _Reader:
                 if key in section:
                     self._free(where, section, chosen, key)
             if "unbalance" in section and "unbalance_at" not in section and section.given["unbalance"] is not False:
-                self._open(chosen, "unbalance_at")
+                self._free_direction(chosen, "unbalance_at")
         phase = self._flag("phase")
         speeds = self._speeds()
         choosing = phase or speeds is not None or "number" in top
@@ -127,7 +127,7 @@ class _Reader:
             top.problems.add(f"nothing is free: free one of {', '.join((*PARTS, *CHOICES))}")
         return Freedom(
             self.least, self.most, self.free, self._ties(), self._limits(), self._weights(), phase, speeds, number,
-            self._whole("harmonics", HARMONICS, 0, MOST_HARMONICS), self._quality(),
+            self._integer("harmonics", HARMONICS, 0, MOST_HARMONICS), self._quality(),
         )  # fmt: skip
 
     def _tables(self, key: str) -> list[tuple[str, Section]]:
@@ -141,7 +141,7 @@ class _Reader:
         return found
 
     def _flywheels(self, section: Section) -> list[int]:
-        """Numbers of those that a table names; all without names."""
+        """Numbers of the flywheels that a table names; all if it names none."""
         if "flywheels" not in section:
             return list(range(self.N))
         found: list[int] = []
@@ -149,13 +149,13 @@ class _Reader:
             if name not in self.names:
                 section.refuse("flywheels", f"unknown {show(name)}{meant(str(name), self.names)}")
             elif self.names.index(name) in found:
-                section.refuse("flywheels", f"{show(name)} is there twice")
+                section.refuse("flywheels", f"{show(name)} is named twice; name it once")
             else:
                 found.append(self.names.index(name))
         return found
 
     def _free(self, where: str, section: Section, chosen: list[int], key: Key) -> None:
-        """One key of one table."""
+        """Read one key of one table."""
         raw = section.given[key]
         if raw is False:
             return
@@ -183,7 +183,7 @@ class _Reader:
             section.refuse(key, f"min {low[0]:g} is negative")
             return
         if key in ("mass", "inertia") and low[0] == 0.0:
-            section.refuse(key, "min 0: a flywheel needs some; give a least above 0")
+            section.refuse(key, "min 0: expected a minimum above 0")
             return
         for s in chosen:
             self.least[s, PARTS[key]], self.most[s, PARTS[key]] = low, high
@@ -201,11 +201,11 @@ class _Reader:
             return None
 
     def _default(self, section: Section, chosen: list[int], key: Key) -> None:
-        """Bounds where a key is just `true`."""
+        """Default bounds, for a key that is just `true`."""
         if key in ("angles", "unbalance_at"):
-            self._open(chosen, key)
+            self._free_direction(chosen, key)
             return
-        low, high = self.now[:, PARTS[key]], self.now[:, PARTS[key]]
+        low, high = self.current[:, PARTS[key]], self.current[:, PARTS[key]]
         if key == "position":
             far = float(np.abs(low).max())
             low, high = np.full_like(low, -far), np.full_like(high, far)
@@ -214,14 +214,14 @@ class _Reader:
         else:
             low, high = 0.5 * low, 2.0 * high
         if not np.any(high > low):
-            section.refuse(key, "true takes its bounds from the stand, where all are zero: give { min = .., max = .. }")
+            section.refuse(key, "all values in the stand are zero: give { min = .., max = .. } instead of true")
             return
         for s in chosen:
             self.least[s, PARTS[key]], self.most[s, PARTS[key]] = low[s], high[s]
             self.free[s, PARTS[key]] = True
 
-    def _open(self, chosen: list[int], key: Key) -> None:
-        """Angles in any direction."""
+    def _free_direction(self, chosen: list[int], key: Key) -> None:
+        """Free angles in any direction."""
         for s in chosen:
             self.least[s, PARTS[key]], self.most[s, PARTS[key]] = -math.inf, math.inf
             self.free[s, PARTS[key]] = True
@@ -241,15 +241,15 @@ class _Reader:
             if mirror is not None and mirror not in MIRRORS:
                 section.refuse("mirror", f"expected one of {', '.join(MIRRORS)}, found {show(mirror)}")
             elif mirror is not None and len(chosen) != 2:
-                section.refuse("mirror", f"goes with two flywheels, found {len(chosen)}")
+                section.refuse("mirror", f"needs two flywheels, found {len(chosen)}")
             elif mirror is not None and {"position", "angles"} & set(map(str, same)):
-                section.refuse("mirror", "says of position and angles what `same` says otherwise")
+                section.refuse("mirror", "contradicts `same` about position and angles")
             elif len(chosen) < 2:
-                section.refuse("flywheels", f"a group has two or more, found {len(chosen)}")
+                section.refuse("flywheels", f"a group needs two or more flywheels, found {len(chosen)}")
             elif mirror is None and not same:
-                section.problems.add(*section.path, "expected `same`, `mirror` or both: nothing is tied")
+                section.problems.add(*section.path, "nothing is tied: expected `same`, `mirror` or both")
             elif len({self.stand.flywheels[s].mount for s in chosen}) > 1:
-                section.refuse("flywheels", "a group is of one mount, its places are in one frame")
+                section.refuse("flywheels", "all flywheels of a group need the same mount")
             else:
                 keys = tuple(key for key in PARTS if key in same)
                 found.append(Tie(tuple(chosen), keys, mirror))
@@ -270,11 +270,11 @@ class _Reader:
             if limit is not None and limit < least * (1.0 - 1e-12):
                 section.refuse(key, f"{limit:g} {kinds[key].si} is below the sum of the least, {least:g}")
         if "distance" not in section and self.free[:, PARTS["position"]].any():
-            found["distance"] = self._apart()
+            found["distance"] = self._default_distance()
         return Limits(found["distance"] or None, found["total_mass"], found["total_unbalance"])
 
-    def _apart(self) -> float:
-        """Half the least distance of the stand as it is: a design is not free to put flywheels into each other."""
+    def _default_distance(self) -> float:
+        """Default distance: half the least distance in the given stand, so that flywheels keep apart."""
         nearest_now = nearest_two(self.stand)
         return 0.5 * nearest_now[0] if nearest_now is not None else 0.0
 
@@ -326,7 +326,7 @@ class _Reader:
                 self.top.refuse("number", f"least {least} is above most {most}")
             elif most > self.N:
                 self.top.refuse(
-                    "number", f"{most} flywheels, but the stand has {self.N}: copy one of its tables for each more"
+                    "number", f"{most} flywheels, but the stand has {self.N}: copy one of its tables for each new one"
                 )
             else:
                 return least, most
@@ -334,7 +334,7 @@ class _Reader:
             self.top.refuse("number", f"expected least and most, as [2, 4], found {show(raw)}")
         return (self.N, self.N)
 
-    def _whole(self, key: str, default: int, least: int, most: int) -> int:
+    def _integer(self, key: str, default: int, least: int, most: int) -> int:
         if key not in self.top:
             return default
         found = self.top.integer(key, self.top.given[key])
@@ -348,5 +348,5 @@ class _Reader:
             return QUALITY
         found = self.top.above_zero("quality", PLAIN)
         if found is not None and found > 0.1:
-            self.top.refuse("quality", f"{found:g} is no quality, expected a relative residual of at most 0.1")
+            self.top.refuse("quality", f"{found:g} is not a quality, expected a relative residual of at most 0.1")
         return found or QUALITY
