@@ -36,7 +36,7 @@ html_show_copyright = False
 
 
 def contents(page: str) -> str:
-    """The lists of links under the headings of index.md, as tables of contents with these headings."""
+    """The lists of links under the headings of an index.md, as tables of contents with these headings."""
     text = ""
     for section in page.split("\n## ")[1:]:
         heading, _, listed = section.partition("\n")
@@ -46,9 +46,11 @@ def contents(page: str) -> str:
 
 
 def read(app: Sphinx, name: str, source: list[str]) -> None:
-    """What is written for the repository, for the site: lists of index.md as tables of contents too; Markdown that is
-    not a page of this folder as a file."""
-    if name == "index":
+    """Turn a page of the repository into one of the site.
+
+    The lists of an index.md become tables of contents too; links to Markdown outside this folder become files.
+    """
+    if name in ("index", "results/index"):
         source[0] += contents(source[0])
     source[0] = re.sub(r"(?<=\]\()[^)#:]*\.md(?=\))", lambda link: outside(app, name, link[0]), source[0])
 

@@ -6,15 +6,20 @@ Ctrl-C acts on commands that tests start, also where a shell runs the tests besi
 
 import os
 import signal
+import sys
 from pathlib import Path
 
 from hypothesis import settings
 
 from mahovik.__main__ import ONE_THREAD
 
+TOOLS = Path(__file__).resolve().parents[1] / "tools"
+
 for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(Path(__file__).resolve().parents[1] / ".pytest_cache" / "formulas")
+
+sys.path.append(str(TOOLS))  # tools import one another, and tests import them; last, as names of tests go first
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)

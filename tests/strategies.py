@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from mahovik.core.stand import Stand, State
 from mahovik.core.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
+from mahovik.core.stand.random_state import MAX_PHASE
 
 _SEEDS = st.integers(0, 2**32 - 1)
 
@@ -80,7 +81,7 @@ def stands(
     return random_stand(np.random.default_rng(draw(_SEEDS)), flywheels, has)
 
 
-def states(stand: Stand, *, extreme: bool = False, phase_limit: float = 1e7) -> st.SearchStrategy[State]:
+def states(stand: Stand, *, extreme: bool = False, phase_limit: float = MAX_PHASE) -> st.SearchStrategy[State]:
     """States of `stand` with inputs; with `extreme`, of every kind in EXTREMES as well."""
 
     def build(seed: int, kind: str | None) -> State:

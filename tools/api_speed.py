@@ -1,26 +1,22 @@
-"""Nanoseconds a state of `Model.forward`, beside the same batch C on arrays that lie ready: docs/python.md.
+"""Nanoseconds a state of `Model.forward`, beside the same batch C on arrays that lie ready: docs/results/python.md.
 
 python tools/api_speed.py [--print]
 """
 
 from __future__ import annotations
 
-import argparse
 import time
 from collections.abc import Callable, Sequence
-from pathlib import Path
 
+import campaign
 import numpy as np
-from marked import put
-from processor import processor
 
 import mahovik
 from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.api.compiled import compiled
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "python.md"
-BEGIN, END = "<!-- speed -->", "<!-- end of speed -->"
+BLOCK = campaign.Block("docs/results/python.md", "speed")
 COUNTS = (1, 10, 100, 1000, 10_000, 100_000)
 ROUNDS = 40
 ROUND = 0.01  # s, of each candidate
@@ -44,7 +40,7 @@ def seconds(candidates: Sequence[Callable[[], object]]) -> list[float]:
     return best
 
 
-def rows() -> list[str]:
+def rows() -> list[list[str]]:
     """A row a number of states."""
     stand = mahovik.example("bench8")
     model, library = mahovik.build(stand), compiled(stand, "double", np.dtype(np.float64), None, parallel=False)
@@ -56,7 +52,7 @@ def rows() -> list[str]:
         by_state = rng.normal(size=(n, count))
         by_component = np.asfortranarray(by_state)
         arrays = [
-            library.tables["stand"],
+            library.tables["table"],
             np.ascontiguousarray(x.array.T),
             np.ascontiguousarray(by_state.T),
             np.empty((6, n)),
@@ -69,28 +65,22 @@ def rows() -> list[str]:
                 lambda x=x, a=by_state: model.forward(x, a),
             ]
         )
-        cells = [f"{n:,}", *(f"{t / n * 1e9:,.0f}" for t in (alone, ready, turned)), f"{turned / alone - 1:.0%}"]
-        found.append(f"| {' | '.join(cells)} |")
+        found.append([f"{n:,}", *(f"{t / n * 1e9:,.0f}" for t in (alone, ready, turned)), f"{turned / alone - 1:.0%}"])
     return found
 
 
 def main() -> None:
     """Writes the table between the marks of the page."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--print", action="store_true", help="to the terminal, not into the page")
-    given = parser.parse_args()
-    head = [
-        "",
-        f"`forward` of `bench8`, one thread; {version(find_compiler()[0])}, {processor()}.",
-        "",
-        "| states | C, ns a state | `forward`, by component | `forward`, by state | more than C |",
-        "|---:|---:|---:|---:|---:|",
-    ]
-    lines = [*head, *rows(), ""]
+    given = campaign.parser(__doc__, print=False).parse_args()
+    head = ("states", "C, ns a state", "`forward`, by component", "`forward`, by state", "more than C")
+    text = (
+        f"`forward` of `bench8`, one thread; {version(find_compiler()[0])}, {campaign.processor()}.\n\n"
+        f"{campaign.table(head, rows(), 0)}"
+    )
     if given.print:
-        print("\n".join(lines))
+        print(text)
     else:
-        put(PAGE, BEGIN, END, lines)
+        BLOCK.write(text)
 
 
 if __name__ == "__main__":

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 
+import campaign
 import click
 
 from mahovik.out.cli import SECTIONS, main
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "commands.md"
+PAGE = campaign.ROOT / "docs" / "commands.md"
 
 HEAD = """# Commands
 

@@ -1,24 +1,117 @@
-"""What a control loop costs on an emulated Cortex-M7 and M4: writes the tables of docs/control-loop.md.
+"""What a control loop costs on an emulated Cortex-M7 and M4: writes the tables of docs/results/control-loop.md.
 
 python tools/control_loop.py [--ticks 100000]
 """
 
 from __future__ import annotations
 
-import argparse
+import math
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+import campaign
+
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.templates import template
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Point, Stand
 from mahovik.core.toolchain.board import build, run, version
-from mahovik.core.toolchain.loop import BENCH8, Counts, control_loop, read_counts
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.stands import path
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "control-loop.md"
-BEGIN, END = "<!-- figures: tools/control_loop.py -->", "<!-- end of figures -->"
+IMU = Point("imu", "carrier", (0.05, 0.0, 0.02), (0.0, 0.0, 0.0))
+
+RATE = 1000
+"""Hz; of the loop that is run. What a tick costs does not depend on it."""
+
+
+@dataclass(frozen=True)
+class Sway:
+    """A motion for a stand, and where it is about.
+
+    places   phases of the flywheels, rad
+    center   of the carrier: position, m, and angles in the stand's sequence, rad
+    linear, angular   amplitudes, m and rad
+    """
+
+    places: Sequence[float]
+    center: Sequence[float]
+    linear: Sequence[float]
+    angular: Sequence[float]
+
+
+BENCH8 = Sway(
+    places=(-1.96, -0.61, -1.35, 0.12, -1.2, -0.19, -0.35, 0.68),
+    center=(0.0, 0.0, 0.0, 0.0, 0.006582, 0.006415),
+    linear=(3e-5, 3e-5, 3e-5),
+    angular=(6e-5, 6e-5, 0.0),
+)
+"""For bench8: `mahovik rest` with these phases gives the centre; the least singular value is 0.36 of the largest."""
+
+
+@dataclass(frozen=True)
+class Counts:
+    """What a run printed: most instructions by stage and by kind of tick; the hash of the run; errors, SI.
+
+    followed   largest error of the carrier's position while it follows the sway
+    strayed    farthest from its rest under the sway that is too large
+    observed   largest error of the observed velocity
+    """
+
+    stages: dict[str, int]
+    ticks: dict[str, int]
+    hash: int
+    followed: float
+    strayed: float
+    observed: float
+
+
+def control_loop(stand: Stand, sway: Sway, real: str, ticks: int) -> dict[str, str]:
+    """C texts by file name for `board.build`: the stand with an IMU, and a `main` that runs the loop on it."""
+    generated = generate_all(replace(stand, points=(IMU,)), real)
+    precision = generated.program.precision
+
+    def numbers(values: Sequence[float]) -> str:
+        return ", ".join(real_literal(v, precision) for v in values)
+
+    main = template("loop.c.j2").render(
+        name=stand.name,
+        NAME=stand.name.upper(),
+        rate=RATE,
+        imu=IMU.name,
+        ticks=ticks,
+        per_turn=4096,
+        counts_per_rad=4096 / (2 * math.pi),
+        places=numbers(sway.places),
+        center=numbers(sway.center),
+        sway_linear=numbers(sway.linear),
+        sway_angular=numbers(sway.angular),
+        omega=20 * math.pi,
+    )
+    return generated.files | {"loop.c": main}
+
+
+def read_counts(printed: str) -> Counts:
+    """What the program printed."""
+    numbers = {name: int(value) for name, value in (line.rsplit(": ", 1) for line in printed.splitlines())}
+    followed, strayed, observed = (
+        numbers.pop(name) * 1e-6
+        for name in (
+            "off the wanted position, um",
+            "off the rest under three times the sway, um",
+            "observed velocity off, um/s",
+        )
+    )
+    run = numbers.pop("hash")
+    ticks = {name.removeprefix("tick: "): n for name, n in numbers.items() if name.startswith("tick: ")}
+    stages = {name: n for name, n in numbers.items() if not name.startswith("tick: ")}
+    return Counts(stages, ticks, run, followed, strayed, observed)
+
+
+BLOCK = campaign.Block("docs/results/control-loop.md", "figures: tools/control_loop.py")
 
 CYCLES = 2.0
 """Cycles an instruction takes on silicon: an assumption, and a careful one. Both cores issue at least an instruction a
@@ -67,7 +160,7 @@ def figures(results: Sequence[tuple[Silicon, Counts]], ticks: int) -> str:
     stages = [[name, *(f"{c.stages[name]:,}" for _, c in results)] for name in results[0][1].stages]
     text = (
         f"Most instructions of a stage in {ticks:,} ticks, at -O2 by {version(TARGETS['m7'].compiler[0])}. QEMU counts "
-        "them in steps of 40.\n\n" + table(["stage", *head], stages)
+        "them in steps of 40.\n\n" + campaign.table(["stage", *head], stages)
     )
     rows = []
     for name in results[0][1].ticks:
@@ -79,7 +172,9 @@ def figures(results: Sequence[tuple[Silicon, Counts]], ticks: int) -> str:
     text += (
         "\nMost instructions of a whole tick, and an **estimate** of time. It rests on an assumption, cycles an "
         f"instruction:\n{CYCLES:g}; time is not measured. The last columns are the share of the period.\n\n"
-        + table(["tick", "processor", "instructions", "estimate, us", *(f"{r / 1000:g} kHz" for r in RATES)], rows, 2)
+        + campaign.table(
+            ["tick", "processor", "instructions", "estimate, us", *(f"{r / 1000:g} kHz" for r in RATES)], rows, 2
+        )
     )
     for board, counts in results:
         text += (
@@ -91,21 +186,11 @@ def figures(results: Sequence[tuple[Silicon, Counts]], ticks: int) -> str:
     return text
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]], words: int = 1) -> str:
-    """A Markdown table, all but the first columns to the right."""
-    lines = [head, [*["---"] * words, *["---:"] * (len(head) - words)], *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
-
-
 def main() -> None:
     """Run the loops, write the page."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--ticks", type=int, default=100_000)
-    ticks = parser.parse_args().ticks
+    ticks = campaign.parser(__doc__, ticks=100_000).parse_args().ticks
     results = [(board, counted(board, ticks)) for board in BOARDS]
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    text = f"{before}{BEGIN}\n\n{figures(results, ticks)}\n{END}{rest.split(END)[1]}"
-    PAGE.write_text(text, encoding="utf-8")
+    BLOCK.write(figures(results, ticks))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""How often and how fast `mahovik design` finds few flywheels for simple motions: the table of docs/design.md.
+"""How often and how fast `mahovik design` finds few flywheels for simple motions: the table of docs/results/design.md.
 
 python tools/design_campaign.py [--seeds 10] [--first 7000] [--rows TEXT] [--write]
 
@@ -9,16 +9,12 @@ has fewer successes than eight in ten.
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
+import campaign
 import numpy as np
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
@@ -28,8 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.design import DesignOptions, Outcome, design_stand
 from mahovik.use.design.read import read_freedom
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "design.md"
-BEGIN, END = "<!-- campaign: tools/design_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCK = campaign.Block("docs/results/design.md", "campaign: tools/design_campaign.py --write")
 SECONDS = 60.0
 FREE = """
 schema = 1
@@ -89,6 +84,12 @@ def good(row: Row, found: Outcome, seconds: float) -> bool:
     return found.stand is not None and found.residual <= row.quality and seconds <= SECONDS
 
 
+HEAD = (
+    "motion", "flywheels", "relative residual asked", "found", "verified as exact", "median residual", "worst",
+    "median, s", "longest, s",
+)  # fmt: skip
+
+
 def line(row: Row, found: Sequence[tuple[Outcome, float]]) -> str:
     """A line of the table."""
     some = [each for each, seconds in found if good(row, each, seconds)]
@@ -96,26 +97,21 @@ def line(row: Row, found: Sequence[tuple[Outcome, float]]) -> str:
     spent = sorted(seconds for _, seconds in found)
     median = np.median([each.residual for each in some]) if some else np.nan
     worst = max((each.residual for each in some), default=np.nan)
-    return (
-        f"| {row.name} | {row.N} | {row.quality:g} | {len(some)} of {len(found)} | {exact} | {median:.1g} | "
-        f"{worst:.1g} | {np.median(spent):.1f} | {spent[-1]:.1f} |"
-    )
+    return campaign.row(
+        row.name, row.N, f"{row.quality:g}", f"{len(some)} of {len(found)}", exact, f"{median:.1g}", f"{worst:.1g}",
+        f"{np.median(spent):.1f}", f"{spent[-1]:.1f}",
+    )  # fmt: skip
 
 
 def main() -> None:
     """Runs the rows and writes the page."""
-    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
-    options.add_argument("--seeds", type=int, default=10, help="stands a row")
-    options.add_argument("--first", type=int, default=7000, help="first seed")
-    options.add_argument("--rows", default="", help="those whose name holds this text")
-    options.add_argument("--write", action="store_true", help="into docs/design.md")
-    asked = options.parse_args()
+    asked = campaign.parser(__doc__, seeds=10, first=7000, rows="", write=False).parse_args()
     lines, few = [], False
     for row in ROWS:
         if asked.rows not in row.name:
             continue
         found = []
-        for seed in range(asked.first, asked.first + asked.seeds):
+        for seed in campaign.seeds(asked.first, asked.seeds):
             found.append(outcome(row, seed))
             each, seconds = found[-1]
             print(f"{row.name}, seed {seed}: {each.status} {each.residual:.2g} {seconds:.1f} s", flush=True)
@@ -134,17 +130,12 @@ def _of(row: Row, lines: Sequence[str]) -> str:
 
 def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
     """The table between the marks of the page."""
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    old, after = rest.split(END)
-    text = [
-        f"{asked.seeds} stands a row, seeds from {asked.first}; found within {SECONDS:g} s of the processor.",
-        "",
-        "| motion | flywheels | relative residual asked | found | verified as exact | median residual | worst "
-        "| median, s | longest, s |",
-        "|---|---|---|---|---|---|---|---|---|",
-        *(made for row in ROWS if (made := _of(row, lines) or _of(row, old.splitlines()))),
-    ]
-    PAGE.write_text("\n".join([before + BEGIN, *text, END + after]), encoding="utf-8", newline="\n")
+    old = BLOCK.text().splitlines()
+    made = "".join(f"{found}\n" for row in ROWS if (found := _of(row, lines) or _of(row, old)))
+    BLOCK.write(
+        f"{asked.seeds} stands a row, seeds from {asked.first}; found within {SECONDS:g} s of the processor.\n\n"
+        f"{campaign.table(HEAD, (), None)}{made}"
+    )
 
 
 if __name__ == "__main__":

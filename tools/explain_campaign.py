@@ -1,4 +1,4 @@
-"""Faults planted in programs of random stands, and what `judge --explain` says of them: writes docs/diagnosis.md.
+"""Plant faults in programs of random stands, ask `judge --explain` for them, write docs/results/diagnosis.md.
 
 python tools/explain_campaign.py [--stands 6] [--jobs 2] [--write]
 
@@ -7,14 +7,11 @@ Exit status 1 where fewer than 95 % of single faults are named first, or a corre
 
 from __future__ import annotations
 
-import argparse
-import os
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
+import campaign
 import numpy as np
 from explain_planting import Answers, Plant, answers_of, derived, edited, interpreted, literal, renumbered, rewritten
 
@@ -27,8 +24,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
 from mahovik.proof.verify.states import Request
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "diagnosis.md"
-BEGIN, END = "<!-- campaign: tools/explain_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCK = campaign.Block("docs/results/diagnosis.md", "campaign: tools/explain_campaign.py --write")
 
 COUNTS = (2, 1, 1, 3, 4, 2, 3, 5, 2, 8)
 """Flywheels of the stands, in turn."""
@@ -175,12 +171,6 @@ def examined(number: int, some: int = 8) -> tuple[str, list[Outcome], list[Outco
     return f"{stand.name}: {len(stand.flywheels)} flywheels", found, right
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]], words: int = 1) -> str:
-    """A Markdown table; after so many columns of words, numbers to the right."""
-    lines = [head, ["---"] * words + ["---:"] * (len(head) - words), *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
-
-
 def counted(outcomes: Sequence[Outcome]) -> tuple[int, int, int, int]:
     """Seen, named first alone, named first with equals, of a set of outcomes; and the part named first, in percent."""
     seen = [each for each in outcomes if each.verdict != "unseen"]
@@ -213,48 +203,37 @@ def summary(stands: int, found: Sequence[Outcome], right: Sequence[Outcome]) -> 
         of_it = [each for each in found if each.kind == kind]
         if of_it:
             rows.append((kind, *map(str, counted(of_it)), f"{rate(of_it):.0%}"))
-    text += table(KINDS_HEAD, rows) + "\n"
+    text += campaign.table(KINDS_HEAD, rows) + "\n"
     rows = []
     for name in dict.fromkeys(each.fault for each in right):
         of_it = [each for each in right if each.fault == name]
         rows.append((name, str(len(of_it)), str(sum(each.verdict not in ("equal", "rounding") for each in of_it))))
-    text += table(RIGHT_HEAD, rows) + "\n"
+    text += campaign.table(RIGHT_HEAD, rows) + "\n"
     rows = []
     for fault in DICTIONARY:
         seen, alone, equals, _ = counted([each for each in single if each.fault == fault.name])
         words = (each.replace("|", "\\|") for each in (fault.name, fault.equation, fault.words()))
         rows.append((*words, str(seen), str(alone + equals)))
-    return text + table(DICTIONARY_HEAD, rows, 3)
-
-
-def with_summary(page: str, text: str) -> str:
-    """The page with the summary between its markers."""
-    before, rest = page.split(BEGIN)
-    return f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}"
+    return text + campaign.table(DICTIONARY_HEAD, rows, 3)
 
 
 def main() -> None:
     """Run it."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--stands", type=int, default=6)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--write", action="store_true", help="the summary into docs/diagnosis.md as well")
-    given = parser.parse_args()
+    given = campaign.parser(__doc__, stands=6, jobs=campaign.cores(), write=False).parse_args()
     found: list[Outcome] = []
     right: list[Outcome] = []
-    with ProcessPoolExecutor(given.jobs) as pool:
-        for line, outcomes, of_correct in pool.map(examined, range(given.stands)):
-            single = [each for each in outcomes if each.kind in SINGLE]
-            print(f"{line}: {rate(single):.1%} of {counted(single)[0]} single faults named first", flush=True)
-            for each in outcomes:
-                if each.verdict in ("other", "none"):
-                    print(f"  {each.kind}: {each.fault}: {each.verdict}", flush=True)
-            found += outcomes
-            right += of_correct
+    for line, outcomes, of_correct in campaign.each(examined, given.jobs, range(given.stands)):
+        single = [each for each in outcomes if each.kind in SINGLE]
+        print(f"{line}: {rate(single):.1%} of {counted(single)[0]} single faults named first", flush=True)
+        for each in outcomes:
+            if each.verdict in ("other", "none"):
+                print(f"  {each.kind}: {each.fault}: {each.verdict}", flush=True)
+        found += outcomes
+        right += of_correct
     text = summary(given.stands, found, right)
     print(f"\n{text}", end="")
     if given.write:
-        PAGE.write_text(with_summary(PAGE.read_text(encoding="utf-8"), text), encoding="utf-8")
+        BLOCK.write(text)
     false = [each for each in right if each.verdict not in ("equal", "rounding")]
     raise SystemExit(1 if false or rate([each for each in found if each.kind in SINGLE]) < LEAST else 0)
 

@@ -346,8 +346,8 @@ def without_asymmetry(generic: Any, original: Callable[..., Any] = flywheel.spun
 
 def hub_weight(*given: Any, original: Callable[..., None] = wrenches._weight) -> None:
     """The weight along the constant part of the first moment."""
-    lib, body, stand, x, turns, _, g, F = given
-    original(lib, body, stand, x, turns, SimpleNamespace(mu=stand.first_moment), g, F)
+    lib, body, table, x, turns, _, g, F = given
+    original(lib, body, table, x, turns, SimpleNamespace(mu=table.first_moment), g, F)
 
 
 def no_lower_left(V: sp.Matrix, original: Callable[..., sp.Matrix] = carrier.Phi) -> sp.Matrix:

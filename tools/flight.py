@@ -5,25 +5,50 @@ python tools/flight.py [--board m4] [--real float] [--stand bench8] [--steps 200
 
 from __future__ import annotations
 
-import argparse
 import tempfile
 from pathlib import Path
 
+import campaign
+
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.emit.templates import template
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import build, run
-from mahovik.core.toolchain.flight import flight
 from mahovik.core.toolchain.targets import TARGETS
+from mahovik.errors import UsageError
 from mahovik.out.cli import main as mahovik
 from mahovik.stands import path
 
 
+def flight(stand: Stand, real: str, steps: int, dt: float = 1e-3, torque: float = 0.02) -> dict[str, str]:
+    """C texts by file name for `board.build`: the stand, its recorder, and a `main` that prints the log.
+
+    Torques are drawn anew for each of `steps` steps of `dt` seconds, up to `torque` N m. Raises UsageError: a stand
+    without flywheels, or with run-time wrenches.
+    """
+    generated = generate_all(stand, real)
+    if not stand.flywheels or generated.layout.inputs:
+        raise UsageError(f'stand "{stand.name}": the flight wants flywheels, and no run-time wrenches')
+    precision = generated.program.precision
+    main = template("flight.c.j2").render(
+        name=stand.name,
+        NAME=stand.name.upper(),
+        steps=steps,
+        dt=real_literal(dt, precision),
+        torque=real_literal(torque, precision),
+        unit=real_literal(2.0**-15, precision),
+    )
+    return generated.files | recorder_files(stand, generated) | {"flight.c": main}
+
+
 def main() -> None:
     """Build, fly, write the log, replay it. Exit status of `mahovik replay`."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = campaign.parser(__doc__, stand="bench8", steps=2000)
     parser.add_argument("--board", default="m4", choices=sorted(TARGETS))
     parser.add_argument("--real", default="float", choices=["float", "double"])
-    parser.add_argument("--stand", default="bench8")
-    parser.add_argument("--steps", type=int, default=2000)
     parser.add_argument("-o", dest="log", type=Path, default=Path("build/flight.log"))
     given = parser.parse_args()
     board = TARGETS[given.board]

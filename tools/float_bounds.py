@@ -1,31 +1,27 @@
 """What rounding to float costs: measures every quantity of verify over random and example stands, and writes the table
-of docs/verification.md; exit status 1 where a bound is not met.
+of docs/results/verification.md; exit status 1 where a bound is not met.
 
 python tools/float_bounds.py [--stands 48] [--states 40] [--jobs 2]
 """
 
 from __future__ import annotations
 
-import argparse
-import os
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
-from pathlib import Path
 
+import campaign
 import numpy as np
+from random_stands import random_stands, verify_random
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.proof import reference
 from mahovik.proof.verify.bounds import FLOAT
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.campaign import random_stands, verify_random
 from mahovik.proof.verify.draw import rounded
 from mahovik.stands import names, path
 from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, states
 
-ROOT = Path(__file__).resolve().parents[1]
-BEGIN, END = "<!-- float: tools/float_bounds.py -->", "<!-- end of float -->"
+BLOCK = campaign.Block("docs/results/verification.md", "float: tools/float_bounds.py")
 Worst = dict[tuple[str, str], float]
 UNITS = "units of `check`"
 
@@ -67,36 +63,27 @@ def units(stand: Stand) -> Iterator[float]:
 def table(worst: Worst, stands: int, count: int) -> str:
     """The block between the markers."""
     rows = [
-        f"| `{want}` | `{quantity}` | {FLOAT.of(want, quantity):.0e} | {off:.0e} |"
+        (f"`{want}`", f"`{quantity}`", f"{FLOAT.of(want, quantity):.0e}", f"{off:.0e}")
         for (want, quantity), off in worst.items()
         if want != UNITS and quantity not in ("status", "rank")
     ]
-    head = "| want | quantity | bound | worst measured |\n| --- | --- | ---: | ---: |"
     words = (
         f"Written by `python tools/float_bounds.py`: {stands} stands (the examples, then random ones of 0 to 64 "
         f"flywheels), {count} states each.\nRounding in `check`: at most {worst[UNITS, '']:.1f} units of 2^-24 of the "
         f"terms measured, {FACTOR:.0f} assumed."
     )
-    return "\n".join([words, "", head, *rows])
+    return f"{words}\n\n{campaign.table(('want', 'quantity', 'bound', 'worst measured'), rows, 2)}"
 
 
 def main() -> None:
     """Measure, write, judge."""
-    parser = argparse.ArgumentParser(description="What rounding to float costs.")
-    parser.add_argument("--stands", type=int, default=48, help="random ones, beside the examples")
-    parser.add_argument("--states", type=int, default=40)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    given = parser.parse_args()
+    given = campaign.parser(__doc__, stands=48, states=40, jobs=campaign.cores()).parse_args()
     total = given.stands + len(names())
     worst: Worst = {}
-    with ProcessPoolExecutor(given.jobs) as pool:
-        for _, found in pool.map(measured, range(total), [given.states] * total):
-            for key, off in found.items():
-                worst[key] = max(worst.get(key, 0.0), off)
-    page = ROOT / "docs" / "verification.md"
-    before, rest = page.read_text(encoding="utf-8").split(BEGIN)
-    text = f"{before}{BEGIN}\n\n{table(worst, total, given.states)}\n\n{END}{rest.split(END)[1]}"
-    page.write_text(text, encoding="utf-8")
+    for _, found in campaign.each(measured, given.jobs, range(total), [given.states] * total):
+        for key, off in found.items():
+            worst[key] = max(worst.get(key, 0.0), off)
+    BLOCK.write(table(worst, total, given.states))
     beyond = [
         f"{want}: {quantity}"
         for (want, quantity), off in worst.items()

@@ -1,15 +1,14 @@
-"""How well bench8 follows its programmes with mismatch: writes the tables of docs/following.md.
+"""How well bench8 follows its programmes with mismatch: writes the tables of docs/results/following.md.
 
 python tools/following_campaign.py [--seeds 10] [--mismatch 1] [--write]
 """
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
+import campaign
 import numpy as np
 
 from mahovik.core.motion.programme import Programme
@@ -27,8 +26,7 @@ from mahovik.use.control.wanted import Wanted
 from mahovik.use.plan.options import PlanOptions
 from mahovik.use.plan.planner import plan_motion
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "following.md"
-BEGIN, END = "<!-- campaign: tools/following_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCK = campaign.Block("docs/results/following.md", "campaign: tools/following_campaign.py --write")
 
 WINDINGS = ("spin", "rock")
 LIMIT, TRIMMED = 0.05, 0.01
@@ -59,7 +57,10 @@ def outcome(wanted: Wanted, servo: Servo, design: TrimDesign, share: float, seed
     return Outcome(plain.share, trimmed.share, float(max(plain.apart.max(), trimmed.apart.max())))
 
 
-def line(name: str, found: Sequence[Outcome]) -> str:
+HEAD = ("programme", "median", "worst", "within 5 %", "with trim: median", "worst", "within 1 %", "flywheels")
+
+
+def line(name: str, found: Sequence[Outcome]) -> list[str]:
     """A row of the table."""
     cells = [name]
     for values, limit in ((np.array([o.plain for o in found]), LIMIT), (np.array([o.trimmed for o in found]), TRIMMED)):
@@ -69,7 +70,7 @@ def line(name: str, found: Sequence[Outcome]) -> str:
             f"{int(np.sum(values <= limit))} of {len(values)}",
         ]
     cells.append(f"{1e3 * max(o.apart for o in found):.2g} mrad")
-    return f"| {' | '.join(cells)} |"
+    return cells
 
 
 def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programme], seeds: int, share: float) -> str:
@@ -82,31 +83,28 @@ def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programm
         design = design_trim(stand, motion, wanted.programme, servo.trim)
         found = [outcome(wanted, servo, design, share, seed) for seed in range(1, seeds + 1)]
         rows.append(line(f"{name}, winding {', '.join(map(str, programme.winding))}", found))
-        print(rows[-1], flush=True)
+        print(campaign.row(*rows[-1]), flush=True)
         wrong = f"{100 * design.margin:.2g} % wrong"
         designs.append(f"{name} {design.radius:.2g} of an error is left by a round, and it may be {wrong}")
         case = Case(wanted, with_mismatch(stand, share, 1), servo, SETTLING + MEASURED)
         for each in contributions(case):
             alone, without = ("lost" if x is None else f"{100 * x:.2g} %" for x in (each.alone, each.without))
-            causes.append(f"| {name} | {each.cause.name} | {alone} | {without} |")
+            causes.append((name, each.cause.name, alone, without))
     return (
         "Error of the carrier about its mean, largest over a period, as a share of the amplitude; mismatch "
         f"{100 * share:g} %, seeds 1 to {seeds}; 1 kHz, latency a tenth of a sample, tables of {ROWS} nodes; trim "
         f"after {ROUNDS} rounds. The last column: the largest distance of a flywheel from its programme.\n\n"
-        "| programme | median | worst | within 5 % | with trim: median | worst | within 1 % | flywheels |\n"
-        "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n" + "\n".join(rows) + "\n\n"
+        f"{campaign.table(HEAD, rows)}\n"
         f"By the nominal model of the trim: {'; '.join(designs)}.\n\n"
         "What limits it, seed 1, no trim: a run with each cause alone, and a run without it.\n\n"
-        "| programme | cause | alone | without it |\n| --- | --- | ---: | ---: |\n" + "\n".join(causes) + "\n"
+        + campaign.table(("programme", "cause", "alone", "without it"), causes, 2)
     )
 
 
 def main() -> None:
     """Plans, runs, and writes the page."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--seeds", type=int, default=10)
+    options = campaign.parser(__doc__, seeds=10, write=False)
     options.add_argument("--mismatch", type=float, default=1.0, help="per cent")
-    options.add_argument("--write", action="store_true", help="into docs/following.md")
     asked = options.parse_args()
     stand = load(path("bench8"))
     motion = load_motion(path("bench8").with_suffix(".motion.json"), stand)
@@ -117,9 +115,7 @@ def main() -> None:
     text = figures(stand, motion, programmes, asked.seeds, asked.mismatch / 100.0)
     print(text)
     if asked.write:
-        before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-        _, after = rest.split(END)
-        PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{after}", encoding="utf-8", newline="\n")
+        BLOCK.write(text)
 
 
 if __name__ == "__main__":

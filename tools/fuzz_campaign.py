@@ -1,4 +1,4 @@
-"""Fuzzes the C of the example stands, double and float: writes the table of docs/fuzzing.md.
+"""Fuzzes the C of the example stands, double and float: writes the table of docs/results/fuzzing.md.
 
 python tools/fuzz_campaign.py [--runs 10500000] [--quick] [STAND ...]
 
@@ -9,7 +9,6 @@ and writes no page. Exit status 1 where anything was found.
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import json
 import math
@@ -24,6 +23,8 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+import campaign
+
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
@@ -31,9 +32,7 @@ from mahovik.core.toolchain.fuzzing import FLAGS, Run, compile_harness, fuzz, mi
 from mahovik.errors import CheckError
 from mahovik.stands import path
 
-ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "fuzzing.md"
-BEGIN, END = "<!-- figures: tools/fuzz_campaign.py -->", "<!-- end of figures -->"
+BLOCK = campaign.Block("docs/results/fuzzing.md", "figures: tools/fuzz_campaign.py")
 
 STANDS = ("demo3", "bench8", "shaker2", "auv6", "remus6", "sat4")
 """Together they have every kind of wrench: legs, suspension, added mass, buoyancy, damping, run-time wrenches."""
@@ -58,7 +57,7 @@ class Fuzzed:
     size: int
 
 
-def campaign(stand: str, real: str, runs: int) -> Fuzzed:
+def fuzzed(stand: str, real: str, runs: int) -> Fuzzed:
     """One stand at one precision, until it has had so many executions. Raises CheckError with what was found."""
     folder, program, digest = _build(stand, real)
     corpus, record = folder / "corpus", folder / "executed.json"
@@ -85,7 +84,7 @@ def quick(stand: str, real: str, seconds: int) -> Run:
 
 def _build(stand: str, real: str) -> tuple[Path, Path, str]:
     """Folder, harness, and the hash of what it was made of."""
-    folder = ROOT / "build" / "fuzz" / f"{stand}-{real}"
+    folder = campaign.ROOT / "build" / "fuzz" / f"{stand}-{real}"
     folder.mkdir(parents=True, exist_ok=True)
     texts = fuzz_project(load(path(stand)), real)
     for name, text in texts.items():
@@ -119,37 +118,36 @@ def _must(command: Sequence[str], folder: Path) -> str:
 
 def page(results: Sequence[Fuzzed]) -> str:
     """The table and its sum."""
+    head = (
+        "stand",
+        "reals",
+        "executions",
+        "of them a second",
+        "lines reached",
+        "branches reached",
+        "inputs kept",
+        "kB",
+    )
     rows = [
-        "| stand | reals | executions | of them a second | lines reached | branches reached | inputs kept | kB |",
-        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |",
-    ]
-    rows += [
-        f"| {r.stand} | {r.real} | {r.executions:,} | {r.executions / r.seconds:,.0f} | {r.lines:.2f} % "
-        f"| {r.branches:.2f} % | {r.inputs} | {r.size / 1000:.0f} |"
+        (r.stand, r.real, f"{r.executions:,}", f"{r.executions / r.seconds:,.0f}", f"{r.lines:.2f} %",
+         f"{r.branches:.2f} %", r.inputs, f"{r.size / 1000:.0f}")
         for r in results
-    ]
+    ]  # fmt: skip
     total = sum(r.executions for r in results)
     minutes = sum(r.seconds for r in results) / 60
     text = (
         f"{total:,} executions, {minutes:.0f} minutes of a core that others used as well, by {version('clang')}; no "
         "finding is open. Lines and branches of the stand's C that the kept inputs reach are counted by gcov.\n\n"
     )
-    return text + "\n".join(rows) + "\n"
-
-
-def between_markers(text: str, figures: str) -> str:
-    """The page with the figures between its markers."""
-    before, rest = text.split(BEGIN)
-    return f"{before}{BEGIN}\n\n{figures}\n{END}{rest.split(END)[1]}"
+    return text + campaign.table(head, rows, 2)
 
 
 def main() -> None:
     """Run all, print a line each, write the page."""
-    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser = campaign.parser(__doc__, quick=False)
     parser.add_argument("stands", nargs="*", default=STANDS, metavar="STAND")
     parser.add_argument("--runs", type=int, default=10_500_000, help="executions of all together")
     parser.add_argument("--seconds", type=int, default=60, help="of all together, with --quick")
-    parser.add_argument("--quick", action="store_true")
     given = parser.parse_args()
     cases = [(stand, real) for stand in given.stands for real in REALS]
     jobs = min(len(cases), os.cpu_count() or 1)
@@ -161,7 +159,7 @@ def main() -> None:
             futures = [pool.submit(quick, *case, seconds) for case in cases]
         else:
             runs = [math.ceil(given.runs * share / sum(shares)) for share in shares]
-            futures = [pool.submit(campaign, *case, count) for case, count in zip(cases, runs, strict=True)]
+            futures = [pool.submit(fuzzed, *case, count) for case, count in zip(cases, runs, strict=True)]
         for case, future in zip(cases, futures, strict=True):
             try:
                 results.append(found := future.result())
@@ -170,7 +168,7 @@ def main() -> None:
                 failed = True
                 print(f"error: {error}", file=sys.stderr, flush=True)
     if not failed and not given.quick and set(given.stands) == set(STANDS):
-        PAGE.write_text(between_markers(PAGE.read_text(encoding="utf-8"), page(results)), encoding="utf-8")
+        BLOCK.write(page(results))
     raise SystemExit(1 if failed else 0)
 
 

@@ -1,4 +1,4 @@
-"""How long generation, the start of commands and the C compiler take: writes the tables of docs/generation.md.
+"""How long generation, the start of commands and the C compiler take: writes the tables of docs/results/generation.md.
 
 python tools/generation_time.py [--repeat 5] [--only generation|start] [--no-page]
 
@@ -8,7 +8,6 @@ the repetitions, of the start of commands also the median. Exit status 1 where a
 
 from __future__ import annotations
 
-import argparse
 import os
 import platform
 import statistics
@@ -20,12 +19,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import campaign
+
 from mahovik.core.formula.cache import VARIABLE
 from mahovik.stands import path
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "generation.md"
-BEGIN, END = "<!-- figures: tools/generation_time.py {} -->", "<!-- end of figures -->"
 PARTS = ("generation", "start")
+BLOCKS = {
+    part: campaign.Block("docs/results/generation.md", f"figures: tools/generation_time.py {part}") for part in PARTS
+}
 
 COUNTS = (2, 8, 64, 1000)
 """Flywheels."""
@@ -172,22 +174,16 @@ class Measurement:
 
 def machine() -> str:
     """What was measured on."""
-    model = platform.processor() or platform.machine()
-    cpuinfo = Path("/proc/cpuinfo")
-    if cpuinfo.is_file():
-        lines = cpuinfo.read_text(encoding="utf-8").splitlines()
-        model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), model)
     gcc = subprocess.run(["gcc", "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
     return (
-        f"On {model}, {os.cpu_count()} cores, Python {platform.python_version()}, gcc {gcc}; "
+        f"On {campaign.processor()}, {os.cpu_count()} cores, Python {platform.python_version()}, gcc {gcc}; "
         f"processes that wanted to run meanwhile, on average: {os.getloadavg()[1]:.1f}."
     )
 
 
 def main() -> None:
     """Measure, print, write the page. Exit status 1 where a limit is passed."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--repeat", type=int, default=5)
+    parser = campaign.parser(__doc__, repeat=5)
     parser.add_argument("--only", choices=PARTS)
     parser.add_argument("--no-page", action="store_true", help="print only")
     asked = parser.parse_args()
@@ -201,9 +197,7 @@ def main() -> None:
         failed |= bool(found.passed_limits)
         print(text)
         if not asked.no_page:
-            before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN.format(part))
-            after = rest.split(END, 1)[1]
-            PAGE.write_text(f"{before}{BEGIN.format(part)}\n\n{text}\n{END}{after}", encoding="utf-8")
+            BLOCKS[part].write(text)
     raise SystemExit(1 if failed else 0)
 
 

@@ -1,13 +1,13 @@
-"""What outside judges say of the example stands: writes docs/judges.md, and its short table into README.md.
+"""What outside judges say of the example stands: writes docs/results/judges.md, and its short table into README.md.
 
 python tools/judges_table.py [--states 200]
 """
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
-from pathlib import Path
+
+import campaign
 
 from mahovik.core.stand import Stand, load
 from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge, Model
@@ -17,15 +17,14 @@ from mahovik.proof.verify.judges.rigid import missing, stripped
 from mahovik.proof.verify.report import Report
 from mahovik.stands import names, path
 
-ROOT = Path(__file__).resolve().parents[1]
-BEGIN, END = "<!-- judges: tools/judges_table.py -->", "<!-- end of judges -->"
+BLOCK = campaign.Block("README.md", "judges: tools/judges_table.py")
 WORDS = (*QUANTITIES.values(), MOTION)
 ITS_WORDS = (*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), MOTION)
 """What Basilisk offers."""
 
 NOTE = (
     "Basilisk: of stands whose flywheels are cut to what its reaction wheel can be; "
-    "[the cases where it is\nnot exact](docs/judges.md#where-its-model-is-not-exact) are shown as well.\n"
+    "[the cases where it is\nnot exact](docs/results/judges.md#where-its-model-is-not-exact) are shown as well.\n"
 )
 
 BASILISK = """
@@ -53,12 +52,6 @@ flywheels are balanced, as in {balanced}, the model is exact.
 {simple}"""
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table, numbers to the right."""
-    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
-
-
 def worst(reports: Sequence[Report], judge: str, quantity: str) -> str:
     """The largest difference over stands; nothing where no stand has the quantity."""
     found = [row.worst for r in reports for row in r.rows if (row.want, row.quantity) == (judge, quantity)]
@@ -68,13 +61,13 @@ def worst(reports: Sequence[Report], judge: str, quantity: str) -> str:
 def short(reports: Sequence[Report], versions: Sequence[str]) -> str:
     """Quantities by judges: the worst of all stands."""
     rows = [[quantity, *(worst(reports, judge, quantity) for judge in ALL)] for quantity in WORDS]
-    return table(["generated C against", *versions], rows) + "\n" + NOTE
+    return campaign.table(["generated C against", *versions], rows) + "\n" + NOTE
 
 
 def by_stand(reports: Sequence[Report], judge: str, words: Sequence[str]) -> str:
     """Quantities by stands."""
     rows = [[quantity, *(worst([r], judge, quantity) for r in reports)] for quantity in words]
-    return table(["quantity", *(r.stand for r in reports)], rows)
+    return campaign.table(["quantity", *(r.stand for r in reports)], rows)
 
 
 def page(reports: Sequence[Report], dry: Sequence[str], versions: Sequence[str], states: int, basilisk: str) -> str:
@@ -83,7 +76,7 @@ def page(reports: Sequence[Report], dry: Sequence[str], versions: Sequence[str],
         "# Outside judges\n\n"
         "Written by `python tools/judges_table.py`. The generated C against multibody programs of others, given the "
         "same stand:\nthe largest difference relative to the natural scale "
-        "([what that is](verification.md#the-natural-scale)), over "
+        "([what that is](../verification.md#the-natural-scale)), over "
         f"{states} random and extreme states a stand.\n"
         f"They know no fluid, suspension or legs; these were taken out of {', '.join(dry)}.\n"
     )
@@ -109,17 +102,9 @@ def by_basilisk(stand: Stand, states: int, model: Model = "JitterFullyCoupled", 
     return verify_by(its, [BasiliskJudge(its, model, asymmetric)], count=states)
 
 
-def with_table(readme: str, text: str) -> str:
-    """README with the table between its markers."""
-    before, rest = readme.split(BEGIN)
-    return f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}"
-
-
 def main() -> None:
     """Run the judges, write both files. Exit status 1 where one disagrees."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--states", type=int, default=200)
-    states = parser.parse_args().states
+    states = campaign.parser(__doc__, states=200).parse_args().states
     stands = [load(path(name)) for name in names()]
     rigid = [stripped(stand) for stand in stands]
     reports = [verify_judges(stand, count=states, names=tuple(JUDGES)) for stand in rigid]
@@ -133,10 +118,8 @@ def main() -> None:
     ]
     dry = [f"`{stand.name}`" for stand in stands if missing(stand)]
     text = page(reports, dry, versions, states, of_basilisk(exact, asymmetric, simple))
-    (ROOT / "docs" / "judges.md").write_text(text, encoding="utf-8")
-    readme = ROOT / "README.md"
-    text = with_table(readme.read_text(encoding="utf-8"), short([*reports, *exact], versions))
-    readme.write_text(text, encoding="utf-8")
+    (campaign.ROOT / "docs" / "results" / "judges.md").write_text(text, encoding="utf-8")
+    BLOCK.write(short([*reports, *exact], versions))
     raise SystemExit(0 if all(report.passed for report in (*reports, *exact)) else 1)
 
 

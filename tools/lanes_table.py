@@ -1,4 +1,4 @@
-"""What lanes are worth: instructions and time of forward and coupled, by lanes and flags, into docs/lanes.md.
+"""What lanes are worth: instructions and time of forward and coupled, by lanes and flags, into docs/results/lanes.md.
 
 python tools/lanes_table.py [--flywheels 2,8,64,1000] [--print]
 
@@ -7,7 +7,6 @@ Instructions are callgrind's, of C for x86-64-v3 (AVX2), the same on every machi
 
 from __future__ import annotations
 
-import argparse
 import os
 import subprocess
 import tempfile
@@ -16,8 +15,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import campaign
 import numpy as np
-from processor import processor
 
 from mahovik.core.emit.generate import LANES, Generated, generate_all
 from mahovik.core.stand.model import Stand
@@ -34,9 +33,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge
 
-ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "lanes.md"
-BEGIN, END = "<!-- lanes: tools/lanes_table.py -->", "<!-- end of lanes -->"
+BLOCK = campaign.Block("docs/results/lanes.md", "lanes: tools/lanes_table.py")
 
 FUNCTIONS = ("forward", "coupled")
 MANY = 1000
@@ -63,7 +60,7 @@ def times(made: Generated, flags: Sequence[str], flywheels: int) -> list[float]:
             (Path(folder) / file).write_text(text, encoding="ascii")
         calls = max(20, 40_000 // flywheels)
         words = (f"-DSTAND={name}", f'-DHEADER="{name}.h"', f"-DFLYWHEELS={flywheels}", f"-DCALLS={calls}")
-        sources = (str(ROOT / "tools" / "lanes_clock.c"), f"{name}.c")
+        sources = (str(campaign.ROOT / "tools" / "lanes_clock.c"), f"{name}.c")
         command = ["gcc", "-std=c99", *flags, "-I.", *words, *sources, "-o", "clock", "-lm"]
         subprocess.run(command, check=True, cwd=folder)
         printed = subprocess.run([f"{folder}/clock"], check=True, capture_output=True, text=True).stdout
@@ -83,12 +80,6 @@ def _counted(made: Generated) -> Iterator[object]:
     """The functions of the program; of the public ones those that are counted."""
     for f in made.program.functions:
         yield f if f.name in FUNCTIONS or not f.public else replace(f, public=False)
-
-
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table with its numbers to the right."""
-    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def measured(flywheels: int) -> list[list[str]]:
@@ -127,28 +118,25 @@ def described(flywheels: int) -> str:
         **{f"stack of `{f}`, bytes": f"{n:,}" for f, n in stack.items()},
         **{f"`{r.quantity}` of `{r.want}` off the NumPy reference": f"{r.worst:.1e}" for r in rows},
     }
-    return table([f"{flywheels:,} flywheels, 4 lanes", ""], [list(fact) for fact in facts.items()])
+    return campaign.table([f"{flywheels:,} flywheels, 4 lanes", ""], [list(fact) for fact in facts.items()])
 
 
 def main() -> None:
     """Writes the tables between the marks of the page."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--flywheels", default=f"2,8,64,{MANY}")
+    parser = campaign.parser(__doc__, flywheels=f"2,8,64,{MANY}")
     parser.add_argument("--print", action="store_true", help="to the terminal, not into the page")
     given = parser.parse_args()
     counts = [int(word) for word in given.flywheels.split(",")]
     head = ["N, lanes", *(f"`{f}` instructions, AVX2" for f in FUNCTIONS)]
     head += [f"`{f}` ns, {name}" for f in FUNCTIONS for name, _ in BUILDS]
-    text = f"{version('gcc')}, {processor()}; load when begun {os.getloadavg()[0]:.0f}.\n\n"
-    text += table(head, [row for n in counts for row in measured(n)])
+    text = f"{version('gcc')}, {campaign.processor()}; load when begun {os.getloadavg()[0]:.0f}.\n\n"
+    text += campaign.table(head, [row for n in counts for row in measured(n)])
     for n in counts:
         text += f"\n{described(n)}" if n >= MANY else ""
     if given.print:
         print(text)
         return
-    page = PAGE.read_text(encoding="utf-8")
-    before, rest = page.split(BEGIN)
-    PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}", encoding="utf-8")
+    BLOCK.write(text)
 
 
 if __name__ == "__main__":

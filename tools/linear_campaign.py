@@ -1,4 +1,6 @@
-"""Linear models against automatic differentiation, steady states against simulation: docs/linear.md, docs/response.md.
+"""Compare linear models with automatic differentiation and steady states with simulation.
+
+Writes docs/results/linear.md and docs/results/response.md.
 
 python tools/linear_campaign.py [--stands 200] [--first 1] [--write]
 
@@ -7,16 +9,11 @@ Exit status 1 where a figure is not what the pages promise.
 
 from __future__ import annotations
 
-import argparse
-import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
+import campaign
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
@@ -34,8 +31,10 @@ from mahovik.use.study.rest import rest
 
 Array = NDArray[np.float64]
 
-DOCS = Path(__file__).resolve().parents[1] / "docs"
-BEGIN, END = "<!-- campaign: tools/linear_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCKS = {
+    name: campaign.Block(f"docs/results/{name}.md", "campaign: tools/linear_campaign.py --write")
+    for name in ("linear", "response")
+}
 AGREEMENT, EQUAL = 1e-10, 1e-6
 FLYWHEELS = (0, 1, 2, 4, 8)
 POSE = ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")
@@ -56,7 +55,7 @@ def linear_table(stands: int, first: int) -> tuple[str, bool]:
     rows, worst = [], 0.0
     for N in FLYWHEELS:
         found = []
-        for seed in range(first, first + stands // len(FLYWHEELS)):
+        for seed in campaign.seeds(first, stands // len(FLYWHEELS)):
             rng = np.random.default_rng([seed, N])
             stand = random_stand(rng, N)
             state = random_state(stand, rng)
@@ -65,7 +64,7 @@ def linear_table(stands: int, first: int) -> tuple[str, bool]:
         worst = max(worst, *largest.values())
         rows.append([str(N), str(len(found)), *(f"{largest[name]:.0e}" for name in "ABCD")])
     text = f"Random stands, a random state each; accepted is {AGREEMENT:g} of the largest number of a row.\n\n"
-    return text + table(("flywheels", "stands", "A", "B", "C", "D"), rows), worst <= AGREEMENT
+    return text + campaign.table(("flywheels", "stands", "A", "B", "C", "D"), rows), worst <= AGREEMENT
 
 
 @dataclass(frozen=True)
@@ -101,7 +100,7 @@ def response_table() -> tuple[str, bool]:
         how = "one period from the course" if course.until is None else f"{course.until:g} s from rest"
         rows.append([course.stand, speeds, str(len(found.y)), how, f"{off:.0e}"])
     text = f"Largest distance in place and attitude over the last period, part of the amplitude; accepted is {EQUAL:g}."
-    return text + "\n\n" + table(("stand", "speeds, rpm", "nodes", "simulated", "apart"), rows), worst <= EQUAL
+    return text + "\n\n" + campaign.table(("stand", "speeds, rpm", "nodes", "simulated", "apart"), rows), worst <= EQUAL
 
 
 def missed(stand: Stand, found: Periodic, until: float | None) -> float:
@@ -129,41 +128,21 @@ def missed(stand: Stand, found: Periodic, until: float | None) -> float:
     return float(max(off[:, a].max() / size[a].max() for a in (slice(0, 3), slice(3, 6))))
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Markdown."""
-    lines = (head, ["---"] * len(head), *rows)
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
-
-
-def with_text(page: str, text: str) -> str:
-    """The page with what stands between its marks."""
-    before, begin, rest_of_page = page.partition(BEGIN)
-    _, end, after = rest_of_page.partition(END)
-    if not begin or not end:
-        raise SystemExit(f"{BEGIN} ... {END}: not on the page")
-    return f"{before}{begin}\n{text}\n\n{end}{after}"
-
-
 def pages(stands: int, first: int) -> Iterator[tuple[str, str, bool]]:
     """Name of a page, its table, and whether the table is good."""
-    yield "linear.md", *linear_table(stands, first)
-    yield "response.md", *response_table()
+    yield "linear", *linear_table(stands, first)
+    yield "response", *response_table()
 
 
 def main() -> int:
     """Prints the tables, writes them where asked to."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--stands", type=int, default=200)
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--write", action="store_true")
-    given = parser.parse_args()
+    given = campaign.parser(__doc__, stands=200, first=1, write=False).parse_args()
     good = True
     for name, text, passed in pages(given.stands, given.first):
         print(text, flush=True)
         good &= passed
         if given.write:
-            file = DOCS / name
-            file.write_text(with_text(file.read_text(encoding="utf-8"), text), encoding="utf-8")
+            BLOCKS[name].write(text)
     return 0 if good else 1
 
 

@@ -1,4 +1,4 @@
-"""Accuracy of sincos, sqrt, atan2 and wrap, compiled, against Arb: writes the tables of docs/mathematics.md.
+"""Accuracy of sincos, sqrt, atan2 and wrap, compiled, against Arb: writes the tables of docs/results/arithmetic.md.
 
 python tools/math_campaign.py [--samples 100000] [--quick]
 
@@ -8,9 +8,7 @@ few enough to take all of them, in C, against the double functions of the C libr
 
 from __future__ import annotations
 
-import argparse
 import subprocess
-import sys
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -19,7 +17,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import campaign
 import cffi
+import math_proof
 import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
@@ -32,13 +32,9 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.routines import atan2, sincos, square_root, unwind, wrap
 
-sys.path.insert(0, str(Path(__file__).parent))
-import math_proof
-
-ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "mathematics.md"
-MEASURED = "<!-- measured: tools/math_campaign.py -->", "<!-- end of measured -->"
-PROVEN = "<!-- proven: tools/math_campaign.py -->", "<!-- end of proven -->"
+MEASURED, PROVEN = (
+    campaign.Block("docs/results/arithmetic.md", f"{what}: tools/math_campaign.py") for what in ("measured", "proven")
+)
 BITS = 200
 NEAR = 8 * np.pi
 LAST_NEAR = float(np.nextafter(np.float32(NEAR), np.float32(0)))
@@ -333,26 +329,13 @@ def every_root(first: float, last: float) -> Row:
 # ---- the page ----
 
 
-def table(head: Sequence[str], lines: Sequence[Sequence[str]]) -> str:
-    """A Markdown table."""
-    rule = ["---"] * len(head)
-    return "".join(f"| {' | '.join(line)} |\n" for line in (head, rule, *lines))
-
-
-def between(text: str, markers: tuple[str, str], inner: str) -> str:
-    """Text with what stands between two markers replaced."""
-    before, rest = text.split(markers[0])
-    return f"{before}{markers[0]}\n\n{inner}\n{markers[1]}{rest.split(markers[1])[1]}"
-
-
 MEASURED_HEAD = ("routine", "real", "arguments", "count", "worst error", "where", "must be at most")
 PROVEN_HEAD = ("what", "real", "proven bound", "must be at most")
 
 
 def main() -> None:
     """Run all, write the page. Exit status 1 where a bound is exceeded."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--samples", type=int, default=100_000, help="of each kind, for each routine")
+    parser = campaign.parser(__doc__, samples=100_000)
     parser.add_argument("--quick", action="store_true", help="fewer floats, page not written")
     options = parser.parse_args()
     found = list(rows(options.samples))
@@ -362,12 +345,12 @@ def main() -> None:
         found += [*every_float(0.0, LAST_NEAR), *every_float(LAST_NEAR, FLOAT.max_phase)]
         found += [every_root(0.0, FLOAT.largest)]
     proofs = list(math_proof.rows())
-    measured = table(MEASURED_HEAD, [row.cells() for row in found])
-    proven = table(PROVEN_HEAD, [row.cells() for row in proofs])
+    measured = campaign.table(MEASURED_HEAD, [row.cells() for row in found], None)
+    proven = campaign.table(PROVEN_HEAD, [row.cells() for row in proofs], None)
     print(measured, proven, sep="\n")
     if not options.quick:
-        text = between(PAGE.read_text(encoding="utf-8"), MEASURED, measured)
-        PAGE.write_text(between(text, PROVEN, proven), encoding="utf-8")
+        MEASURED.write(measured)
+        PROVEN.write(proven)
     raise SystemExit(0 if all(row.good for row in (*found, *proofs)) else 1)
 
 

@@ -1,4 +1,4 @@
-"""(13) by IPOPT on bench8 and on seeded random stands: the table of docs/planning-ocp.md.
+"""(13) by IPOPT on bench8 and on seeded random stands: the table of docs/results/optimal-control.md.
 
 python tools/ocp_campaign.py [--stands 1] [--first 8000] [--seconds 120] [--rows TEXT] [--write]
 
@@ -9,7 +9,6 @@ Seconds are of the processor, of the whole plan with the search that it starts f
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -17,10 +16,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
-from marked import put
+import campaign
 from plan_stands import campaign_motion, campaign_stand
 
 import mahovik.stands
@@ -30,8 +26,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.options import Method
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-ocp.md"
-BEGIN, END = "<!-- campaign: tools/ocp_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCK = campaign.Block("docs/results/optimal-control.md", "campaign: tools/ocp_campaign.py --write")
 STANDS = Path(mahovik.stands.__file__).parent
 METHODS: tuple[Method, ...] = ("ocp-partition", "ocp")
 
@@ -56,39 +51,38 @@ def cases(first: int, number: int) -> Iterator[Case]:
             yield Case(f"N = {N}, seed {seed}", campaign_stand(seed, N), campaign_motion(seed, N))
 
 
-def line(case: Case, method: Method, found: Plan, seconds: float) -> str:
+HEAD = (
+    "stand", "method", "status", "partition", "iterations", "s", "raw residual", "residual", "J / J of `fourier`",
+)  # fmt: skip
+
+
+def line(case: Case, method: Method, found: Plan, seconds: float) -> tuple[object, ...]:
     """A line of the table."""
     if not found.programmes:
         why = "; ".join(found.words)
-        return f"| {case.name} | `{method}` | {found.status} {found.reason}: {why} | | | {seconds:.1f} | | | |"
+        words = f"{found.status} {found.reason}: {why}"
+        return case.name, f"`{method}`", words, "", "", f"{seconds:.1f}", "", "", ""
     report: Any = found.programmes[0].report
     own, six = report["ocp"], report["ocp"]["partition"]
     held = f"{six['least_singular_value']:.1e}" if six["regular"] else f"0 at {len(six['det_zero_at'])} times"
     raw = "" if own["raw_residual"] is None else f"{own['raw_residual']:.0e}"
-    cells = (
+    return (
         case.name, f"`{method}`", f"{found.status}, {report['kind']}", f"{','.join(six['plus'])}: {held}",
         own["iterations"], f"{seconds:.1f}", raw, f"{report['residual']:.0e}",
         f"{own['objective']:.5g} / {own['objective_of_start']:.5g}",
     )  # fmt: skip
-    return "| " + " | ".join(str(each) for each in cells) + " |"
 
 
 def main() -> None:
     """Runs the cases and writes the page."""
-    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
-    options.add_argument("--stands", type=int, default=1, help="stands of each N")
-    options.add_argument("--first", type=int, default=8000, help="first seed")
-    options.add_argument("--seconds", type=float, default=120.0, help="cut-off of a plan")
-    options.add_argument("--rows", default="", help="those whose name holds this text")
-    options.add_argument("--write", action="store_true", help="into docs/planning-ocp.md")
-    asked = options.parse_args()
+    asked = campaign.parser(__doc__, stands=1, first=8000, seconds=120.0, rows="", write=False).parse_args()
     lines, wrong = [], []
     for case in cases(asked.first, asked.stands):
         for method in METHODS if asked.rows in case.name else ():
             begun = time.process_time()
             found = plan_motion(case.stand, case.motion, PlanOptions(seconds=asked.seconds, method=method))
             lines.append(line(case, method, found, time.process_time() - begun))
-            print(lines[-1], flush=True)
+            print(campaign.row(*lines[-1]), flush=True)
             wrong += [f"{case.name} {method}: not verified" for p in found.programmes if not p.report["verified"]]
     if asked.write:
         write(lines, asked)
@@ -96,20 +90,14 @@ def main() -> None:
     sys.exit(1 if wrong else 0)
 
 
-def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
+def write(lines: Sequence[Sequence[object]], asked: argparse.Namespace) -> None:
     """The table between the marks of the page."""
-    text = [
+    BLOCK.write(
         f"Stands of each N: {asked.stands}, seeds from {asked.first}. The partition with the least singular value of "
         "I+ along the programme; seconds of the processor with search and verification; the largest relative residual "
         "between the nodes as IPOPT left it, and of the programme; J of (13) over that of the Fourier programme it "
-        "started from.",
-        "",
-        "| stand | method | status | partition | iterations | s | raw residual | residual | J / J of `fourier` |",
-        "|---|---|---|---|---|---|---|---|---|",
-        *lines,
-        "",
-    ]
-    put(PAGE, BEGIN, END, text)
+        f"started from.\n\n{campaign.table(HEAD, lines, None)}"
+    )
 
 
 if __name__ == "__main__":

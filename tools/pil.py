@@ -8,24 +8,94 @@ python tools/pil.py --programme programme.json [--samples 6000] [--mismatch 0.01
 from __future__ import annotations
 
 import argparse
+import re
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+import campaign
+
+from mahovik.core.emit.constant import initialiser
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.servo import servo_program_text
 from mahovik.core.motion.programme import load_programme
 from mahovik.core.motion.required import load_motion
 from mahovik.core.motion.servo import load_servo
 from mahovik.core.stand import load
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import build, run, version
 from mahovik.core.toolchain.footprint import STACK_FLAGS, Footprint, footprint
 from mahovik.core.toolchain.targets import TARGETS
-from mahovik.out.export.pil import Run, processor_in_the_loop, read_run
+from mahovik.errors import UsageError
 from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.stands import motions, path, servos
 from mahovik.use.control.mismatch import with_mismatch
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "servo.md"
-BEGIN, END = "<!-- figures: tools/pil.py --write -->", "<!-- end of figures -->"
+_COUNT = re.compile(r"(# )?(.+?) (\d+)")
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a board printed.
+
+    torques    a line a sample: the bits
+    followed   largest error of an angle in the last quarter, rad
+    limited    samples with a torque cut
+    counts     the board's own, by what they count
+    """
+
+    torques: tuple[str, ...]
+    followed: float
+    limited: int
+    counts: dict[str, int]
+
+
+def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, samples: int) -> dict[str, str]:
+    """C texts by file name for `board.build`: servos made for `stand` against `real_stand`, of the same structure.
+
+    Raises UsageError where the structures differ.
+    """
+    if identities(stand).structure != identities(real_stand).structure:
+        raise UsageError(f'"{real_stand.name}": another structure than "{stand.name}", only numbers may differ')
+    precision = made.program.precision
+    generated, other = generate_all(stand, precision.name), generate_all(real_stand, precision.name)
+    words = "as its file says" if real_stand == stand else "with other numbers than its file"
+    main = servo_program_text(
+        "pil.c.j2",
+        stand,
+        made.program,
+        made.form,
+        made.tables,
+        parameters=initialiser(generated.layout.parameters, other.values.parameters, precision, {}),
+        other=words,
+        hex_digits=precision.width // 4,
+        pil_samples=samples,
+        pil_last=samples * 3 // 4,
+    )
+    name = stand.name
+    own = {f"{name}.h", f"{name}.c"}
+    tables = {f"{name}_programme{end}" for end in (".h", ".c")}
+    servo = {f"{name}_servo{end}" for end in (".h", ".c")}
+    files = generated.files | made.programme.files | made.servo
+    return {file: text for file, text in files.items() if file in own | tables | servo} | {"pil.c": main}
+
+
+def read_run(printed: str) -> Run:
+    """What the program printed."""
+    lines = printed.splitlines()
+    torques = tuple(line for line in lines if line.startswith(" "))
+    numbers: dict[str, int] = {}
+    counts: dict[str, int] = {}
+    for line in lines[len(torques) :]:
+        found = _COUNT.fullmatch(line)
+        assert found is not None, line
+        (counts if found[1] else numbers)[found[2]] = int(found[3])
+    followed = numbers["largest error of an angle in the last part, urad"] * 1e-6
+    return Run(torques, followed, numbers["samples with a torque cut"], counts)
+
+
+BLOCK = campaign.Block("docs/results/servo.md", "figures: tools/pil.py --write")
 STAND = "bench8"
 BOARDS = (("m7", "double"), ("m4", "float"))
 ROWS = ("programme_at", "servo_step", "trim_step")
@@ -68,7 +138,7 @@ def figures(results: list[Found], given: argparse.Namespace) -> str:
         f"{version(TARGETS['m7'].compiler[0])}. The emulator counts instructions in steps of 40;\n"
         "stack over the call graph; code with what a function calls.\n\n"
     )
-    lines = [["processor", "function", "instructions", "stack, B", "code, B"], ["---", "---", "---:", "---:", "---:"]]
+    head, lines = ("processor", "function", "instructions", "stack, B", "code, B"), []
     for f in results:
         title = f"{TARGETS[f.board].title.split(',')[0]}, {f.real}"
         for name in ROWS:
@@ -80,7 +150,7 @@ def figures(results: list[Found], given: argparse.Namespace) -> str:
         counts = f.run.counts
         most, stack = counts["instructions of a sample, at most"], counts["bytes of stack of a sample, at most"]
         lines.append([title, "a whole sample, at most", f"{most:,}", f"{stack:,}", ""])
-    text += "".join(f"| {' | '.join(line)} |\n" for line in lines)
+    text += campaign.table(head, lines, 2)
     for f in results:
         equal = "all torques have the bits of the host" if f.equal else "torques DIFFER from those of the host"
         text += (
@@ -92,12 +162,9 @@ def figures(results: list[Found], given: argparse.Namespace) -> str:
 
 def main() -> None:
     """Run the boards; write the page, or print. Exit status 1 where bits differ."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = campaign.parser(__doc__, samples=6000, seed=1, write=False)
     parser.add_argument("--programme", type=Path, required=True)
-    parser.add_argument("--samples", type=int, default=6000)
     parser.add_argument("--mismatch", type=float, default=0.01)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--write", action="store_true", help="into docs/servo.md")
     given = parser.parse_args()
     results = [found(board, real, given) for board, real in BOARDS]
     text = figures(results, given)
@@ -106,8 +173,7 @@ def main() -> None:
     if wrong:
         raise SystemExit(f"{', '.join(wrong)}: other torques than on this machine")
     if given.write:
-        before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-        PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}", encoding="utf-8")
+        BLOCK.write(text)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""How often and how fast `mahovik plan` finds programmes, on seeded random stands: the tables of docs/planning.md.
+"""How often and how fast `mahovik plan` finds programmes on seeded random stands: docs/results/planning.md.
 
 python tools/plan_campaign.py [--stands 4] [--first 5000] [--seconds 30] [--jobs 1] [--write]
 
@@ -9,20 +9,14 @@ verification. The page is written after each row; what preflight refuses is the 
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import time
-from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
+import campaign
 import numpy as np
-from marked import put
 from plan_stands import NO_BOUNDS, PERIOD, campaign_motion, campaign_move, campaign_stand
 
 from mahovik.core.motion.required import RequiredMotion
@@ -30,8 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.certificate import certify, failed_items
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning.md"
-BEGIN, END = "<!-- campaign: tools/plan_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCK = campaign.Block("docs/results/planning.md", "campaign: tools/plan_campaign.py --write")
 OMEGA = 2.0 * np.pi / PERIOD
 
 
@@ -114,63 +107,47 @@ def outcome(row: Row, seed: int, seconds: float, verify: bool) -> Outcome:
     return Outcome(found.status, spent, float(np.max(programme.report["peak_acceleration"])), wrong)
 
 
-def line(row: Row, outcomes: Sequence[Outcome]) -> str:
+HEAD = ("flywheels", "motion, windings", "found", "median, s", "longest, s", "median peak acceleration, rad/s2")
+
+
+def line(row: Row, outcomes: Sequence[Outcome]) -> tuple[object, ...]:
     """A line of the table."""
     good = [each for each in outcomes if each.status == "OK"]
     spent = sorted(each.seconds for each in outcomes)
     peak = f"{np.median([each.peak for each in good]):.0f}" if good else "-"
-    median = f"{np.median(spent):.1f}"
-    return f"| {row.N} | {row.name} | {len(good)} of {len(outcomes)} | {median} | {spent[-1]:.1f} | {peak} |"
-
-
-def mapped(function: Callable[..., Any], jobs: int, *columns: Sequence[Any]) -> list[Any]:
-    """The function of each, side by side where there are jobs."""
-    if jobs == 1:
-        return [function(*each) for each in zip(*columns, strict=True)]
-    with ProcessPoolExecutor(jobs) as pool:
-        return list(pool.map(function, *columns))
+    return row.N, row.name, f"{len(good)} of {len(outcomes)}", f"{np.median(spent):.1f}", f"{spent[-1]:.1f}", peak
 
 
 def main() -> None:
     """Runs the rows and writes the page."""
-    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
-    options.add_argument("--stands", type=int, default=4, help="stands a row")
-    options.add_argument("--first", type=int, default=5000, help="first seed")
-    options.add_argument("--seconds", type=float, default=30.0, help="cut-off of a plan")
-    options.add_argument("--jobs", type=int, default=1)
-    options.add_argument("--rows", default="", help="those whose line holds this text")
+    options = campaign.parser(__doc__, stands=4, first=5000, seconds=30.0, jobs=1, rows="", write=False)
     options.add_argument("--verify", type=int, help="stands of a row whose programmes are verified; default all")
-    options.add_argument("--write", action="store_true", help="into docs/planning.md")
     asked = options.parse_args()
-    seeds = list(range(asked.first, asked.first + asked.stands))
+    seeds = campaign.seeds(asked.first, asked.stands)
     n = len(seeds)
     lines, wrong = [], []
     verified = n if asked.verify is None else asked.verify
     for row in ROWS:
         if asked.rows not in f"{row.N} {row.name}":
             continue
-        found = mapped(outcome, asked.jobs, [row] * n, seeds, [asked.seconds] * n, [k < verified for k in range(n)])
+        columns = [row] * n, seeds, [asked.seconds] * n, [k < verified for k in range(n)]
+        found = list(campaign.each(outcome, asked.jobs, *columns))
         lines.append(line(row, found))
         wrong += [f"{row.N} {row.name}, seed {s}: {o.wrong}" for s, o in zip(seeds, found, strict=True) if o.wrong]
-        print(lines[-1], *wrong, sep="\n", flush=True)
+        print(campaign.row(*lines[-1]), *wrong, sep="\n", flush=True)
         if asked.write:
             write(lines, len(wrong), asked)
     sys.exit(1 if wrong else 0)
 
 
-def write(lines: Sequence[str], wrong: int, asked: argparse.Namespace) -> None:
+def write(lines: Sequence[Sequence[object]], wrong: int, asked: argparse.Namespace) -> None:
     """The table between the marks of the page."""
     whose = "every programme is" if asked.verify is None else f"programmes of the first {asked.verify} of a row are"
-    text = [
+    BLOCK.write(
         f"{asked.stands} stands a row, seeds from {asked.first}, which were not used before; a plan is cut after "
-        f"{asked.seconds:g} s; {whose} put through the independent verification, which refused {wrong}.",
-        "",
-        "| flywheels | motion, windings | found | median, s | longest, s | median peak acceleration, rad/s2 |",
-        "|---|---|---|---|---|---|",
-        *lines,
-        "",
-    ]
-    put(PAGE, BEGIN, END, text)
+        f"{asked.seconds:g} s; {whose} put through the independent verification, which refused {wrong}.\n\n"
+        f"{campaign.table(HEAD, lines, None)}"
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Plants every fault, runs the checks that must catch it, and writes docs/planted-faults.md.
+"""Plants every fault, runs the checks that must catch it, and writes docs/results/planted-faults.md.
 
 python tools/planted_faults.py [--page]
 
@@ -7,21 +7,21 @@ Exit status 1 where a fault is not caught, or a check finds something where none
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "tests"))
+import campaign
+
+sys.path.insert(0, str(campaign.ROOT / "tests"))
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser = campaign.parser(__doc__)
     parser.add_argument("--page", action="store_true", help="only write the page anew, from what was shown before")
     given = parser.parse_args()
-    os.chdir(ROOT)
+    os.chdir(campaign.ROOT)
     from faults import page
     from faults.catalogue import FAULTS
     from faults.checks import outcome

@@ -1,4 +1,4 @@
-"""What Frama-C Eva proves of the example stands' C: runs the delivered scripts, and writes the table of docs/proofs.md.
+"""Run the delivered Frama-C scripts of the example stands, and write docs/results/proofs.md.
 
 python tools/proofs.py [--stands demo3,...] [--quick] [--tried] [--jobs 2] [--page]
 
@@ -8,7 +8,6 @@ Exit status 1 where anything that is claimed is not proved.
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import json
 import sys
@@ -17,6 +16,8 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from pathlib import Path
 
+import campaign
+
 from mahovik.core.emit.eva import CLAIMED, Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import load
@@ -24,10 +25,8 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.toolchain.eva import Proof, prove, version
 from mahovik.stands import names, path
 
-ROOT = Path(__file__).resolve().parents[1]
-KEPT = ROOT / "build" / "proofs"
-PAGE = ROOT / "docs" / "proofs.md"
-BEGIN, END = "<!-- proofs: tools/proofs.py -->", "<!-- end of proofs -->"
+KEPT = campaign.ROOT / "build" / "proofs"
+BLOCK = campaign.Block("docs/results/proofs.md", "proofs: tools/proofs.py")
 REALS = ("double", "float")
 QUICK = {"demo3": ("any_forward", "any_torque", "normal_prepare", "any_wrap", "routine_sincos", "routine_sqrt")}
 """What every change must pass: a stand, in both precisions."""
@@ -72,11 +71,6 @@ def verdict(proof: Proof | None) -> str:
     return f"{proof.alarms}" if proof.unproved == 0 else f"{proof.alarms}, {proof.unproved} unproved"
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table."""
-    return "".join(f"| {' | '.join(line)} |\n" for line in [head, ["---"] * len(head), *rows])
-
-
 def page(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...]], stands: Sequence[str]) -> str:
     """The tables: what is claimed, what is tried, how long it took."""
     columns = [(stand, real) for stand in stands for real in REALS]
@@ -102,8 +96,8 @@ def page(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...
     return (
         f"Frama-C {version()}; {len(found)} runs, {seconds} s in all on a busy machine of two cores, the longest "
         f"{proof.seconds} s ({stand} {real}, {driver.set}_{driver.function}).\n\n"
-        f"Claimed: alarms\n\n{table(head, rows(True))}\n"
-        f"Tried, not claimed: alarms\n\n{table(head, rows(False))}\n{_untried(found, every)}"
+        f"Claimed: alarms\n\n{campaign.table(head, rows(True), None)}\n"
+        f"Tried, not claimed: alarms\n\n{campaign.table(head, rows(False), None)}\n{_untried(found, every)}"
     )
 
 
@@ -116,13 +110,9 @@ def _untried(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver,
 
 def main() -> int:
     """Runs what is asked."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--stands", default=",".join(names()))
-    parser.add_argument("--quick", action="store_true")
+    parser = campaign.parser(__doc__, stands=",".join(names()), quick=False, jobs=2, page=False)
     parser.add_argument("--tried", action="store_true", help="the functions that are not claimed as well")
-    parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="drivers, as in the script")
-    parser.add_argument("--page", action="store_true", help="write the table of all that has been run")
     given = parser.parse_args()
     stands = list(QUICK) if given.quick else given.stands.split(",")
     scripts: dict[tuple[str, str], Path] = {}
@@ -162,9 +152,7 @@ def _write(
             kept = scripts[key].parent / f"{driver.set}_{driver.function}.json"
             if kept.exists():
                 found[(*key, driver)] = Proof(**json.loads(kept.read_text(encoding="utf-8")))
-    text = PAGE.read_text(encoding="utf-8")
-    before, after = text.split(BEGIN)[0], text.split(END)[1]
-    PAGE.write_text(f"{before}{BEGIN}\n\n{page(found, every, stands)}\n{END}{after}", encoding="utf-8")
+    BLOCK.write(page(found, every, stands))
 
 
 if __name__ == "__main__":

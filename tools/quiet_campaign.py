@@ -1,4 +1,4 @@
-"""How much quieter `mahovik quiet` makes sat4 and seeded random satellites: the tables of docs/quiet.md.
+"""How much quieter `mahovik quiet` makes sat4 and seeded random satellites: the tables of docs/results/quiet.md.
 
 python tools/quiet_campaign.py [--stands 6] [--first 100] [--jobs 1] [--write]
 
@@ -8,22 +8,15 @@ the momentum is not kept, or where sat4 with small differences of speed is not t
 
 from __future__ import annotations
 
-import argparse
 import math
-import os
 import sys
 import time
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
+import campaign
 import numpy as np
-from marked import put
 from quiet_stands import satellite, speeds_before
 
 from mahovik.core.stand import load
@@ -31,8 +24,7 @@ from mahovik.stands import path
 from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
 from mahovik.use.study.quiet.wheels import momentum_axes
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "quiet.md"
-BEGIN, END = "<!-- campaign: tools/quiet_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCK = campaign.Block("docs/results/quiet.md", "campaign: tools/quiet_campaign.py --write")
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
 REQUIRED = 10.0
@@ -150,19 +142,23 @@ def of_random(row: RandomRow, seed: int) -> Outcome | str:
     return outcome(found, time.process_time() - begun)
 
 
-def sat4_lines(outcomes: Sequence[Outcome]) -> list[str]:
+def sat4_table(outcomes: Sequence[Outcome]) -> str:
     """The first table."""
-    found = [
-        "| momentum, N m s | | axes | change of speeds, rpm | RMS before, m/s2 | simulated after | times lower |",
-        "|---|---|---|---:|---:|---:|---:|",
-    ]
-    for row, each in zip(SAT4, outcomes, strict=True):
-        momentum = " ".join(f"{x:g}" for x in row.momentum)
-        found.append(
-            f"| {momentum} | {row.name} | {row.axes} | {each.change:.3g} | {each.before:.3g} | {each.after:.3g} "
-            f"| {times(each.reduction)} |"
-        )
-    return found
+    head = (
+        "momentum, N m s",
+        "",
+        "axes",
+        "change of speeds, rpm",
+        "RMS before, m/s2",
+        "simulated after",
+        "times lower",
+    )
+    rows = [
+        (" ".join(f"{x:g}" for x in row.momentum), row.name, row.axes, f"{each.change:.3g}", f"{each.before:.3g}",
+         f"{each.after:.3g}", times(each.reduction))
+        for row, each in zip(SAT4, outcomes, strict=True)
+    ]  # fmt: skip
+    return campaign.table(head, rows, 3)
 
 
 def times(x: float) -> str:
@@ -170,41 +166,33 @@ def times(x: float) -> str:
     return f"{x:.1f}" if x < 100.0 else f"{x:.0e}".replace("e+0", "e")
 
 
-def random_lines(found: Sequence[tuple[RandomRow, Sequence[Outcome | str]]]) -> list[str]:
+def random_table(found: Sequence[tuple[RandomRow, Sequence[Outcome | str]]]) -> str:
     """The second table."""
-    text = [
-        "| wheels | | found | times lower: least | median | most | simulated less expected, of RMS before "
-        "| median, s |",
-        "|---:|---|---|---:|---:|---:|---:|---:|",
-    ]
+    head = (
+        "wheels", "", "found", "times lower: least", "median", "most", "simulated less expected, of RMS before",
+        "median, s",
+    )  # fmt: skip
+    rows = []
     for row, outcomes in found:
         good = [each for each in outcomes if isinstance(each, Outcome)]
         lower = sorted(each.reduction for each in good) or [math.nan]
         off = max((each.off for each in good), default=math.nan)
         spent = float(np.median([each.seconds for each in good])) if good else math.nan
-        text.append(
-            f"| {row.N} | {row.name} | {len(good)} of {len(outcomes)} | {times(lower[0])} "
-            f"| {times(float(np.median(lower)))} | {times(lower[-1])} | {off:.0e} | {spent:.1f} |"
-        )
-    return text
+        lows = (times(x) for x in (lower[0], float(np.median(lower)), lower[-1]))
+        rows.append((row.N, row.name, f"{len(good)} of {len(outcomes)}", *lows, f"{off:.0e}", f"{spent:.1f}"))
+    return campaign.table(head, rows, 3)
 
 
 def main() -> None:
     """Runs both tables and writes the page."""
-    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
-    options.add_argument("--stands", type=int, default=6, help="stands a row")
-    options.add_argument("--first", type=int, default=100, help="first seed")
-    options.add_argument("--jobs", type=int, default=1)
-    options.add_argument("--write", action="store_true", help="into docs/quiet.md")
-    asked = options.parse_args()
-    with ProcessPoolExecutor(asked.jobs) as pool:
-        sat4 = list(pool.map(of_sat4, SAT4))
-        print(*sat4_lines(sat4), sep="\n", flush=True)
-        found = []
-        for row in ROWS:
-            seeds = range(asked.first, asked.first + asked.stands)
-            found.append((row, list(pool.map(of_random, [row] * asked.stands, seeds))))
-            print(random_lines(found[-1:])[-1], flush=True)
+    asked = campaign.parser(__doc__, stands=6, first=100, jobs=1, write=False).parse_args()
+    sat4 = list(campaign.each(of_sat4, asked.jobs, SAT4))
+    print(sat4_table(sat4), flush=True)
+    found = []
+    for row in ROWS:
+        seeds = campaign.seeds(asked.first, asked.stands)
+        found.append((row, list(campaign.each(of_random, asked.jobs, [row] * asked.stands, seeds))))
+        print(random_table(found[-1:]).splitlines()[-1], flush=True)
     wrong = [f"sat4, {row.momentum}: {each}" for row, each in zip(SAT4, sat4, strict=True) if not each.good]
     wrong += [f"sat4, {row.momentum}: required" for row, each in zip(SAT4, sat4, strict=True)
               if row.required and each.reduction < REQUIRED]  # fmt: skip
@@ -213,18 +201,12 @@ def main() -> None:
     for row, outcomes in found:
         print(*(f"{row.N} {row.name}: {each}" for each in outcomes if isinstance(each, str)), sep="\n", end="")
     if asked.write:
-        write([
-            *sat4_lines(sat4), "",
-            f"Stands a row: {asked.stands}, seeds from {asked.first}; times of the processor, with simulations.", "",
-            *random_lines(found),
-        ])  # fmt: skip
+        BLOCK.write(
+            f"{sat4_table(sat4)}\nStands a row: {asked.stands}, seeds from {asked.first}; times of the processor, with "
+            f"simulations.\n\n{random_table(found)}"
+        )
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
-
-
-def write(lines: Sequence[str]) -> None:
-    """The tables between the marks of the page."""
-    put(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Whether what preflight refuses is out of reach indeed: a search is let loose on it. The table of docs/planning.md.
+"""Search for motions that preflight refuses, and write what was found into docs/results/planning.md.
 
 python tools/refusal_campaign.py [--stands 4] [--first 8000] [--seconds 5] [--jobs 1] [--write]
 
@@ -8,20 +8,13 @@ search finds a programme that preflight refuses.
 
 from __future__ import annotations
 
-import argparse
-import os
 import sys
-from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
+import campaign
 import numpy as np
-from marked import put
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
 from mahovik.core.motion.required import Bounds
@@ -31,8 +24,7 @@ from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.search import search
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning.md"
-BEGIN, END = "<!-- refusals: tools/refusal_campaign.py --write -->", "<!-- end of refusals -->"
+BLOCK = campaign.Block("docs/results/planning.md", "refusals: tools/refusal_campaign.py --write")
 COUNTS = (6, 8, 12)
 ROUNDS = 3
 
@@ -92,40 +84,23 @@ def outcome(seconds: float, kind: str, seed: int) -> tuple[bool, bool, float]:
 
 def main() -> None:
     """Runs the kinds and writes the page."""
-    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
-    options.add_argument("--stands", type=int, default=4, help="stands a kind")
-    options.add_argument("--first", type=int, default=8000, help="first seed")
-    options.add_argument("--seconds", type=float, default=5.0, help="cut-off of a search")
-    options.add_argument("--jobs", type=int, default=1)
-    options.add_argument("--write", action="store_true", help="into docs/planning.md")
-    asked = options.parse_args()
-    seeds = range(asked.first, asked.first + asked.stands)
+    asked = campaign.parser(__doc__, stands=4, first=8000, seconds=5.0, jobs=1, write=False).parse_args()
+    seeds = campaign.seeds(asked.first, asked.stands)
     lines, false = [], 0
-    with ProcessPoolExecutor(asked.jobs) as pool:
-        for kind, (words, _) in KINDS.items():
-            found = list(pool.map(partial(outcome, asked.seconds, kind), seeds))
-            refused, reached = (sum(each[k] for each in found) for k in (0, 1))
-            false += reached
-            least = min(each[2] for each in found)
-            lines.append(f"| `{kind}` | {words} | {refused} of {len(found)} | {reached} | {least:.1g} |")
-            print(lines[-1], flush=True)
+    for kind, (words, _) in KINDS.items():
+        found = list(campaign.each(partial(outcome, asked.seconds, kind), asked.jobs, seeds))
+        refused, reached = (sum(each[k] for each in found) for k in (0, 1))
+        false += reached
+        least = min(each[2] for each in found)
+        lines.append([f"`{kind}`", words, f"{refused} of {len(found)}", reached, f"{least:.1g}"])
+        print(campaign.row(*lines[-1]), flush=True)
     if asked.write:
-        write(lines, asked)
+        head = ("refusal", "motion", "refused", "found by a search", "least residual of a search, bounds aside")
+        BLOCK.write(
+            f"{asked.stands} stands a kind, seeds from {asked.first}, N = {', '.join(map(str, COUNTS))} in turn; "
+            f"a search of {ROUNDS} rounds, cut after {asked.seconds:g} s.\n\n{campaign.table(head, lines, None)}"
+        )
     sys.exit(1 if false else 0)
-
-
-def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
-    """The table between the marks of the page."""
-    text = [
-        f"{asked.stands} stands a kind, seeds from {asked.first}, N = {', '.join(map(str, COUNTS))} in turn; "
-        f"a search of {ROUNDS} rounds, cut after {asked.seconds:g} s.",
-        "",
-        "| refusal | motion | refused | found by a search | least residual of a search, bounds aside |",
-        "|---|---|---|---|---|",
-        *lines,
-        "",
-    ]
-    put(PAGE, BEGIN, END, text)
 
 
 if __name__ == "__main__":

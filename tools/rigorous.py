@@ -1,28 +1,26 @@
-"""The true error of the C of the example stands and of random ones, by enclosures: writes docs/rounding.md.
+"""The true error of the C of the example stands and of random ones, by enclosures: writes docs/results/rounding.md.
 
 python tools/rigorous.py [--states 200] [--random 12] [--random-states 24] [--jobs 2]
 """
 
 from __future__ import annotations
 
-import argparse
-import os
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
 from statistics import median
 
+import campaign
+from random_stands import random_stands
+
+from mahovik.contract.functions import wants_of
 from mahovik.core.stand import load
-from mahovik.proof.rigorous import WANTS
 from mahovik.proof.verify.bounds import BOUNDS
-from mahovik.proof.verify.campaign import random_stands
 from mahovik.proof.verify.rounding.limits import MARGIN, ULPS
 from mahovik.proof.verify.rounding.measure import measure_rounding
 from mahovik.proof.verify.rounding.report import ulp_text
 from mahovik.stands import names, path
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "rounding.md"
+PAGE = campaign.ROOT / "docs" / "results" / "rounding.md"
 SHORT = ("forward", "coupled", "torque")
 HEAD = ("want", "quantity", "ulp", "function alone", "judges", "of scale", "judges of scale", "accepted", "relative")
 RANDOM = "random"
@@ -33,7 +31,7 @@ Written by `python tools/rigorous.py` (`make rigorous`). How far is the C from t
 programs in the same arithmetic does not say: both round. Here (1)-(9) are evaluated literally in ball arithmetic (Arb,
 by python-flint): each number is a midpoint and a radius, each operation gives a ball that holds the exact result, and
 the precision, 256 bits at first, is doubled until no ball adds more than 2^-16 ulp. So every error below is an upper
-bound, proved for its states; the states are samples ([which](verification.md#states)).
+bound, proved for its states; the states are samples ([which](../verification.md#states)).
 
 ```sh
 mahovik new demo3
@@ -49,7 +47,7 @@ status is 1 where an error is above the tolerance of `verify`{limit}.
   (for `float` those of a state are rounded to float first); all that follows is exact: mountings, inertias, attitude,
   sums, the solution. So the rounding of `prepare`, and for `float` that of the parameters, are errors of the C. It is
   the worst component of all states, in units in the last place of its
-  [natural scale](verification.md#the-natural-scale), the same that `verify` uses. (What comes before is not in it:
+  [natural scale](../verification.md#the-natural-scale), the same that `verify` uses. (What comes before is not in it:
   units are converted exactly and rounded once, an unbalance by angles is turned into a centre of mass.)
 * **function alone**: what the function itself rounds. Exact is then the program of the stand in ball arithmetic, with
   exact sine, cosine and square root, on the C's own prepared table and the quaternion that the C was given.
@@ -121,14 +119,8 @@ def joined(all_found: Sequence[Found]) -> dict[tuple[str, str], Worst]:
     for found in all_found:
         for key, worst in found.items():
             total[key] = total.get(key, Worst()).join(worst)
-    order = list(WANTS)
+    order = wants_of("rigorous")
     return {key: total[key] for key in sorted(total, key=lambda key: order.index(key[0]))}
-
-
-def table(head: Sequence[str], rows: Sequence[Sequence[str]], words: int) -> str:
-    """A Markdown table, numbers to the right of the first columns, which are words."""
-    lines = [head, [*["---"] * words, *["---:"] * (len(head) - words)], *rows]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def by_quantity(found: Found, real: str) -> str:
@@ -144,7 +136,7 @@ def by_quantity(found: Found, real: str) -> str:
         ]
         for (want, quantity), worst in found.items()
     ]
-    return table(HEAD, rows, 2)
+    return campaign.table(HEAD, rows, 2)
 
 
 def by_stand(found: Mapping[str, Found]) -> str:
@@ -154,7 +146,7 @@ def by_stand(found: Mapping[str, Found]) -> str:
         [f"`{want}`", f"`{quantity}`", *(_ulps(by.get((want, quantity))) for by in found.values())]
         for want, quantity in keys
     ]
-    return table(["want", "quantity", *found], rows, 2)
+    return campaign.table(["want", "quantity", *found], rows, 2)
 
 
 def _ulps(worst: Worst | None) -> str:
@@ -197,21 +189,16 @@ def page(found: Mapping[str, Mapping[str, Found]], counts: tuple[int, int, int])
 
 def main() -> None:
     """Measure, write the page. Exit status 1 where a limit is not met."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--states", type=int, default=200)
-    parser.add_argument("--random", type=int, default=12)
-    parser.add_argument("--random-states", type=int, default=24)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    given = parser.parse_args()
+    options = campaign.parser(__doc__, states=200, random=12, random_states=24, jobs=campaign.cores())
+    given = options.parse_args()
     jobs = [(name, 0, given.states, real) for real in BOUNDS for name in names()]
     jobs += [(RANDOM, number, given.random_states, real) for real in BOUNDS for number in range(given.random)]
     found: dict[str, dict[str, dict[tuple[str, str], Worst]]] = {real: {} for real in BOUNDS}
     passed = True
-    with ProcessPoolExecutor(given.jobs) as pool:
-        for job, (good, worst) in zip(jobs, pool.map(measured, *zip(*jobs, strict=True)), strict=True):
-            passed = passed and good
-            by = found[job[3]]
-            by[job[0]] = joined([by.get(job[0], {}), worst])
+    for job, (good, worst) in zip(jobs, campaign.each(measured, given.jobs, *zip(*jobs, strict=True)), strict=True):
+        passed = passed and good
+        by = found[job[3]]
+        by[job[0]] = joined([by.get(job[0], {}), worst])
     text = page(found, (given.states, given.random, given.random_states))
     PAGE.write_text(text, encoding="utf-8")
     raise SystemExit(0 if passed else 1)

@@ -1,4 +1,4 @@
-"""How often and how fast run-ups and run-downs are found, on seeded random stands: the table of docs/planning-runup.md.
+"""How often and how fast run-ups and run-downs are found, on seeded random stands: the table of docs/results/run-up.md.
 
 python tools/runup_campaign.py [--stands 10] [--first 7000] [--verify 1] [--rows TEXT] [--write]
 
@@ -9,18 +9,13 @@ the independent verification refuses a table.
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
+import campaign
 import numpy as np
-from marked import put
 from plan_stands import campaign_motion, campaign_stand
 
 from mahovik.core.motion.programme import Programme
@@ -29,8 +24,7 @@ from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.runup import shortcomings, with_runup
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "planning-runup.md"
-BEGIN, END = "<!-- campaign: tools/runup_campaign.py --write -->", "<!-- end of campaign -->"
+BLOCK = campaign.Block("docs/results/run-up.md", "campaign: tools/runup_campaign.py --write")
 KEYS = ("runup", "rundown")
 
 
@@ -100,12 +94,18 @@ def strayed(programme: Programme, key: str) -> tuple[float, float]:
     return told["linear"]["largest"], told["angular"]["largest"]
 
 
-def line(row: Row, outcomes: Sequence[Outcome]) -> str:
+HEAD = (
+    "flywheels", "windings, duration", "found", "median, s", "longest, s", "O1 strays, mm: median, most",
+    "E1 turns, mrad: median, most", "largest terminal error",
+)  # fmt: skip
+
+
+def line(row: Row, outcomes: Sequence[Outcome]) -> list[object]:
     """A line of the table."""
     spent = sorted(each.seconds for each in outcomes)
     away = np.array([x for each in outcomes for x in each.deviation]).reshape(-1, 2)
     errors = [x for each in outcomes for x in each.errors]
-    cells = [
+    return [
         row.N,
         row.name,
         f"{sum(each.found for each in outcomes)} of {2 * len(outcomes)}",
@@ -115,28 +115,23 @@ def line(row: Row, outcomes: Sequence[Outcome]) -> str:
         f"{1e3 * np.median(away[:, 1]):.1f}, {1e3 * away[:, 1].max():.1f}",
         f"{max(errors):.0e}",
     ]
-    return "| " + " | ".join(str(each) for each in cells) + " |"
 
 
 def main() -> None:
     """Runs the rows and writes the page."""
-    options = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
-    options.add_argument("--stands", type=int, default=10, help="stands a row")
-    options.add_argument("--first", type=int, default=7000, help="first seed")
+    options = campaign.parser(__doc__, stands=10, first=7000, rows="", write=False)
     options.add_argument("--verify", type=int, default=1, help="stands of a row whose tables are verified")
-    options.add_argument("--rows", default="", help="those whose line holds this text")
-    options.add_argument("--write", action="store_true", help="into docs/planning-runup.md")
     asked = options.parse_args()
     lines, wrong = [], []
     for row in ROWS:
         if asked.rows not in f"{row.N} {row.name}":
             continue
-        seeds = range(asked.first, asked.first + asked.stands)
+        seeds = campaign.seeds(asked.first, asked.stands)
         found = [(seed, outcome(row, seed, seed - asked.first < asked.verify)) for seed in seeds]
         planned = [each for _, each in found if each is not None]
         if planned:
             lines.append(line(row, planned))
-            print(lines[-1], flush=True)
+            print(campaign.row(*lines[-1]), flush=True)
         wrong += [f"{row.N} {row.name}, seed {seed}: {o.wrong}" for seed, o in found if o is not None and o.wrong]
     if asked.write:
         write(lines, asked)
@@ -144,20 +139,14 @@ def main() -> None:
     sys.exit(1 if wrong else 0)
 
 
-def write(lines: Sequence[str], asked: argparse.Namespace) -> None:
+def write(lines: Sequence[Sequence[object]], asked: argparse.Namespace) -> None:
     """The table between the marks of the page."""
-    text = [
+    BLOCK.write(
         f"{asked.stands} stands a row, seeds from {asked.first}; tables of the first {asked.verify} of a row are put "
         "through the independent verification. A stand without a programme is left out. Found counts run-ups and "
-        "run-downs that keep their bounds; seconds are for both, without the verification.",
-        "",
-        "| flywheels | windings, duration | found | median, s | longest, s | O1 strays, mm: median, most "
-        "| E1 turns, mrad: median, most | largest terminal error |",
-        "|---|---|---|---|---|---|---|---|",
-        *lines,
-        "",
-    ]
-    put(PAGE, BEGIN, END, text)
+        "run-downs that keep their bounds; seconds are for both, without the verification.\n\n"
+        f"{campaign.table(HEAD, lines, None)}"
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Static checks of the example stands' C: compilers, analyser, cppcheck; writes the table of docs/misra.md.
+"""Static checks of the example stands' C: compilers, analyser, cppcheck. Writes docs/results/static-checks.md.
 
 python tools/static_checks.py [--stands bench8,...] [--page]
 
@@ -8,11 +8,12 @@ its reason, and at a listed one that no stand has any more.
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
+
+import campaign
 
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.stand import load
@@ -27,15 +28,13 @@ from mahovik.core.toolchain.static_checks import (
 )
 from mahovik.stands import names, path
 
-ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "misra.md"
-BEGIN, END = "<!-- misra: tools/static_checks.py -->", "<!-- end of misra -->"
+BLOCK = campaign.Block("docs/results/static-checks.md", "misra: tools/static_checks.py")
 REALS = ("double", "float")
 
 
 def written(stand: str, real: str) -> tuple[Path, list[str]]:
     """The delivered folder under build/, and its sources for firmware: not the self-test, not the drivers of Eva."""
-    folder = ROOT / "build" / "static-checks" / f"{stand}-{real}"
+    folder = campaign.ROOT / "build" / "static-checks" / f"{stand}-{real}"
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in delivery(load(path(stand)), real).items():
         (folder / name).write_text(text, encoding="utf-8")
@@ -47,10 +46,10 @@ def page(counts: dict[tuple[str, str], Counter[str]]) -> str:
     rows = []
     for rule, reason in {**DEVIATIONS, **KNOWN}.items():
         cells = [" / ".join(str(counts[stand, real][rule]) for real in REALS) for stand in _stands(counts)]
-        rows.append(f"| {rule} | {' | '.join(cells)} | {reason} |\n")
+        rows.append([rule, *cells, reason])
     head = ["rule", *_stands(counts), "reason"]
     tools = ", ".join(version(tool) for tool in (*COMPILERS, "cppcheck"))
-    return f"{tools}. Counts: double / float.\n\n| {' | '.join(head)} |\n|{' --- |' * len(head)}\n{''.join(rows)}"
+    return f"{tools}. Counts: double / float.\n\n{campaign.table(head, rows, None)}"
 
 
 def _stands(counts: dict[tuple[str, str], Counter[str]]) -> list[str]:
@@ -73,10 +72,7 @@ def judged(counts: dict[tuple[str, str], Counter[str]], stands: Sequence[str]) -
 
 def main() -> int:
     """Runs what is asked."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--stands", default=",".join(names()))
-    parser.add_argument("--page", action="store_true", help="write docs/misra.md")
-    given = parser.parse_args()
+    given = campaign.parser(__doc__, stands=",".join(names()), page=False).parse_args()
     stands = given.stands.split(",")
     counts: dict[tuple[str, str], Counter[str]] = {}
     wrong: list[str] = []
@@ -89,9 +85,7 @@ def main() -> int:
     for line in wrong:
         print(line, file=sys.stderr)
     if given.page:
-        text = PAGE.read_text(encoding="utf-8")
-        before, after = text.split(BEGIN)[0], text.split(END)[1]
-        PAGE.write_text(f"{before}{BEGIN}\n\n{page(counts)}\n{END}{after}", encoding="utf-8")
+        BLOCK.write(page(counts))
     return 1 if wrong else 0
 
 

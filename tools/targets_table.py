@@ -1,26 +1,22 @@
-"""The same bits on every target: writes the tables of docs/targets.md, and a short one into README.md.
+"""The same bits on every target: writes the tables of docs/results/targets.md, and a short one into README.md.
 
 python tools/targets_table.py [--states 20]
 """
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
-from pathlib import Path
+
+import campaign
 
 from mahovik.core.stand import load
 from mahovik.proof.verify.targets import REALS, SWEEP, TargetRow, TargetsReport, asked, verify_targets
 from mahovik.stands import path
 
-ROOT = Path(__file__).resolve().parents[1]
-BEGIN, END = "<!-- targets: tools/targets_table.py -->", "<!-- end of targets -->"
+README, PAGE = (
+    campaign.Block(name, "targets: tools/targets_table.py") for name in ("README.md", "docs/results/targets.md")
+)
 STAND = "bench8"
-
-
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table."""
-    return "".join(f"| {' | '.join(line)} |\n" for line in [head, ["---"] * len(head), *rows])
 
 
 def verdict(rows: Sequence[TargetRow]) -> str:
@@ -35,7 +31,7 @@ def full(report: TargetsReport) -> str:
         own = [row for row in report.rows if row.target == name]
         cells = [verdict([row for row in own if row.real == real]) for real in REALS]
         lines.append([f"`{name}`", own[0].title, own[0].built_with, *cells])
-    return table(["target", "processor", "compiler", *REALS], lines)
+    return campaign.table(["target", "processor", "compiler", *REALS], lines, None)
 
 
 def short(report: TargetsReport) -> str:
@@ -50,26 +46,19 @@ def short(report: TargetsReport) -> str:
             levels += [level] if level not in levels else []
         words = ", ".join(f"{command} {' '.join(sorted(levels))}" for command, levels in compilers.items())
         lines.append([title, words, *(verdict([row for row in own if row.real == real]) for real in REALS)])
-    return table(["processor", "compiler", *REALS], lines)
+    return campaign.table(["processor", "compiler", *REALS], lines, None)
 
 
 def _processor(row: TargetRow) -> str:
     return "x86-64, with and without AVX2, AVX-512" if row.target.startswith("host") else row.title
 
 
-def between_markers(page: str, text: str) -> str:
-    """The page with the text between its markers."""
-    before, rest = page.split(BEGIN)
-    return f"{before}{BEGIN}\n\n{text}\n{END}{rest.split(END)[1]}"
-
-
 def main() -> None:
     """Run every target, write both pages. Exit status 1 where bits differ or a target was not run."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--states", type=int, default=SWEEP)
-    report = verify_targets(load(path(STAND)), asked("all"), parser.parse_args().states)
-    for page, text in ((ROOT / "README.md", short(report)), (ROOT / "docs" / "targets.md", full(report))):
-        page.write_text(between_markers(page.read_text(encoding="utf-8"), text), encoding="utf-8")
+    states = campaign.parser(__doc__, states=SWEEP).parse_args().states
+    report = verify_targets(load(path(STAND)), asked("all"), states)
+    README.write(short(report))
+    PAGE.write(full(report))
     print(report.conclusion)
     raise SystemExit(0 if report.passed else 1)
 

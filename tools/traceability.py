@@ -1,4 +1,4 @@
-"""Mutants of every program function and what notices them; docs/traceability.md, equation by equation.
+"""Mutants of every program function and what notices them; docs/results/traceability.md, equation by equation.
 
 python tools/traceability.py [--jobs 2] [--functions forward,step] | --page
 
@@ -8,35 +8,32 @@ before, with the lines of generated/ as they are now.
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "tests"))
+import campaign
+
+sys.path.insert(0, str(campaign.ROOT / "tests"))
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--jobs", type=int, default=2)
+    parser = campaign.parser(__doc__, jobs=2, page=False)
     parser.add_argument("--functions", help="comma-separated; default: all")
-    parser.add_argument("--page", action="store_true")
     given = parser.parse_args()
-    os.chdir(ROOT)
+    os.chdir(campaign.ROOT)
     from traceability import page
 
     if not given.page:
-        from traceability.campaign import Found, campaign, collected
+        from traceability import campaign as mutants
         from traceability.lines import functions
 
-        def say(found: Found) -> None:
+        def say(found: mutants.Found) -> None:
             caught = found.comparison + found.tests
             print(f"{found.function}: {caught} of {found.mutants} noticed {'; '.join(found.survivors)}", flush=True)
 
-        collected()
+        mutants.collected()
         wanted = given.functions.split(",") if given.functions else list(functions())
-        for found in campaign(wanted, given.jobs, say):
+        for found in mutants.campaign(wanted, given.jobs, say):
             page.keep(found, list(functions().values()))
     page.write()
 

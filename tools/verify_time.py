@@ -9,12 +9,13 @@ disagrees.
 
 from __future__ import annotations
 
-import argparse
 import os
+
+import campaign
+from random_stands import WHAT_MATTERS, random_stands, verify_random
 
 from mahovik.core.stand import load
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.campaign import WHAT_MATTERS, random_stands, verify_random
 from mahovik.stands import names, path
 
 MOST = 20.0
@@ -29,9 +30,7 @@ def spent() -> float:
 
 def main() -> None:
     """Run it, print a line a stand."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--states", type=int, default=13)
-    states = parser.parse_args().states
+    states = campaign.parser(__doc__, states=13).parse_args().states
     total_made = total_compared = 0.0
     passed = True
     print(f"{'stand':10} {'flywheels':>9} {'C made, s':>10} {'compared, s':>12}")

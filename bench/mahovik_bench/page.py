@@ -1,4 +1,4 @@
-"""docs/benchmarks.md and its plots, from the data of a run. Nothing on the page is typed but its words."""
+"""docs/results/benchmarks.md and its plots, from the data of a run. Nothing on the page is typed but its words."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from mahovik_bench.works import WORKS
 
 Results = dict[str, Any]
 
-PAGE = "docs/benchmarks.md"
+PAGE = "docs/results/benchmarks.md"
 PLOTTED = ("forward", "coupled", "torque")
 QUIET = 0.1
 """A median spread beyond this is called out."""
@@ -37,7 +37,7 @@ independent calls unless a table says *chained*, where each call waits for the r
   Jacobian is given for two flywheels only, since its C grows too large to compile in the time there is; `inverse` and
   `step` are nothing that the peers offer in C.
 * Straight code of the *native* builds may be fused by gcc 12 in spite of `-ffp-contract=off`; where the bits matter it
-  takes [one more flag](targets.md#what-breaks-it).
+  takes [one more flag](../targets.md#what-breaks-it).
 * *batch* takes 64 states in a call, side by side in vectors: its times are a state's, and none is chained. Its bits
   are those of single calls, so it has no fused multiply-add, which bounds it where a peer's build may use them.
 * Instructions are those of one call at one state, counted by callgrind, which knows no AVX-512: builds for this
@@ -83,7 +83,7 @@ def page(results: Results) -> str:
     parts += ["\n## Size, compiling, generation\n\n", tables.made_table(results)]
     parts += [SIZES]
     parts += ["\n## Agreement\n\nThe largest difference to the NumPy reference, relative to the "]
-    parts += ["[natural scale](verification.md#the-natural-scale).\n\n", tables.agreement_table(results)]
+    parts += ["[natural scale](../verification.md#the-natural-scale).\n\n", tables.agreement_table(results)]
     parts += ["\nSlopes: of the peers to ours, over the largest element of a block.\n"]
     return "".join(parts)
 
@@ -95,7 +95,7 @@ def plots(results: Results) -> dict[str, str]:
         lines = {name: least(results, work, name) for name in tables.names(results, work)}
         drawn = {name: line for name, line in lines.items() if line}
         if drawn:
-            found[f"docs/benchmarks-{work}.svg"] = plot(f"{work}: ns of a call, least", drawn)
+            found[f"docs/results/benchmarks-{work}.svg"] = plot(f"{work}: ns of a call, least", drawn)
     return found
 
 

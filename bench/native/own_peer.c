@@ -79,11 +79,11 @@ void peer_inverse_fast(const double *from, double *out)
 void peer_forward_jacobian(const double *from, double *out)
 {
     const record *r = (const record *)from;
-    (void)OWN(forward_jacobian)(&OWN(default), &r->x, r->phi_ddot, (OWN(forward_slopes) *)out);
+    (void)OWN(forward_jacobian)(&OWN(default), &r->x, r->phi_ddot, (OWN(forward_jacobian_result) *)out);
 }
 
 void peer_coupled_jacobian(const double *from, double *out)
 {
     const record *r = (const record *)from;
-    (void)OWN(coupled_jacobian)(&OWN(default), &r->x, r->tau, free_all, (OWN(coupled_slopes) *)out);
+    (void)OWN(coupled_jacobian)(&OWN(default), &r->x, r->tau, free_all, (OWN(coupled_jacobian_result) *)out);
 }

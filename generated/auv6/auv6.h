@@ -159,32 +159,32 @@ typedef struct auv6_table {
 } auv6_table;
 
 /* The matrices of (8). */
-typedef struct auv6_equations {
+typedef struct auv6_matrices_result {
     auv6_real K[6][6];       /* kg, kg m, kg m2; mass matrix (2) */
     auv6_real K_dot[6][6];   /* per s; its rate (6) */
     auv6_real M[6][6];       /* per s; velocity matrix (9), at V relative to the stream */
     auv6_real I[6][AUV6_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
     auv6_real J[6][AUV6_N];  /* per s; its velocity part (9) */
     auv6_real F[6];          /* N, N m; total external wrench (7) */
-} auv6_equations;
+} auv6_matrices_result;
 
 /* Momentum, energy and mass centre. */
-typedef struct auv6_momenta {
+typedef struct auv6_momentum_result {
     auv6_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
     auv6_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
     auv6_real energy;             /* J; kinetic */
     auv6_real center_of_mass[3];  /* m; of all bodies, in E1 */
-} auv6_momenta;
+} auv6_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
-typedef struct auv6_generalized {
+typedef struct auv6_generalized_result {
     auv6_real A[6][6];    /* V = A q' (10) */
     auv6_real D[6][6];    /* 1/s; A' along the motion (10) */
     auv6_real I0[6][6];   /* K A (11) */
     auv6_real J0[6][6];   /* K D + M A (11) */
     auv6_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
     auv6_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
-} auv6_generalized;
+} auv6_generalized_result;
 
 /* One flywheel and how it sits: for mounts only. */
 typedef struct auv6_mount {
@@ -201,14 +201,14 @@ typedef struct auv6_mount_table {
 } auv6_mount_table;
 
 /* Motion at an instrument or a point. */
-typedef struct auv6_reading {
+typedef struct auv6_points_result {
     auv6_real position[3];              /* m; in E0 */
     auv6_real C[3][3];                  /* own axes to E0 */
     auv6_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes: a gyro reads the last
                                          * three */
     auv6_real specific_force[3];        /* m/s2; acceleration less gravity, in own axes: an accelerometer */
     auv6_real angular_acceleration[3];  /* rad/s2; in own axes */
-} auv6_reading;
+} auv6_points_result;
 
 /* An encoder whose counter wraps. Kept by accumulate. */
 typedef struct auv6_encoder {
@@ -239,7 +239,7 @@ typedef struct auv6_inverse_result {
 } auv6_inverse_result;
 
 /* Derivatives of coupled. */
-typedef struct auv6_coupled_slopes {
+typedef struct auv6_coupled_jacobian_result {
     auv6_real V_dot_V[6][6];                     /* of V* by V: row i, column j */
     auv6_real V_dot_phi[6][AUV6_N];              /* of V* by the phases */
     auv6_real V_dot_phi_dot[6][AUV6_N];          /* by the speeds */
@@ -248,15 +248,15 @@ typedef struct auv6_coupled_slopes {
     auv6_real phi_ddot_phi[AUV6_N][AUV6_N];      /* of phi'' by the phases */
     auv6_real phi_ddot_phi_dot[AUV6_N][AUV6_N];  /* by the speeds */
     auv6_real phi_ddot_tau[AUV6_N][AUV6_N];      /* by the drive torques */
-} auv6_coupled_slopes;
+} auv6_coupled_jacobian_result;
 
 /* Derivatives of forward. */
-typedef struct auv6_forward_slopes {
+typedef struct auv6_forward_jacobian_result {
     auv6_real V_dot_V[6][6];              /* of V* by V: row i, column j */
     auv6_real V_dot_phi[6][AUV6_N];       /* of V* by the phases */
     auv6_real V_dot_phi_dot[6][AUV6_N];   /* by the speeds */
     auv6_real V_dot_phi_ddot[6][AUV6_N];  /* by the accelerations */
-} auv6_forward_slopes;
+} auv6_forward_jacobian_result;
 
 extern const auv6_parameters auv6_default_parameters;             /* of the stand file */
 extern const auv6_table auv6_default;                             /* what prepare makes of them */
@@ -266,54 +266,54 @@ extern const auv6_inverse_options auv6_default_options;           /* of inverse,
 
 /* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
  * phi'' + J phi'), (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2194 operations on reals, 4 of them divisions. */
-auv6_status auv6_forward(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
+auv6_status auv6_forward(const auv6_table *table, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                          auv6_real V_dot[6]);
 
 /* wrench: total external wrench of all bodies at a state, (7).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1821 operations on reals, 1 of them a division. */
-auv6_status auv6_wrench(const auv6_table *stand, const auv6_state *x, auv6_real F[6]);
+auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2535 operations on reals, 1 of them a division. */
-auv6_status auv6_matrices(const auv6_table *stand, const auv6_state *x, auv6_equations *out);
+auv6_status auv6_matrices(const auv6_table *table, const auv6_state *x, auv6_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2004 operations on reals, 1 of them a division. */
-auv6_status auv6_momentum(const auv6_table *stand, const auv6_state *x, auv6_momenta *out);
+auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1170 operations on reals, 1 of them a division. */
-auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+auv6_status auv6_torque(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[AUV6_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[6]       N m; drive torques, mount on flywheel
  *   locked[6]    not 0: a lock holds phi'' = 0, whatever its tau
@@ -322,11 +322,11 @@ auv6_status auv6_torque(const auv6_table *stand, const auv6_state *x, const auv6
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 3209 operations on reals, 5 of them divisions. */
-auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
+auv6_status auv6_coupled(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                          const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N]);
 
 /* step: state a time step later, under drive torques and wrenches held constant.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
  *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -337,11 +337,11 @@ auv6_status auv6_coupled(const auv6_table *stand, const auv6_state *x, const auv
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 13502 operations on reals, 26 of them divisions. */
-auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
+auv6_status auv6_step(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                       const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next);
 
 /* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
@@ -351,7 +351,7 @@ auv6_status auv6_step(const auv6_table *stand, const auv6_state *x, const auv6_r
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 9442 operations on reals, 22 of them divisions. */
-auv6_status auv6_step_driven(const auv6_table *stand, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
+auv6_status auv6_step_driven(const auv6_table *table, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next);
 
 /* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
@@ -396,7 +396,7 @@ auv6_status auv6_speed_of_counts(int moved, int per_turn, auv6_real dt, auv6_rea
 auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
@@ -404,11 +404,11 @@ auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int pe
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 12040 operations on reals, 76 of them divisions. */
-auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
-                                  const auv6_real phi_ddot[AUV6_N], auv6_forward_slopes *out);
+auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
+                                  const auv6_real phi_ddot[AUV6_N], auv6_forward_jacobian_result *out);
 
 /* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
  *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -417,13 +417,13 @@ auv6_status auv6_forward_jacobian(const auv6_table *stand, const auv6_state *x,
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 20770 operations on reals, 102 of them divisions. */
-auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, const auv6_real tau[AUV6_N],
-                                  const int locked[AUV6_N], auv6_coupled_slopes *out);
+auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
+                                  const int locked[AUV6_N], auv6_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
  * is shared among the others, (12).
- *   stand     the prepared table
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
  *   options   weights, limits, damping; default_options has those of the stand
@@ -432,12 +432,12 @@ auv6_status auv6_coupled_jacobian(const auv6_table *stand, const auv6_state *x, 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
  * At most 42799 operations on reals, 1180 of them divisions. */
-auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
 /* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
  * equations, (12).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
  *   options      weights and damping; near and limits are not read
@@ -448,18 +448,18 @@ auv6_status auv6_inverse(const auv6_table *stand, const auv6_state *x, const auv
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 3703 operations on reals, 97 of them divisions. */
-auv6_status auv6_inverse_fast(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
+auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 
-/* measure: what an accelerometer and a gyro read at each instrument and point.
- *   stand     the prepared table
+/* points: what an accelerometer and a gyro read at each instrument and point.
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: a reading each
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 381 operations on reals, 1 of them a division. */
-auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv6_real V_dot[6],
-                         auv6_reading out[AUV6_SENSORS]);
+auv6_status auv6_points(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
+                        auv6_points_result out[AUV6_SENSORS]);
 
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
@@ -468,7 +468,8 @@ auv6_status auv6_measure(const auv6_table *stand, const auv6_state *x, const auv
  * At most 176 operations on reals, no division. */
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
 
-/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
+/* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
+ * + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
@@ -478,12 +479,13 @@ auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
  * At most 465 operations on reals, 1 of them a division. */
-auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], const auv6_real q_dot[6],
-                        const auv6_real q_ddot[6], auv6_state *x, auv6_real V_dot[6]);
+auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_real angles[3],
+                                        const auv6_real q_dot[6], const auv6_real q_ddot[6], auv6_state *x,
+                                        auv6_real V_dot[6]);
 
-/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+/* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude is not read, the angles take its place
  *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
  *   phi_ddot[6]  rad/s2; flywheel accelerations
@@ -491,12 +493,12 @@ auv6_status auv6_target(const auv6_real position[3], const auv6_real angles[3], 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
  * At most 6738 operations on reals, 7 of them divisions. */
-auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const auv6_real angles[3],
-                          const auv6_real phi_ddot[AUV6_N], auv6_generalized *out);
+auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const auv6_real angles[3],
+                             const auv6_real phi_ddot[AUV6_N], auv6_generalized_result *out);
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
  * RANGE also where a mass is negative or axes have no direction.
  * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
@@ -505,20 +507,21 @@ auv6_status auv6_attitude(const auv6_table *stand, const auv6_state *x, const au
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 11570 operations on reals, 102 of them divisions. */
-auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *stand);
+auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *table);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   stand        the prepared table
- *   mounting     made once by prepare_mounts
- *   x            state; its attitude within 1e-3 of unit length
- *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
- *   phi_ddot[6]  rad/s2; flywheel accelerations
- *   loads[36]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
- *                at phi = 0; the fourth is tau
+ *   table             the prepared table
+ *   mounting          made once by prepare_mounts
+ *   x                 state; its attitude within 1e-3 of unit length
+ *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]       rad/s2; flywheel accelerations
+ *   mount_wrench[36]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
+ *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2325 operations on reals, 1 of them a division. */
-auv6_status auv6_mounts(const auv6_table *stand, const auv6_mount_table *mounting, const auv6_state *x,
-                        const auv6_real V_dot[6], const auv6_real phi_ddot[AUV6_N], auv6_real loads[36]);
+auv6_status auv6_mounts(const auv6_table *table, const auv6_mount_table *mounting, const auv6_state *x,
+                        const auv6_real V_dot[6], const auv6_real phi_ddot[AUV6_N],
+                        auv6_real mount_wrench[36]);
 
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings

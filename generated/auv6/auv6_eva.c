@@ -16,8 +16,8 @@
 #include "auv6.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
- * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
- * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+ * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
+ * correctly rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
 
 /*@ requires -10000000.0 <= x <= 10000000.0;
     assigns *sine, *cosine \from x;
@@ -176,7 +176,7 @@ static void untouched(const auv6_real *x, int count)
 static void normal_state(auv6_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    quaternion(x->attitude, 2.0);
+    reals(&x->attitude[0], 4, 1.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 6, 100.0);
     reals(&x->phi_dot[0], 6, 1.0e3);
@@ -185,7 +185,7 @@ static void normal_state(auv6_state *x)
 static void any_state(auv6_state *x)
 {
     reals(&x->position[0], 3, AUV6_LARGEST);
-    quaternion(x->attitude, AUV6_LARGEST);
+    reals(&x->attitude[0], 4, AUV6_LARGEST);
     reals(&x->V[0], 6, AUV6_LARGEST);
     reals(&x->phi[0], 6, AUV6_LARGEST);
     reals(&x->phi_dot[0], 6, AUV6_LARGEST);
@@ -332,7 +332,7 @@ static void bits_parameters(auv6_parameters *x)
     }
 }
 
-static void untouched_equations(const auv6_equations *x)
+static void untouched_matrices_result(const auv6_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -342,7 +342,7 @@ static void untouched_equations(const auv6_equations *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_equations(const auv6_equations *x)
+static void written_matrices_result(const auv6_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -352,7 +352,7 @@ static void written_equations(const auv6_equations *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_equations(const auv6_equations *x)
+static void initialised_matrices_result(const auv6_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -362,7 +362,7 @@ static void initialised_equations(const auv6_equations *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momenta(const auv6_momenta *x)
+static void untouched_momentum_result(const auv6_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -370,7 +370,7 @@ static void untouched_momenta(const auv6_momenta *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momenta(const auv6_momenta *x)
+static void written_momentum_result(const auv6_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -378,7 +378,7 @@ static void written_momenta(const auv6_momenta *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momenta(const auv6_momenta *x)
+static void initialised_momentum_result(const auv6_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -427,7 +427,7 @@ static void initialised_encoder(const auv6_encoder *x)
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_slopes(const auv6_forward_slopes *x)
+static void untouched_forward_jacobian_result(const auv6_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -435,7 +435,7 @@ static void untouched_forward_slopes(const auv6_forward_slopes *x)
     untouched(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void written_forward_slopes(const auv6_forward_slopes *x)
+static void written_forward_jacobian_result(const auv6_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -443,7 +443,7 @@ static void written_forward_slopes(const auv6_forward_slopes *x)
     written(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void initialised_forward_slopes(const auv6_forward_slopes *x)
+static void initialised_forward_jacobian_result(const auv6_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -451,7 +451,7 @@ static void initialised_forward_slopes(const auv6_forward_slopes *x)
     initialised(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void untouched_coupled_slopes(const auv6_coupled_slopes *x)
+static void untouched_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -463,7 +463,7 @@ static void untouched_coupled_slopes(const auv6_coupled_slopes *x)
     untouched(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void written_coupled_slopes(const auv6_coupled_slopes *x)
+static void written_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -475,7 +475,7 @@ static void written_coupled_slopes(const auv6_coupled_slopes *x)
     written(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void initialised_coupled_slopes(const auv6_coupled_slopes *x)
+static void initialised_coupled_jacobian_result(const auv6_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -518,7 +518,7 @@ static void initialised_inverse_result(const auv6_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized(const auv6_generalized *x)
+static void untouched_generalized_result(const auv6_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -528,7 +528,7 @@ static void untouched_generalized(const auv6_generalized *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized(const auv6_generalized *x)
+static void written_generalized_result(const auv6_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -538,7 +538,7 @@ static void written_generalized(const auv6_generalized *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized(const auv6_generalized *x)
+static void initialised_generalized_result(const auv6_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -825,14 +825,14 @@ static void initialised_mount_table(const auv6_mount_table *x)
 void auv6_eva_normal_forward(void);
 void auv6_eva_normal_forward(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
     auv6_real V_dot[6];
-    const auv6_status status = auv6_forward(&stand, &x, phi_ddot, V_dot);
+    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -844,14 +844,14 @@ void auv6_eva_normal_forward(void)
 void auv6_eva_any_forward(void);
 void auv6_eva_any_forward(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
     auv6_real V_dot[6];
-    const auv6_status status = auv6_forward(&stand, &x, phi_ddot, V_dot);
+    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -863,14 +863,14 @@ void auv6_eva_any_forward(void)
 void auv6_eva_bits_forward(void);
 void auv6_eva_bits_forward(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
     auv6_real V_dot[6];
-    const auv6_status status = auv6_forward(&stand, &x, phi_ddot, V_dot);
+    const auv6_status status = auv6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -882,12 +882,12 @@ void auv6_eva_bits_forward(void)
 void auv6_eva_normal_wrench(void);
 void auv6_eva_normal_wrench(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real F[6];
-    const auv6_status status = auv6_wrench(&stand, &x, F);
+    const auv6_status status = auv6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -899,12 +899,12 @@ void auv6_eva_normal_wrench(void)
 void auv6_eva_any_wrench(void);
 void auv6_eva_any_wrench(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real F[6];
-    const auv6_status status = auv6_wrench(&stand, &x, F);
+    const auv6_status status = auv6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -916,12 +916,12 @@ void auv6_eva_any_wrench(void)
 void auv6_eva_bits_wrench(void);
 void auv6_eva_bits_wrench(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real F[6];
-    const auv6_status status = auv6_wrench(&stand, &x, F);
+    const auv6_status status = auv6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -933,110 +933,110 @@ void auv6_eva_bits_wrench(void)
 void auv6_eva_normal_matrices(void);
 void auv6_eva_normal_matrices(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
-    auv6_equations out;
-    const auv6_status status = auv6_matrices(&stand, &x, &out);
+    auv6_matrices_result out;
+    const auv6_status status = auv6_matrices(&table, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
 void auv6_eva_any_matrices(void);
 void auv6_eva_any_matrices(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
-    auv6_equations out;
-    const auv6_status status = auv6_matrices(&stand, &x, &out);
+    auv6_matrices_result out;
+    const auv6_status status = auv6_matrices(&table, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
 void auv6_eva_bits_matrices(void);
 void auv6_eva_bits_matrices(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
-    auv6_equations out;
-    const auv6_status status = auv6_matrices(&stand, &x, &out);
+    auv6_matrices_result out;
+    const auv6_status status = auv6_matrices(&table, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_equations(&out);
+        initialised_matrices_result(&out);
     }
 }
 
 void auv6_eva_normal_momentum(void);
 void auv6_eva_normal_momentum(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
-    auv6_momenta out;
-    const auv6_status status = auv6_momentum(&stand, &x, &out);
+    auv6_momentum_result out;
+    const auv6_status status = auv6_momentum(&table, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
 void auv6_eva_any_momentum(void);
 void auv6_eva_any_momentum(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
-    auv6_momenta out;
-    const auv6_status status = auv6_momentum(&stand, &x, &out);
+    auv6_momentum_result out;
+    const auv6_status status = auv6_momentum(&table, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
 void auv6_eva_bits_momentum(void);
 void auv6_eva_bits_momentum(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
-    auv6_momenta out;
-    const auv6_status status = auv6_momentum(&stand, &x, &out);
+    auv6_momentum_result out;
+    const auv6_status status = auv6_momentum(&table, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_momenta(&out);
+        initialised_momentum_result(&out);
     }
 }
 
 void auv6_eva_normal_torque(void);
 void auv6_eva_normal_torque(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real V_dot[6];
@@ -1044,7 +1044,7 @@ void auv6_eva_normal_torque(void)
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
     auv6_real tau[AUV6_N];
-    const auv6_status status = auv6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1056,8 +1056,8 @@ void auv6_eva_normal_torque(void)
 void auv6_eva_any_torque(void);
 void auv6_eva_any_torque(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real V_dot[6];
@@ -1065,7 +1065,7 @@ void auv6_eva_any_torque(void)
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
     auv6_real tau[AUV6_N];
-    const auv6_status status = auv6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1077,8 +1077,8 @@ void auv6_eva_any_torque(void)
 void auv6_eva_bits_torque(void);
 void auv6_eva_bits_torque(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real V_dot[6];
@@ -1086,7 +1086,7 @@ void auv6_eva_bits_torque(void)
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
     auv6_real tau[AUV6_N];
-    const auv6_status status = auv6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    const auv6_status status = auv6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1098,8 +1098,8 @@ void auv6_eva_bits_torque(void)
 void auv6_eva_normal_coupled(void);
 void auv6_eva_normal_coupled(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real tau[AUV6_N];
@@ -1108,7 +1108,7 @@ void auv6_eva_normal_coupled(void)
     integers(&locked[0], 6, 0, 1);
     auv6_real V_dot[6];
     auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1122,8 +1122,8 @@ void auv6_eva_normal_coupled(void)
 void auv6_eva_any_coupled(void);
 void auv6_eva_any_coupled(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real tau[AUV6_N];
@@ -1132,7 +1132,7 @@ void auv6_eva_any_coupled(void)
     integers(&locked[0], 6, INT_MIN, INT_MAX);
     auv6_real V_dot[6];
     auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1146,8 +1146,8 @@ void auv6_eva_any_coupled(void)
 void auv6_eva_bits_coupled(void);
 void auv6_eva_bits_coupled(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real tau[AUV6_N];
@@ -1156,7 +1156,7 @@ void auv6_eva_bits_coupled(void)
     integers(&locked[0], 6, INT_MIN, INT_MAX);
     auv6_real V_dot[6];
     auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    const auv6_status status = auv6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1170,8 +1170,8 @@ void auv6_eva_bits_coupled(void)
 void auv6_eva_normal_step(void);
 void auv6_eva_normal_step(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real tau[AUV6_N];
@@ -1183,7 +1183,7 @@ void auv6_eva_normal_step(void)
     int order;
     integers(&order, 1, 2, 4);
     auv6_state next;
-    const auv6_status status = auv6_step(&stand, &x, tau, locked, dt, order, &next);
+    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1195,8 +1195,8 @@ void auv6_eva_normal_step(void)
 void auv6_eva_any_step(void);
 void auv6_eva_any_step(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real tau[AUV6_N];
@@ -1208,7 +1208,7 @@ void auv6_eva_any_step(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     auv6_state next;
-    const auv6_status status = auv6_step(&stand, &x, tau, locked, dt, order, &next);
+    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1220,8 +1220,8 @@ void auv6_eva_any_step(void)
 void auv6_eva_bits_step(void);
 void auv6_eva_bits_step(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real tau[AUV6_N];
@@ -1233,7 +1233,7 @@ void auv6_eva_bits_step(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     auv6_state next;
-    const auv6_status status = auv6_step(&stand, &x, tau, locked, dt, order, &next);
+    const auv6_status status = auv6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1245,8 +1245,8 @@ void auv6_eva_bits_step(void)
 void auv6_eva_normal_step_driven(void);
 void auv6_eva_normal_step_driven(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real phi_ddot[AUV6_N];
@@ -1256,7 +1256,7 @@ void auv6_eva_normal_step_driven(void)
     int order;
     integers(&order, 1, 2, 4);
     auv6_state next;
-    const auv6_status status = auv6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1268,8 +1268,8 @@ void auv6_eva_normal_step_driven(void)
 void auv6_eva_any_step_driven(void);
 void auv6_eva_any_step_driven(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real phi_ddot[AUV6_N];
@@ -1279,7 +1279,7 @@ void auv6_eva_any_step_driven(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     auv6_state next;
-    const auv6_status status = auv6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1291,8 +1291,8 @@ void auv6_eva_any_step_driven(void)
 void auv6_eva_bits_step_driven(void);
 void auv6_eva_bits_step_driven(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real phi_ddot[AUV6_N];
@@ -1302,7 +1302,7 @@ void auv6_eva_bits_step_driven(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     auv6_state next;
-    const auv6_status status = auv6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    const auv6_status status = auv6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1530,128 +1530,128 @@ void auv6_eva_bits_accumulate(void)
 void auv6_eva_normal_forward_jacobian(void);
 void auv6_eva_normal_forward_jacobian(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_forward_slopes out;
-    const auv6_status status = auv6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    auv6_forward_jacobian_result out;
+    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
 void auv6_eva_any_forward_jacobian(void);
 void auv6_eva_any_forward_jacobian(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_forward_slopes out;
-    const auv6_status status = auv6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    auv6_forward_jacobian_result out;
+    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
 void auv6_eva_bits_forward_jacobian(void);
 void auv6_eva_bits_forward_jacobian(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_forward_slopes out;
-    const auv6_status status = auv6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    auv6_forward_jacobian_result out;
+    const auv6_status status = auv6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_forward_slopes(&out);
+        initialised_forward_jacobian_result(&out);
     }
 }
 
 void auv6_eva_normal_coupled_jacobian(void);
 void auv6_eva_normal_coupled_jacobian(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, 100.0);
     int locked[AUV6_N];
     integers(&locked[0], 6, 0, 1);
-    auv6_coupled_slopes out;
-    const auv6_status status = auv6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    auv6_coupled_jacobian_result out;
+    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
 void auv6_eva_any_coupled_jacobian(void);
 void auv6_eva_any_coupled_jacobian(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real tau[AUV6_N];
     reals(&tau[0], 6, AUV6_LARGEST);
     int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_coupled_slopes out;
-    const auv6_status status = auv6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    auv6_coupled_jacobian_result out;
+    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
 void auv6_eva_bits_coupled_jacobian(void);
 void auv6_eva_bits_coupled_jacobian(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real tau[AUV6_N];
     all_bits(&tau[0], 6);
     int locked[AUV6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    auv6_coupled_slopes out;
-    const auv6_status status = auv6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    auv6_coupled_jacobian_result out;
+    const auv6_status status = auv6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_coupled_slopes(&out);
+        initialised_coupled_jacobian_result(&out);
     }
 }
 
 void auv6_eva_normal_inverse(void);
 void auv6_eva_normal_inverse(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real V_dot[6];
@@ -1659,7 +1659,7 @@ void auv6_eva_normal_inverse(void)
     auv6_inverse_options options;
     normal_inverse_options(&options);
     auv6_inverse_result out;
-    const auv6_status status = auv6_inverse(&stand, &x, V_dot, &options, &out);
+    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1671,8 +1671,8 @@ void auv6_eva_normal_inverse(void)
 void auv6_eva_any_inverse(void);
 void auv6_eva_any_inverse(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real V_dot[6];
@@ -1680,7 +1680,7 @@ void auv6_eva_any_inverse(void)
     auv6_inverse_options options;
     any_inverse_options(&options);
     auv6_inverse_result out;
-    const auv6_status status = auv6_inverse(&stand, &x, V_dot, &options, &out);
+    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1692,8 +1692,8 @@ void auv6_eva_any_inverse(void)
 void auv6_eva_bits_inverse(void);
 void auv6_eva_bits_inverse(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real V_dot[6];
@@ -1701,7 +1701,7 @@ void auv6_eva_bits_inverse(void)
     auv6_inverse_options options;
     bits_inverse_options(&options);
     auv6_inverse_result out;
-    const auv6_status status = auv6_inverse(&stand, &x, V_dot, &options, &out);
+    const auv6_status status = auv6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1713,8 +1713,8 @@ void auv6_eva_bits_inverse(void)
 void auv6_eva_normal_inverse_fast(void);
 void auv6_eva_normal_inverse_fast(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real V_dot[6];
@@ -1722,7 +1722,7 @@ void auv6_eva_normal_inverse_fast(void)
     auv6_inverse_options options;
     normal_inverse_options(&options);
     auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1734,8 +1734,8 @@ void auv6_eva_normal_inverse_fast(void)
 void auv6_eva_any_inverse_fast(void);
 void auv6_eva_any_inverse_fast(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real V_dot[6];
@@ -1743,7 +1743,7 @@ void auv6_eva_any_inverse_fast(void)
     auv6_inverse_options options;
     any_inverse_options(&options);
     auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1755,8 +1755,8 @@ void auv6_eva_any_inverse_fast(void)
 void auv6_eva_bits_inverse_fast(void);
 void auv6_eva_bits_inverse_fast(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real V_dot[6];
@@ -1764,7 +1764,7 @@ void auv6_eva_bits_inverse_fast(void)
     auv6_inverse_options options;
     bits_inverse_options(&options);
     auv6_real phi_ddot[AUV6_N];
-    const auv6_status status = auv6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    const auv6_status status = auv6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1773,17 +1773,17 @@ void auv6_eva_bits_inverse_fast(void)
     }
 }
 
-void auv6_eva_normal_measure(void);
-void auv6_eva_normal_measure(void)
+void auv6_eva_normal_points(void);
+void auv6_eva_normal_points(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    auv6_reading out[AUV6_SENSORS];
-    const auv6_status status = auv6_measure(&stand, &x, V_dot, out);
+    auv6_points_result out[AUV6_SENSORS];
+    const auv6_status status = auv6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1800,17 +1800,17 @@ void auv6_eva_normal_measure(void)
     }
 }
 
-void auv6_eva_any_measure(void);
-void auv6_eva_any_measure(void)
+void auv6_eva_any_points(void);
+void auv6_eva_any_points(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real V_dot[6];
     reals(&V_dot[0], 6, AUV6_LARGEST);
-    auv6_reading out[AUV6_SENSORS];
-    const auv6_status status = auv6_measure(&stand, &x, V_dot, out);
+    auv6_points_result out[AUV6_SENSORS];
+    const auv6_status status = auv6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1827,17 +1827,17 @@ void auv6_eva_any_measure(void)
     }
 }
 
-void auv6_eva_bits_measure(void);
-void auv6_eva_bits_measure(void)
+void auv6_eva_bits_points(void);
+void auv6_eva_bits_points(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    auv6_reading out[AUV6_SENSORS];
-    const auv6_status status = auv6_measure(&stand, &x, V_dot, out);
+    auv6_points_result out[AUV6_SENSORS];
+    const auv6_status status = auv6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1899,8 +1899,8 @@ void auv6_eva_bits_quaternion(void)
     }
 }
 
-void auv6_eva_normal_target(void);
-void auv6_eva_normal_target(void)
+void auv6_eva_normal_state_from_coordinates(void);
+void auv6_eva_normal_state_from_coordinates(void)
 {
     auv6_real position[3];
     reals(&position[0], 3, 100.0);
@@ -1913,7 +1913,7 @@ void auv6_eva_normal_target(void)
     auv6_state x;
     normal_state(&x);
     auv6_real V_dot[6];
-    const auv6_status status = auv6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1923,8 +1923,8 @@ void auv6_eva_normal_target(void)
     }
 }
 
-void auv6_eva_any_target(void);
-void auv6_eva_any_target(void)
+void auv6_eva_any_state_from_coordinates(void);
+void auv6_eva_any_state_from_coordinates(void)
 {
     auv6_real position[3];
     reals(&position[0], 3, AUV6_LARGEST);
@@ -1937,7 +1937,7 @@ void auv6_eva_any_target(void)
     auv6_state x;
     any_state(&x);
     auv6_real V_dot[6];
-    const auv6_status status = auv6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1947,8 +1947,8 @@ void auv6_eva_any_target(void)
     }
 }
 
-void auv6_eva_bits_target(void);
-void auv6_eva_bits_target(void)
+void auv6_eva_bits_state_from_coordinates(void);
+void auv6_eva_bits_state_from_coordinates(void)
 {
     auv6_real position[3];
     all_bits(&position[0], 3);
@@ -1961,7 +1961,7 @@ void auv6_eva_bits_target(void)
     auv6_state x;
     bits_state(&x);
     auv6_real V_dot[6];
-    const auv6_status status = auv6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const auv6_status status = auv6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1971,66 +1971,66 @@ void auv6_eva_bits_target(void)
     }
 }
 
-void auv6_eva_normal_attitude(void);
-void auv6_eva_normal_attitude(void)
+void auv6_eva_normal_generalized(void);
+void auv6_eva_normal_generalized(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_state x;
     normal_state(&x);
     auv6_real angles[3];
     reals(&angles[0], 3, 7.0);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_generalized out;
-    const auv6_status status = auv6_attitude(&stand, &x, angles, phi_ddot, &out);
+    auv6_generalized_result out;
+    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void auv6_eva_any_attitude(void);
-void auv6_eva_any_attitude(void)
+void auv6_eva_any_generalized(void);
+void auv6_eva_any_generalized(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_state x;
     any_state(&x);
     auv6_real angles[3];
     reals(&angles[0], 3, AUV6_LARGEST);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_generalized out;
-    const auv6_status status = auv6_attitude(&stand, &x, angles, phi_ddot, &out);
+    auv6_generalized_result out;
+    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void auv6_eva_bits_attitude(void);
-void auv6_eva_bits_attitude(void)
+void auv6_eva_bits_generalized(void);
+void auv6_eva_bits_generalized(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_state x;
     bits_state(&x);
     auv6_real angles[3];
     all_bits(&angles[0], 3);
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_generalized out;
-    const auv6_status status = auv6_attitude(&stand, &x, angles, phi_ddot, &out);
+    auv6_generalized_result out;
+    const auv6_status status = auv6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_generalized(&out);
+        initialised_generalized_result(&out);
     }
 }
 
@@ -2039,13 +2039,13 @@ void auv6_eva_normal_prepare(void)
 {
     auv6_parameters parameters;
     normal_parameters(&parameters);
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
-    const auv6_status status = auv6_prepare(&parameters, &stand);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
+    const auv6_status status = auv6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -2054,13 +2054,13 @@ void auv6_eva_any_prepare(void)
 {
     auv6_parameters parameters;
     any_parameters(&parameters);
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
-    const auv6_status status = auv6_prepare(&parameters, &stand);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    const auv6_status status = auv6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -2069,21 +2069,21 @@ void auv6_eva_bits_prepare(void)
 {
     auv6_parameters parameters;
     bits_parameters(&parameters);
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
-    const auv6_status status = auv6_prepare(&parameters, &stand);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
+    const auv6_status status = auv6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised_table(&stand);
+        initialised_table(&table);
     }
 }
 
 void auv6_eva_normal_mounts(void);
 void auv6_eva_normal_mounts(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
     auv6_mount_table mounting;
     (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
     auv6_state x;
@@ -2092,21 +2092,21 @@ void auv6_eva_normal_mounts(void)
     reals(&V_dot[0], 6, 1.0e3);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    auv6_real loads[36];
-    const auv6_status status = auv6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    auv6_real mount_wrench[36];
+    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 36);
+        untouched(&mount_wrench[0], 36);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 36);
+        written(&mount_wrench[0], 36);
     }
 }
 
 void auv6_eva_any_mounts(void);
 void auv6_eva_any_mounts(void)
 {
-    auv6_table stand = auv6_default;
-    reals(&stand.stream[0], 3, AUV6_LARGEST);
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
     auv6_mount_table mounting;
     (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
     auv6_state x;
@@ -2115,21 +2115,21 @@ void auv6_eva_any_mounts(void)
     reals(&V_dot[0], 6, AUV6_LARGEST);
     auv6_real phi_ddot[AUV6_N];
     reals(&phi_ddot[0], 6, AUV6_LARGEST);
-    auv6_real loads[36];
-    const auv6_status status = auv6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    auv6_real mount_wrench[36];
+    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 36);
+        untouched(&mount_wrench[0], 36);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 36);
+        written(&mount_wrench[0], 36);
     }
 }
 
 void auv6_eva_bits_mounts(void);
 void auv6_eva_bits_mounts(void)
 {
-    auv6_table stand = auv6_default;
-    all_bits(&stand.stream[0], 3);
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
     auv6_mount_table mounting;
     (void)auv6_prepare_mounts(&auv6_default_parameters, &mounting);
     auv6_state x;
@@ -2138,13 +2138,13 @@ void auv6_eva_bits_mounts(void)
     all_bits(&V_dot[0], 6);
     auv6_real phi_ddot[AUV6_N];
     all_bits(&phi_ddot[0], 6);
-    auv6_real loads[36];
-    const auv6_status status = auv6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    auv6_real mount_wrench[36];
+    const auv6_status status = auv6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 36);
+        untouched(&mount_wrench[0], 36);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&loads[0], 36);
+        initialised(&mount_wrench[0], 36);
     }
 }
 

@@ -189,15 +189,15 @@ static void auv6_hash_members(const auv6_state *x, uint32_t seen[AUV6_RECORD_MEM
 }
 
 AUV6_CODE
-auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *stand, const auv6_state *x)
+auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, const auv6_state *x)
 {
     auv6_page page;
     uint32_t table;
-    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+    if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return AUV6_BAD_ARGUMENT;
     }
     auv6_record_begin(&page, NULL);
-    auv6_record_put_table(&page, stand);
+    auv6_record_put_table(&page, table);
     table = page.check;
     auv6_record_begin(&page, log);
     auv6_record_put_bytes(&page, auv6_record_magic, sizeof auv6_record_magic);
@@ -221,7 +221,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *stand, con
         auv6_record_put(&page, 0, 4);
     } else {
         auv6_record_put(&page, AUV6_RECORD_TABLE_BYTES, 4);
-        auv6_record_put_table(&page, stand);
+        auv6_record_put_table(&page, table);
     }
     auv6_record_end(&page);
     auv6_hash_members(x, log->seen);
@@ -231,7 +231,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *stand, con
 
 /* Flags of what changed since the last step: members of the state, dt and order, stream. The log takes them as its last. */
 AUV6_CODE
-static unsigned auv6_notice_changes(auv6_recorder *log, const auv6_table *stand, const auv6_state *x,
+static unsigned auv6_notice_changes(auv6_recorder *log, const auv6_table *table, const auv6_state *x,
                                   auv6_real dt, int order)
 {
     const auv6_record_word step = auv6_record_bits(dt);
@@ -245,7 +245,7 @@ static unsigned auv6_notice_changes(auv6_recorder *log, const auv6_table *stand,
         flags |= AUV6_RECORD_SETTINGS;
     }
     for (int i = 0; i < 3; ++i) {
-        const auv6_record_word now = auv6_record_bits(stand->stream[i]);
+        const auv6_record_word now = auv6_record_bits(table->stream[i]);
         flags |= (log->fresh || now != log->stream[i]) ? AUV6_RECORD_STREAM : 0u;
         log->stream[i] = now;
     }
@@ -306,19 +306,19 @@ static void auv6_record_result(auv6_page *page, auv6_recorder *log,
 }
 
 AUV6_CODE
-auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *stand, auv6_state *x,
+auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                const auv6_real tau[AUV6_N], const int locked[AUV6_N], auv6_real dt,
                                int order)
 {
     auv6_page page;
     auv6_status status;
     unsigned flags = 0;
-    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
         || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
     for (int s = 0; s < AUV6_N; ++s) {
         flags |= (locked[s] != 0) ? AUV6_RECORD_LOCKS : 0u;
     }
-    flags |= auv6_notice_changes(log, stand, x, dt, order);
+    flags |= auv6_notice_changes(log, table, x, dt, order);
     auv6_record_head(&page, log, x, flags);
     auv6_record_put_reals(&page, tau, AUV6_N);
     if (flags & AUV6_RECORD_LOCKS) {
@@ -330,24 +330,24 @@ auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *stand, auv6
             auv6_record_put(&page, mask, 1);
         }
     }
-    status = auv6_step(stand, x, tau, locked, dt, order, x);
+    status = auv6_step(table, x, tau, locked, dt, order, x);
     auv6_record_result(&page, log, x, status);
     return status;
 }
 
 AUV6_CODE
-auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *stand, auv6_state *x,
+auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                       const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order)
 {
     auv6_page page;
     auv6_status status;
     unsigned flags = AUV6_RECORD_DRIVEN;
-    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
-    flags |= auv6_notice_changes(log, stand, x, dt, order);
+    flags |= auv6_notice_changes(log, table, x, dt, order);
     auv6_record_head(&page, log, x, flags);
     auv6_record_put_reals(&page, phi_ddot, AUV6_N);
-    status = auv6_step_driven(stand, x, phi_ddot, dt, order, x);
+    status = auv6_step_driven(table, x, phi_ddot, dt, order, x);
     auv6_record_result(&page, log, x, status);
     return status;
 }

@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define AUV6_RECORDER_FORMAT 1u           /* of the log */
-#define AUV6_RECORDER_SOURCE 0x09908c18u  /* of the texts of auv6.h and auv6.c: FNV-1a */
+#define AUV6_RECORDER_SOURCE 0x9f1566ffu  /* of the texts of auv6.h and auv6.c: FNV-1a */
 #define AUV6_RECORDER_TABLE  0x7c3dd86du  /* hash of the default table */
 #define AUV6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
 #define AUV6_RECORD_MEMBERS  5  /* of a state */
@@ -69,10 +69,10 @@ typedef struct auv6_recorder {
 
 /* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
  *   log    its write and context are set; in and out
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state before the next step
  * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
-auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *stand, const auv6_state *x);
+auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, const auv6_state *x);
 
 /* recorder_step: step, and a record of it.
  *   log  a log that was started
@@ -80,7 +80,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *stand, con
  *   The others are those of step; also a step that is refused is logged.
  * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: AUV6_RECORD_BYTES and less than 200 bytes more than step. */
-auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *stand, auv6_state *x,
+auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                const auv6_real tau[AUV6_N], const int locked[AUV6_N], auv6_real dt,
                                int order);
 
@@ -90,7 +90,7 @@ auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *stand, auv6
  *   The others are those of step_driven; also a step that is refused is logged.
  * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: AUV6_RECORD_BYTES and less than 200 bytes more than step_driven. */
-auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *stand, auv6_state *x,
+auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                       const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order);
 
 #ifdef __cplusplus

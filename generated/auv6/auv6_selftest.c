@@ -77,8 +77,8 @@ static auv6_mount_table mounting;
 static union {
     struct { auv6_real V_dot[6]; } forward;
     struct { auv6_real F[6]; } wrench;
-    struct { auv6_equations out; } matrices;
-    struct { auv6_momenta out; } momentum;
+    struct { auv6_matrices_result out; } matrices;
+    struct { auv6_momentum_result out; } momentum;
     struct { auv6_real tau[AUV6_N]; } torque;
     struct { auv6_real V_dot[6]; auv6_real phi_ddot[AUV6_N]; } coupled;
     struct { auv6_state next; } step;
@@ -87,16 +87,16 @@ static union {
     struct { auv6_real phi; } phase_of_counts;
     struct { auv6_real phi_dot; } speed_of_counts;
     struct { auv6_encoder encoder; } accumulate;
-    struct { auv6_forward_slopes out; } forward_jacobian;
-    struct { auv6_coupled_slopes out; } coupled_jacobian;
+    struct { auv6_forward_jacobian_result out; } forward_jacobian;
+    struct { auv6_coupled_jacobian_result out; } coupled_jacobian;
     struct { auv6_inverse_result out; } inverse;
     struct { auv6_real phi_ddot[AUV6_N]; } inverse_fast;
-    struct { auv6_reading out[AUV6_SENSORS]; } measure;
+    struct { auv6_points_result out[AUV6_SENSORS]; } points;
     struct { auv6_real attitude[4]; } quaternion;
-    struct { auv6_state x; auv6_real V_dot[6]; } target;
-    struct { auv6_generalized out; } attitude;
-    struct { auv6_table stand; } prepare;
-    struct { auv6_real loads[36]; } mounts;
+    struct { auv6_state x; auv6_real V_dot[6]; } state_from_coordinates;
+    struct { auv6_generalized_result out; } generalized;
+    struct { auv6_table table; } prepare;
+    struct { auv6_real mount_wrench[36]; } mounts;
     struct { auv6_mount_table mounting; } prepare_mounts;
     unsigned char bytes[1];
 } results;
@@ -175,7 +175,7 @@ static void untouched(tally *sum, const void *place, size_t size)
     }
 }
 
-static void take_equations(tally *sum, const auv6_equations *value)
+static void take_matrices_result(tally *sum, const auv6_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->K[i], 6);
@@ -195,7 +195,7 @@ static void take_equations(tally *sum, const auv6_equations *value)
     take_reals(sum, value->F, 6);
 }
 
-static void take_momenta(tally *sum, const auv6_momenta *value)
+static void take_momentum_result(tally *sum, const auv6_momentum_result *value)
 {
     take_reals(sum, value->Z, 6);
     take_reals(sum, value->Z0, 6);
@@ -219,7 +219,7 @@ static void take_encoder(tally *sum, const auv6_encoder *value)
     take_ints(sum, &value->moved, 1);
 }
 
-static void take_forward_slopes(tally *sum, const auv6_forward_slopes *value)
+static void take_forward_jacobian_result(tally *sum, const auv6_forward_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -235,7 +235,7 @@ static void take_forward_slopes(tally *sum, const auv6_forward_slopes *value)
     }
 }
 
-static void take_coupled_slopes(tally *sum, const auv6_coupled_slopes *value)
+static void take_coupled_jacobian_result(tally *sum, const auv6_coupled_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -274,7 +274,7 @@ static void take_inverse_result(tally *sum, const auv6_inverse_result *value)
     take_reals(sum, value->hardest, 6);
 }
 
-static void take_reading(tally *sum, const auv6_reading *value)
+static void take_points_result(tally *sum, const auv6_points_result *value)
 {
     take_reals(sum, value->position, 3);
     for (int i = 0; i < 3; ++i) {
@@ -285,7 +285,7 @@ static void take_reading(tally *sum, const auv6_reading *value)
     take_reals(sum, value->angular_acceleration, 3);
 }
 
-static void take_generalized(tally *sum, const auv6_generalized *value)
+static void take_generalized_result(tally *sum, const auv6_generalized_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->A[i], 6);
@@ -413,7 +413,7 @@ static void take_matrices_results(tally *sum, auv6_status status)
         untouched(sum, &results.matrices.out, sizeof results.matrices.out);
         return;
     }
-    take_equations(sum, &results.matrices.out);
+    take_matrices_result(sum, &results.matrices.out);
 }
 
 static auv6_status call_momentum(void)
@@ -427,7 +427,7 @@ static void take_momentum_results(tally *sum, auv6_status status)
         untouched(sum, &results.momentum.out, sizeof results.momentum.out);
         return;
     }
-    take_momenta(sum, &results.momentum.out);
+    take_momentum_result(sum, &results.momentum.out);
 }
 
 static auv6_status call_torque(void)
@@ -554,7 +554,7 @@ static void take_forward_jacobian_results(tally *sum, auv6_status status)
         untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
         return;
     }
-    take_forward_slopes(sum, &results.forward_jacobian.out);
+    take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
 static auv6_status call_coupled_jacobian(void)
@@ -568,7 +568,7 @@ static void take_coupled_jacobian_results(tally *sum, auv6_status status)
         untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
         return;
     }
-    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+    take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
 static auv6_status call_inverse(void)
@@ -600,19 +600,19 @@ static void take_inverse_fast_results(tally *sum, auv6_status status)
     take_reals(sum, results.inverse_fast.phi_ddot, AUV6_N);
 }
 
-static auv6_status call_measure(void)
+static auv6_status call_points(void)
 {
-    return auv6_measure(&auv6_default, &in.x, in.V_dot, results.measure.out);
+    return auv6_points(&auv6_default, &in.x, in.V_dot, results.points.out);
 }
 
-static void take_measure_results(tally *sum, auv6_status status)
+static void take_points_results(tally *sum, auv6_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.measure.out, sizeof results.measure.out);
+        untouched(sum, &results.points.out, sizeof results.points.out);
         return;
     }
     for (int i = 0; i < AUV6_SENSORS; ++i) {
-        take_reading(sum, &results.measure.out[i]);
+        take_points_result(sum, &results.points.out[i]);
     }
 }
 
@@ -630,60 +630,61 @@ static void take_quaternion_results(tally *sum, auv6_status status)
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
-static auv6_status call_target(void)
+static auv6_status call_state_from_coordinates(void)
 {
-    results.target.x = in.x;
-    return auv6_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x, results.target.V_dot);
+    results.state_from_coordinates.x = in.x;
+    return auv6_state_from_coordinates(in.position, in.angles, in.q_dot, in.q_ddot,
+        &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_target_results(tally *sum, auv6_status status)
+static void take_state_from_coordinates_results(tally *sum, auv6_status status)
 {
-    take_state(sum, &results.target.x);
+    take_state(sum, &results.state_from_coordinates.x);
     if (status < 0) {
-        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
         return;
     }
-    take_reals(sum, results.target.V_dot, 6);
+    take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
-static auv6_status call_attitude(void)
+static auv6_status call_generalized(void)
 {
-    return auv6_attitude(&auv6_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+    return auv6_generalized(&auv6_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_attitude_results(tally *sum, auv6_status status)
+static void take_generalized_results(tally *sum, auv6_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
         return;
     }
-    take_generalized(sum, &results.attitude.out);
+    take_generalized_result(sum, &results.generalized.out);
 }
 
 static auv6_status call_prepare(void)
 {
-    results.prepare.stand = auv6_default;
-    return auv6_prepare(&parameters, &results.prepare.stand);
+    results.prepare.table = auv6_default;
+    return auv6_prepare(&parameters, &results.prepare.table);
 }
 
 static void take_prepare_results(tally *sum, auv6_status status)
 {
     (void)status;
-    take_table(sum, &results.prepare.stand);
+    take_table(sum, &results.prepare.table);
 }
 
 static auv6_status call_mounts(void)
 {
-    return auv6_mounts(&auv6_default, &mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+    return auv6_mounts(&auv6_default, &mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.mount_wrench);
 }
 
 static void take_mounts_results(tally *sum, auv6_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
         return;
     }
-    take_reals(sum, results.mounts.loads, 36);
+    take_reals(sum, results.mounts.mount_wrench, 36);
 }
 
 static auv6_status call_prepare_mounts(void)
@@ -1005,7 +1006,7 @@ static const auv6_real numbers_inverse_fast[] =
         -0x1.18482202f8b36p+28, 0x1.121d5d032f3a3p+30,
 };
 
-static const auv6_real numbers_measure[] =
+static const auv6_real numbers_points[] =
 {
     -0x1.b27ad6b934e39p-1, 0x1.26c966bf0b66ep+0, 0x1.9038013e3165cp-3, -0x1.75528ec2c5e43p-2,
         0x1.94d99c7ca2f6p-1, -0x1.f7944b4c299e6p-2, -0x1.156d140a36993p-1, 0x1.feafcd95c6c4ap-3,
@@ -1027,7 +1028,7 @@ static const auv6_real numbers_quaternion[] =
     0x1.d65ff582f77e9p-1, -0x1.4a477d2fd7e1cp-2, 0x1.a520c03eb2918p-3, -0x1.92e108c74ed2p-4,
 };
 
-static const auv6_real numbers_target[] =
+static const auv6_real numbers_state_from_coordinates[] =
 {
     -0x1.5944dp-2, 0x1.f3e8ep-2, 0x1.35894p-2, 0x1.cea2e1e8cac71p-1, 0x1.dd7fc12bd7767p-4,
         -0x1.caa7a5f2114cbp-4, -0x1.96430663f2734p-2, 0x1.8caa98d309bcdp+0, 0x1.388589f47f7cap-3,
@@ -1050,7 +1051,7 @@ static const auv6_real numbers_target[] =
         -0x1.046708p+7, 0x1.7c0718p+7, -0x1.8e30bp+7,
 };
 
-static const auv6_real numbers_attitude[] =
+static const auv6_real numbers_generalized[] =
 {
     0x1.51fae45d6853p-1, -0x1.7c75b6483a307p-1, 0x1.c1fb8ff509d0ap-4, 0x0p+0, 0x0p+0, 0x0p+0,
         0x1.61b9bc2c87c39p-1, 0x1.50e740352e2f6p-1, 0x1.32b6d68561744p-2, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -1199,20 +1200,20 @@ static const function functions[FUNCTIONS] =
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 0, 0x99a04ba3u, 6 }, { 0, 0x72660ea7u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x516c534cu },
-    { "measure", sizeof results.measure,
-      call_measure, take_measure_results, numbers_measure,
+    { "points", sizeof results.points,
+      call_points, take_points_results, numbers_points,
       { { 0, 0x5d0ae681u, 24 }, { 0, 0x79777c4eu, 24 }, { -2, 0x8e5b0aa0u, 0 } },
       0x13d91ca9u },
     { "quaternion", sizeof results.quaternion,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0xcdc117bdu, 4 }, { 0, 0xdf1ec7e8u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x15657920u },
-    { "target", sizeof results.target,
-      call_target, take_target_results, numbers_target,
+    { "state_from_coordinates", sizeof results.state_from_coordinates,
+      call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x65c14606u, 31 }, { 0, 0x4d40cc5fu, 31 }, { -2, 0x054a767bu, 25 } },
       0x2b77723fu },
-    { "attitude", sizeof results.attitude,
-      call_attitude, take_attitude_results, numbers_attitude,
+    { "generalized", sizeof results.generalized,
+      call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0xc5951b52u, 32 }, { 0, 0xc56758b4u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xc052ac6eu },
     { "prepare", sizeof results.prepare,

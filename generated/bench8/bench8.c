@@ -266,13 +266,13 @@ static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], b
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 BENCH8_CODE
-static void bench8_start_sums(const bench8_table *stand, bench8_sums *restrict sum)
+static void bench8_start_sums(const bench8_table *table, bench8_sums *restrict sum)
 {
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
     sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
     sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
@@ -425,27 +425,27 @@ static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, 
 
 /* total external wrench of weight, suspension, from checked inputs, (7). */
 BENCH8_CODE
-static void bench8_external(const bench8_table *stand, const bench8_state *x, const bench8_sums *sum,
+static void bench8_external(const bench8_table *table, const bench8_state *x, const bench8_sums *sum,
                             const bench8_real C[9], const bench8_real g[3], bench8_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
     /* weight of every body: its line of action moves with the flywheels */
-    F[0] += g[0] * stand->mass;  F[1] += g[1] * stand->mass;  F[2] += g[2] * stand->mass;
+    F[0] += g[0] * table->mass;  F[1] += g[1] * table->mass;  F[2] += g[2] * table->mass;
     F[3] += g[2] * sum->mu[1] - g[1] * sum->mu[2];
     F[4] += g[0] * sum->mu[2] - g[2] * sum->mu[0];
     F[5] += g[1] * sum->mu[0] - g[0] * sum->mu[1];
-    bench8_suspend(&stand->suspension, x, C, F);
+    bench8_suspend(&table->suspension, x, C, F);
 }
 
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 BENCH8_CODE
-static void bench8_momentum_screw(const bench8_table *stand, const bench8_sums *sum, const bench8_real V[6],
+static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
                                   bench8_real Z[restrict 6])
 {
-    Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
-    Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
-    Z[2] = stand->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    Z[2] = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
     Z[3] = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0] + sum->mu[1] * V[2]
         - sum->mu[2] * V[1];
     Z[4] = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1] + sum->mu[2] * V[0]
@@ -499,14 +499,14 @@ static bench8_status bench8_solve3(const bench8_real S[6], const bench8_real b[3
 
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 BENCH8_CODE
-static bench8_status bench8_solve_carrier(const bench8_table *stand, const bench8_sums *sum,
+static bench8_status bench8_solve_carrier(const bench8_table *table, const bench8_sums *sum,
                                           const bench8_real F[6], bench8_real y[restrict 6])
 {
     bench8_status status;
     bench8_real rho[3];  /* mass centre from O1, in E1 */
-    rho[0] = stand->mass_inverse * sum->mu[0];
-    rho[1] = stand->mass_inverse * sum->mu[1];
-    rho[2] = stand->mass_inverse * sum->mu[2];
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
     bench8_real S[6];  /* inertia about the mass centre */
     bench8_real moment[3];  /* about the mass centre */
     bench8_real omega_dot[3];
@@ -521,9 +521,9 @@ static bench8_status bench8_solve_carrier(const bench8_table *stand, const bench
     moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
     status = bench8_solve3(S, moment, omega_dot);
     if (status != BENCH8_OK) { return status; }
-    y[0] = F[0] * stand->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
-    y[1] = F[1] * stand->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
-    y[2] = F[2] * stand->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
     return BENCH8_OK;
 }
@@ -531,7 +531,7 @@ static bench8_status bench8_solve_carrier(const bench8_table *stand, const bench
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 BENCH8_CODE
-static bench8_status bench8_accelerate(const bench8_table *stand, const bench8_state *x,
+static bench8_status bench8_accelerate(const bench8_table *table, const bench8_state *x,
                                        const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
                                        const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[restrict 6])
 {
@@ -539,28 +539,28 @@ static bench8_status bench8_accelerate(const bench8_table *stand, const bench8_s
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_sums sum;
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     bench8_real F[6];  /* wrench (7); then what K V* must equal */
     bench8_real Z[6];  /* momentum screw (2) */
-    bench8_external(stand, x, &sum, C, g, F);
-    bench8_momentum_screw(stand, &sum, x->V, Z);
+    bench8_external(table, x, &sum, C, g, F);
+    bench8_momentum_screw(table, &sum, x->V, Z);
     bench8_subtract_rates(&sum, x->V, Z, F);
-    status = bench8_solve_carrier(stand, &sum, F, V_dot);
+    status = bench8_solve_carrier(table, &sum, F, V_dot);
     if (status != BENCH8_OK) { return status; }
     return BENCH8_OK;
 }
 
 /* (8) */
 BENCH8_CODE
-bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -569,7 +569,7 @@ bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_accelerate(stand, x, sine, cosine, phi_ddot, result);
+    status = bench8_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != BENCH8_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -578,25 +578,25 @@ bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
 
 /* (7) */
 BENCH8_CODE
-bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, bench8_real F[6])
+bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, bench8_real F[6])
 {
-    if (stand == NULL || x == NULL || F == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || F == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_sums sum;
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real result[6];
-    bench8_external(stand, x, &sum, C, g, result);
+    bench8_external(table, x, &sum, C, g, result);
     F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
     F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
     return BENCH8_OK;
@@ -604,7 +604,7 @@ bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, be
 
 /* M = Phi K + K*, (9). */
 BENCH8_CODE
-static void bench8_velocity_matrix(const bench8_real V[6], bench8_equations *restrict out)
+static void bench8_velocity_matrix(const bench8_real V[6], bench8_matrices_result *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -621,33 +621,33 @@ static void bench8_velocity_matrix(const bench8_real V[6], bench8_equations *res
 
 /* (2), (6)-(9) */
 BENCH8_CODE
-bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, bench8_equations *out)
+bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, bench8_matrices_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_sums sum;
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real F[6];
-    bench8_external(stand, x, &sum, C, g, F);
+    bench8_external(table, x, &sum, C, g, F);
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
     out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
     /* K (2) and its rate (6) */
-    out->K[0][0] = stand->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
+    out->K[0][0] = table->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
     out->K[0][3] = 0.0;          out->K[0][4] = sum.mu[2];    out->K[0][5] = -sum.mu[1];
-    out->K[1][0] = 0.0;          out->K[1][1] = stand->mass;  out->K[1][2] = 0.0;
+    out->K[1][0] = 0.0;          out->K[1][1] = table->mass;  out->K[1][2] = 0.0;
     out->K[1][3] = -sum.mu[2];   out->K[1][4] = 0.0;          out->K[1][5] = sum.mu[0];
-    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = stand->mass;
+    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = table->mass;
     out->K[2][3] = sum.mu[1];    out->K[2][4] = -sum.mu[0];   out->K[2][5] = 0.0;
     out->K[3][0] = 0.0;         out->K[3][1] = -sum.mu[2];  out->K[3][2] = sum.mu[1];
     out->K[3][3] = sum.J[0];    out->K[3][4] = sum.J[3];    out->K[3][5] = sum.J[4];
@@ -673,21 +673,21 @@ bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, 
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
-        rate[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-        rate[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-        rate[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-        rate[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-        rate[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-        rate[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        rate[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+        rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+        rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
         out->I[0][s] = column[0];
         out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
         out->I[1][s] = column[1];
@@ -709,9 +709,9 @@ bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, 
 
 /* (1), (2) */
 BENCH8_CODE
-bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, bench8_momenta *out)
+bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
@@ -720,27 +720,27 @@ bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, 
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real Z[6];  /* momentum screw (2) */
-    bench8_momentum_screw(stand, &sum, x->V, Z);
+    bench8_momentum_screw(table, &sum, x->V, Z);
     bench8_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
         /* I_s . V */
-        const bench8_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
-            * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
-            + (stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi) * x->V[2]
-            + (stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0]) * x->V[3]
-            + (stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1]) * x->V[4]
-            + (stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2]) * x->V[5];
-        spin += x->phi_dot[s] * (along + stand->flywheel[s].spin * x->phi_dot[s]);
+        const bench8_real along = (table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi)
+            * x->V[0] + (table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi) * x->V[1]
+            + (table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi) * x->V[2]
+            + (table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0]) * x->V[3]
+            + (table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1]) * x->V[4]
+            + (table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2]) * x->V[5];
+        spin += x->phi_dot[s] * (along + table->flywheel[s].spin * x->phi_dot[s]);
     }
     bench8_real energy = 0.5 * Z[3] * x->V[3] + 0.5 * Z[4] * x->V[4] + 0.5 * Z[5] * x->V[5]
         + 0.5 * Z[0] * x->V[0] + 0.5 * Z[1] * x->V[1] + 0.5 * Z[2] * x->V[2] + 0.5 * spin;
@@ -757,16 +757,17 @@ bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, 
     out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
         - out->Z0[0] * x->position[1];
     out->energy = energy;
-    out->center_of_mass[0] = sum.mu[0] * stand->mass_inverse;
-    out->center_of_mass[1] = sum.mu[1] * stand->mass_inverse;
-    out->center_of_mass[2] = sum.mu[2] * stand->mass_inverse;
+    out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
     return BENCH8_OK;
 }
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 BENCH8_CODE
-static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c, const bench8_real swing[3],
-                          const bench8_real spun[6], bench8_coupling *restrict out)
+static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
+                          const bench8_real origin_acceleration[3], const bench8_real spun[6],
+                          bench8_coupling *restrict out)
 {
     const bench8_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const bench8_real two_s2 = 4.0 * c * s;
@@ -790,7 +791,8 @@ static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c, c
     const bench8_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
         - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
+        + out->I[2] * origin_acceleration[2];
 }
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
@@ -814,10 +816,10 @@ static void bench8_eliminate(const bench8_real I[6], bench8_real spin_inv, bench
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 BENCH8_CODE
-bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
+bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
@@ -828,14 +830,14 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
     bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
@@ -843,9 +845,9 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     bench8_coupling drive;
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
+        bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
         tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + table->flywheel[s].spin * phi_ddot[s]
             + drive.bias;
     }
     return BENCH8_OK;
@@ -906,28 +908,30 @@ static bench8_status bench8_solve_schur(const bench8_schur *K, const bench8_real
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 BENCH8_CODE
-static bench8_status bench8_move(const bench8_table *stand, const bench8_state *x,
-                                 const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
-                                 const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                 bench8_real V_dot[restrict 6], bench8_real phi_ddot[restrict BENCH8_N])
+static bench8_status bench8_solve_coupled(const bench8_table *table, const bench8_state *x,
+                                          const bench8_real sine[BENCH8_N],
+                                          const bench8_real cosine[BENCH8_N],
+                                          const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                                          bench8_real V_dot[restrict 6],
+                                          bench8_real phi_ddot[restrict BENCH8_N])
 {
     bench8_status status;
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_sums sum;
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     bench8_real Z[6];  /* momentum screw (2) */
-    bench8_external(stand, x, &sum, C, g, F);
-    bench8_momentum_screw(stand, &sum, x->V, Z);
+    bench8_external(table, x, &sum, C, g, F);
+    bench8_momentum_screw(table, &sum, x->V, Z);
     bench8_subtract_rates(&sum, x->V, Z, F);
     bench8_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
     K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
     K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
@@ -935,10 +939,10 @@ static bench8_status bench8_move(const bench8_table *stand, const bench8_state *
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     bench8_coupling drive[BENCH8_N];
-    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
     bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
@@ -946,11 +950,11 @@ static bench8_status bench8_move(const bench8_table *stand, const bench8_state *
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     bench8_real rate[BENCH8_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
-            rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
-            bench8_eliminate(drive[s].I, stand->flywheel[s].spin_inv, rate[s], &K, F);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            bench8_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = bench8_solve_schur(&K, F, V_dot);
@@ -960,7 +964,7 @@ static bench8_status bench8_move(const bench8_table *stand, const bench8_state *
         if (locked[s] == 0) {
             phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
                 + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * stand->flywheel[s].spin_inv;
+                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
         }
     }
     return BENCH8_OK;
@@ -968,11 +972,11 @@ static bench8_status bench8_move(const bench8_table *stand, const bench8_state *
 
 /* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
 BENCH8_CODE
-bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N])
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
         || phi_ddot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
@@ -983,7 +987,7 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = bench8_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != BENCH8_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -1038,7 +1042,7 @@ static bench8_status bench8_finish(bench8_state *restrict x)
 
 /* rates of the state under drive torques. */
 BENCH8_CODE
-static bench8_status bench8_rate(const bench8_table *stand, const bench8_state *x,
+static bench8_status bench8_rate(const bench8_table *table, const bench8_state *x,
                                  const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                  bench8_state *restrict rate)
 {
@@ -1047,7 +1051,7 @@ static bench8_status bench8_rate(const bench8_table *stand, const bench8_state *
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
+    status = bench8_solve_coupled(table, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != BENCH8_OK) { return status; }
     bench8_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1069,10 +1073,10 @@ static bench8_status bench8_rate(const bench8_table *stand, const bench8_state *
 
 /* State a time step later, under drive torques and wrenches held constant. */
 BENCH8_CODE
-bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
+bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || next == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
@@ -1086,19 +1090,19 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
     if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
     bench8_state k;  /* rates of a stage */
     bench8_state y;  /* state of a stage; then the new state */
-    status = bench8_rate(stand, x, tau, locked, &k);
+    status = bench8_rate(table, x, tau, locked, &k);
     if (status != BENCH8_OK) { return status; }
     const bench8_real half = 0.5 * dt;
     if (order == 2) {
         bench8_advance(x, &k, half, &y);
-        status = bench8_rate(stand, &y, tau, locked, &k);
+        status = bench8_rate(table, &y, tau, locked, &k);
         if (status != BENCH8_OK) { return status; }
         bench8_advance(x, &k, dt, &y);
     } else {
         bench8_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         bench8_advance(x, &k, half, &y);
-        status = bench8_rate(stand, &y, tau, locked, &k);
+        status = bench8_rate(table, &y, tau, locked, &k);
         if (status != BENCH8_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1116,7 +1120,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         bench8_advance(x, &k, half, &y);
-        status = bench8_rate(stand, &y, tau, locked, &k);
+        status = bench8_rate(table, &y, tau, locked, &k);
         if (status != BENCH8_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1134,7 +1138,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         bench8_advance(x, &k, dt, &y);
-        status = bench8_rate(stand, &y, tau, locked, &k);
+        status = bench8_rate(table, &y, tau, locked, &k);
         if (status != BENCH8_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -1162,7 +1166,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
 
 /* rates of the state under given flywheel accelerations. */
 BENCH8_CODE
-static bench8_status bench8_rate_driven(const bench8_table *stand, const bench8_state *x,
+static bench8_status bench8_rate_driven(const bench8_table *table, const bench8_state *x,
                                         const bench8_real phi_ddot[BENCH8_N], bench8_state *restrict rate)
 {
     bench8_status status;
@@ -1170,7 +1174,7 @@ static bench8_status bench8_rate_driven(const bench8_table *stand, const bench8_
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
+    status = bench8_accelerate(table, x, sine, cosine, phi_ddot, rate->V);
     if (status != BENCH8_OK) { return status; }
     bench8_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1193,11 +1197,11 @@ static bench8_status bench8_rate_driven(const bench8_table *stand, const bench8_
 
 /* State a time step later, under given flywheel accelerations and wrenches held constant. */
 BENCH8_CODE
-bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -1210,19 +1214,19 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
     if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
     bench8_state k;  /* rates of a stage */
     bench8_state y;  /* state of a stage; then the new state */
-    status = bench8_rate_driven(stand, x, phi_ddot, &k);
+    status = bench8_rate_driven(table, x, phi_ddot, &k);
     if (status != BENCH8_OK) { return status; }
     const bench8_real half = 0.5 * dt;
     if (order == 2) {
         bench8_advance(x, &k, half, &y);
-        status = bench8_rate_driven(stand, &y, phi_ddot, &k);
+        status = bench8_rate_driven(table, &y, phi_ddot, &k);
         if (status != BENCH8_OK) { return status; }
         bench8_advance(x, &k, dt, &y);
     } else {
         bench8_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         bench8_advance(x, &k, half, &y);
-        status = bench8_rate_driven(stand, &y, phi_ddot, &k);
+        status = bench8_rate_driven(table, &y, phi_ddot, &k);
         if (status != BENCH8_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1240,7 +1244,7 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         bench8_advance(x, &k, half, &y);
-        status = bench8_rate_driven(stand, &y, phi_ddot, &k);
+        status = bench8_rate_driven(table, &y, phi_ddot, &k);
         if (status != BENCH8_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1258,7 +1262,7 @@ bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         bench8_advance(x, &k, dt, &y);
-        status = bench8_rate_driven(stand, &y, phi_ddot, &k);
+        status = bench8_rate_driven(table, &y, phi_ddot, &k);
         if (status != BENCH8_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -1381,8 +1385,8 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
 
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 BENCH8_CODE
-static void bench8_twist_slope(const bench8_table *stand, const bench8_real Z[6], const bench8_equations *m,
-                               bench8_real slope[restrict 36])
+static void bench8_twist_slope(const bench8_table *table, const bench8_real Z[6],
+                               const bench8_matrices_result *m, bench8_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1403,7 +1407,7 @@ static void bench8_twist_slope(const bench8_table *stand, const bench8_real Z[6]
     }
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
-            slope[i * 6 + j] -= stand->suspension.damping[i][j];
+            slope[i * 6 + j] -= table->suspension.damping[i][j];
         }
     }
 }
@@ -1485,10 +1489,11 @@ static void bench8_row_slope(const bench8_row *row, const bench8_real weight[12]
 
 /* (8) */
 BENCH8_CODE
-bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
-                                      const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out)
+bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_state *x,
+                                      const bench8_real phi_ddot[BENCH8_N],
+                                      bench8_forward_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -1496,31 +1501,31 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_sums sum;
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     bench8_real F[6];  /* what K V* must equal */
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_real V_result[6];  /* V_r* */
     bench8_real rhs[6];
     bench8_real y[6];
-    bench8_external(stand, x, &sum, C, g, F);
-    bench8_momentum_screw(stand, &sum, x->V, Z);
+    bench8_external(table, x, &sum, C, g, F);
+    bench8_momentum_screw(table, &sum, x->V, Z);
     bench8_subtract_rates(&sum, x->V, Z, F);
-    status = bench8_solve_carrier(stand, &sum, F, V_result);
+    status = bench8_solve_carrier(table, &sum, F, V_result);
     if (status != BENCH8_OK) { return status; }
-    bench8_equations m;
-    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    bench8_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
-    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
     m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
-    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
     m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
     m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
     m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
@@ -1542,12 +1547,12 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     bench8_velocity_matrix(x->V, &m);
     bench8_real slope[36];  /* by V, row by row */
-    bench8_twist_slope(stand, Z, &m, slope);
+    bench8_twist_slope(table, Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)bench8_solve_carrier(stand, &sum, rhs, y);
+        (void)bench8_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1569,8 +1574,8 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
-            (void)bench8_solve_carrier(stand, &sum, rhs, y);
+            bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
+            (void)bench8_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1580,22 +1585,22 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
-            (void)bench8_solve_carrier(stand, &sum, rhs, y);
+            bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
+            (void)bench8_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
         }
-        rhs[0] = stand->flywheel[s].mu_c[0] * s_phi - stand->flywheel[s].mu_s[0] * c_phi;
-        rhs[1] = stand->flywheel[s].mu_c[1] * s_phi - stand->flywheel[s].mu_s[1] * c_phi;
-        rhs[2] = stand->flywheel[s].mu_c[2] * s_phi - stand->flywheel[s].mu_s[2] * c_phi;
-        rhs[3] = -stand->flywheel[s].t_c[0] * c_phi - stand->flywheel[s].t_s[0] * s_phi
-            - stand->flywheel[s].t_0[0];
-        rhs[4] = -stand->flywheel[s].t_c[1] * c_phi - stand->flywheel[s].t_s[1] * s_phi
-            - stand->flywheel[s].t_0[1];
-        rhs[5] = -stand->flywheel[s].t_c[2] * c_phi - stand->flywheel[s].t_s[2] * s_phi
-            - stand->flywheel[s].t_0[2];
-        (void)bench8_solve_carrier(stand, &sum, rhs, y);
+        rhs[0] = table->flywheel[s].mu_c[0] * s_phi - table->flywheel[s].mu_s[0] * c_phi;
+        rhs[1] = table->flywheel[s].mu_c[1] * s_phi - table->flywheel[s].mu_s[1] * c_phi;
+        rhs[2] = table->flywheel[s].mu_c[2] * s_phi - table->flywheel[s].mu_s[2] * c_phi;
+        rhs[3] = -table->flywheel[s].t_c[0] * c_phi - table->flywheel[s].t_s[0] * s_phi
+            - table->flywheel[s].t_0[0];
+        rhs[4] = -table->flywheel[s].t_c[1] * c_phi - table->flywheel[s].t_s[1] * s_phi
+            - table->flywheel[s].t_0[1];
+        rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
+            - table->flywheel[s].t_0[2];
+        (void)bench8_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1605,11 +1610,11 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
 
 /* Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude. */
 BENCH8_CODE
-bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                      bench8_coupled_slopes *out)
+                                      bench8_coupled_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
@@ -1620,25 +1625,25 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = bench8_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != BENCH8_OK) { return status; }
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_sums sum;
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     bench8_real Z[6];  /* momentum screw (2) */
-    bench8_momentum_screw(stand, &sum, x->V, Z);
-    bench8_equations m;
-    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    bench8_momentum_screw(table, &sum, x->V, Z);
+    bench8_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
-    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
     m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
-    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
     m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
     m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
     m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
@@ -1660,19 +1665,19 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     bench8_velocity_matrix(x->V, &m);
     bench8_real slope[36];  /* by V, row by row */
-    bench8_twist_slope(stand, Z, &m, slope);
+    bench8_twist_slope(table, Z, &m, slope);
     bench8_coupling drive[BENCH8_N];
-    bench8_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
     bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     bench8_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
     K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
     K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
@@ -1685,9 +1690,9 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            bench8_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
+            bench8_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
     bench8_real drive_slope[BENCH8_N][6];  /* of the bias torques by V */
@@ -1698,18 +1703,18 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
         const bench8_real c_phi = cosine[s];
         const bench8_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const bench8_real two_s2 = 4.0 * c_phi * s_phi;
-        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
-            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
-            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
-            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
-            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
-            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
-            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
+        J_p[0] = table->flywheel[s].J_2s[0] * two_c2 + table->flywheel[s].J_s[0] * c_phi
+            - table->flywheel[s].J_2c[0] * two_s2 - table->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = table->flywheel[s].J_2s[1] * two_c2 + table->flywheel[s].J_s[1] * c_phi
+            - table->flywheel[s].J_2c[1] * two_s2 - table->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = table->flywheel[s].J_2s[2] * two_c2 + table->flywheel[s].J_s[2] * c_phi
+            - table->flywheel[s].J_2c[2] * two_s2 - table->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = table->flywheel[s].J_2s[3] * two_c2 + table->flywheel[s].J_s[3] * c_phi
+            - table->flywheel[s].J_2c[3] * two_s2 - table->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = table->flywheel[s].J_2s[4] * two_c2 + table->flywheel[s].J_s[4] * c_phi
+            - table->flywheel[s].J_2c[4] * two_s2 - table->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = table->flywheel[s].J_2s[5] * two_c2 + table->flywheel[s].J_s[5] * c_phi
+            - table->flywheel[s].J_2c[5] * two_s2 - table->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
@@ -1729,7 +1734,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
         }
         for (int t = 0; t < BENCH8_N; ++t) {
             if (locked[t] == 0) {
-                const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -1745,7 +1750,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -1766,43 +1771,44 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
             for (int t = 0; t < BENCH8_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             bench8_real mu_pp[3];  /* d2 mu / dphi2 */
             bench8_real J_pp[6];  /* d2 J / dphi2 */
             bench8_real I_p[6];  /* dI / dphi */
-            mu_pp[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            mu_pp[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            mu_pp[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            J_pp[0] = -4.0 * stand->flywheel[s].J_2c[0] * c2 - 4.0 * stand->flywheel[s].J_2s[0] * s2
-                - stand->flywheel[s].J_c[0] * c_phi - stand->flywheel[s].J_s[0] * s_phi;
-            J_pp[1] = -4.0 * stand->flywheel[s].J_2c[1] * c2 - 4.0 * stand->flywheel[s].J_2s[1] * s2
-                - stand->flywheel[s].J_c[1] * c_phi - stand->flywheel[s].J_s[1] * s_phi;
-            J_pp[2] = -4.0 * stand->flywheel[s].J_2c[2] * c2 - 4.0 * stand->flywheel[s].J_2s[2] * s2
-                - stand->flywheel[s].J_c[2] * c_phi - stand->flywheel[s].J_s[2] * s_phi;
-            J_pp[3] = -4.0 * stand->flywheel[s].J_2c[3] * c2 - 4.0 * stand->flywheel[s].J_2s[3] * s2
-                - stand->flywheel[s].J_c[3] * c_phi - stand->flywheel[s].J_s[3] * s_phi;
-            J_pp[4] = -4.0 * stand->flywheel[s].J_2c[4] * c2 - 4.0 * stand->flywheel[s].J_2s[4] * s2
-                - stand->flywheel[s].J_c[4] * c_phi - stand->flywheel[s].J_s[4] * s_phi;
-            J_pp[5] = -4.0 * stand->flywheel[s].J_2c[5] * c2 - 4.0 * stand->flywheel[s].J_2s[5] * s2
-                - stand->flywheel[s].J_c[5] * c_phi - stand->flywheel[s].J_s[5] * s_phi;
-            I_p[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            I_p[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            I_p[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            I_p[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-            I_p[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-            I_p[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+            mu_pp[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            mu_pp[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            mu_pp[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            J_pp[0] = -4.0 * table->flywheel[s].J_2c[0] * c2 - 4.0 * table->flywheel[s].J_2s[0] * s2
+                - table->flywheel[s].J_c[0] * c_phi - table->flywheel[s].J_s[0] * s_phi;
+            J_pp[1] = -4.0 * table->flywheel[s].J_2c[1] * c2 - 4.0 * table->flywheel[s].J_2s[1] * s2
+                - table->flywheel[s].J_c[1] * c_phi - table->flywheel[s].J_s[1] * s_phi;
+            J_pp[2] = -4.0 * table->flywheel[s].J_2c[2] * c2 - 4.0 * table->flywheel[s].J_2s[2] * s2
+                - table->flywheel[s].J_c[2] * c_phi - table->flywheel[s].J_s[2] * s_phi;
+            J_pp[3] = -4.0 * table->flywheel[s].J_2c[3] * c2 - 4.0 * table->flywheel[s].J_2s[3] * s2
+                - table->flywheel[s].J_c[3] * c_phi - table->flywheel[s].J_s[3] * s_phi;
+            J_pp[4] = -4.0 * table->flywheel[s].J_2c[4] * c2 - 4.0 * table->flywheel[s].J_2s[4] * s2
+                - table->flywheel[s].J_c[4] * c_phi - table->flywheel[s].J_s[4] * s_phi;
+            J_pp[5] = -4.0 * table->flywheel[s].J_2c[5] * c2 - 4.0 * table->flywheel[s].J_2s[5] * s2
+                - table->flywheel[s].J_c[5] * c_phi - table->flywheel[s].J_s[5] * s_phi;
+            I_p[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            I_p[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            I_p[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+            I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+            I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
             drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
-                + (mu_pp[0] * swing[0] + mu_pp[1] * swing[1] + mu_pp[2] * swing[2]
+                + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
+                + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
             for (int t = 0; t < BENCH8_N; ++t) {
                 if (locked[t] == 0) {
-                    const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1818,7 +1824,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1827,13 +1833,13 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            bench8_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            bench8_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
             for (int t = 0; t < BENCH8_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             for (int t = 0; t < BENCH8_N; ++t) {
                 if (locked[t] == 0) {
-                    const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1849,7 +1855,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1861,7 +1867,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
         drive_rhs[s] = 1.0;
         for (int t = 0; t < BENCH8_N; ++t) {
             if (locked[t] == 0) {
-                const bench8_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -1877,7 +1883,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -1970,7 +1976,7 @@ static bench8_status bench8_factor(bench8_inverse_work *restrict work)
 
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 BENCH8_CODE
-static bench8_status bench8_demand(const bench8_table *stand, const bench8_state *x,
+static bench8_status bench8_demand(const bench8_table *table, const bench8_state *x,
                                    const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
                                    const bench8_real V_dot[6], bench8_inverse_work *restrict work)
 {
@@ -1978,39 +1984,39 @@ static bench8_status bench8_demand(const bench8_table *stand, const bench8_state
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_sums sum;
-    bench8_start_sums(stand, &sum);
+    bench8_start_sums(table, &sum);
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     bench8_real column[6];  /* I_s */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
             work->I[i][s] = column[i];
         }
     }
     bench8_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     bench8_real Z[6];  /* momentum screw (2) */
-    bench8_external(stand, x, &sum, C, g, F);
-    bench8_momentum_screw(stand, &sum, x->V, Z);
+    bench8_external(table, x, &sum, C, g, F);
+    bench8_momentum_screw(table, &sum, x->V, Z);
     bench8_subtract_rates(&sum, x->V, Z, F);
-    work->G[0][0] = stand->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
+    work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
     work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
-    work->G[1][0] = 0.0;          work->G[1][1] = stand->mass;  work->G[1][2] = 0.0;
+    work->G[1][0] = 0.0;          work->G[1][1] = table->mass;  work->G[1][2] = 0.0;
     work->G[1][3] = -sum.mu[2];   work->G[1][4] = 0.0;          work->G[1][5] = sum.mu[0];
-    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = stand->mass;
+    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = table->mass;
     work->G[2][3] = sum.mu[1];    work->G[2][4] = -sum.mu[0];   work->G[2][5] = 0.0;
     work->G[3][0] = 0.0;         work->G[3][1] = -sum.mu[2];  work->G[3][2] = sum.mu[1];
     work->G[3][3] = sum.J[0];    work->G[3][4] = sum.J[3];    work->G[3][5] = sum.J[4];
@@ -2028,7 +2034,7 @@ static bench8_status bench8_demand(const bench8_table *stand, const bench8_state
     status = bench8_factor(work);
     if (status != BENCH8_OK) { return status; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        work->scale[s] = 1.0 / bench8_sqrt(stand->flywheel[s].spin);
+        work->scale[s] = 1.0 / bench8_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -2228,10 +2234,10 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
 
 /* (12) */
 BENCH8_CODE
-bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
+bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out)
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
@@ -2256,7 +2262,7 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_demand(stand, x, sine, cosine, V_dot, &work);
+    status = bench8_demand(table, x, sine, cosine, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
     bench8_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2378,11 +2384,11 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
 
 /* (12) */
 BENCH8_CODE
-bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || phi_ddot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
@@ -2402,7 +2408,7 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_demand(stand, x, sine, cosine, V_dot, &work);
+    status = bench8_demand(table, x, sine, cosine, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
     /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
     bench8_real gram[6][6];
@@ -2486,9 +2492,9 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
 
 /* (10) */
 BENCH8_CODE
-bench8_status bench8_target(const bench8_real position[3], const bench8_real angles[3],
-                            const bench8_real q_dot[6], const bench8_real q_ddot[6], bench8_state *x,
-                            bench8_real V_dot[6])
+bench8_status bench8_state_from_coordinates(const bench8_real position[3], const bench8_real angles[3],
+                                            const bench8_real q_dot[6], const bench8_real q_ddot[6],
+                                            bench8_state *x, bench8_real V_dot[6])
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
@@ -2541,7 +2547,7 @@ bench8_status bench8_target(const bench8_real position[3], const bench8_real ang
 
 /* I0 = K A, J0 = K D + M A, (11). */
 BENCH8_CODE
-static void bench8_products(const bench8_equations *m, bench8_generalized *restrict out)
+static void bench8_products(const bench8_matrices_result *m, bench8_generalized_result *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2560,15 +2566,16 @@ static void bench8_products(const bench8_equations *m, bench8_generalized *restr
 
 /* (10), (11) */
 BENCH8_CODE
-bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, const bench8_real angles[3],
-                              const bench8_real phi_ddot[BENCH8_N], bench8_generalized *out)
+bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
+                                 const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
+                                 bench8_generalized_result *out)
 {
-    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || angles == NULL || phi_ddot == NULL
         || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status;
     bench8_state y;  /* the state with the attitude of the angles */
     bench8_real V_dot[6];
-    bench8_equations m;
+    bench8_matrices_result m;
     y = *x;
     status = bench8_quaternion(angles, y.attitude);
     if (status != BENCH8_OK) { return status; }
@@ -2577,9 +2584,9 @@ bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, 
     bench8_real s_phi, c_phi;
     bench8_sincos(angles[2], &s_phi, &c_phi);
     const bench8_real singular = c_theta;  /* A has no inverse where this is 0 */
-    status = bench8_forward(stand, &y, phi_ddot, V_dot);
+    status = bench8_forward(table, &y, phi_ddot, V_dot);
     if (status != BENCH8_OK) { return status; }
-    status = bench8_matrices(stand, &y, &m);
+    status = bench8_matrices(table, &y, &m);
     if (status != BENCH8_OK) { return status; }
     if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return BENCH8_SINGULAR_ATTITUDE; }
     bench8_real C[9];
@@ -2821,9 +2828,9 @@ static bench8_status bench8_check_parameters(const bench8_parameters *parameters
 
 /* (2) */
 BENCH8_CODE
-bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *stand)
+bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table)
 {
-    if (parameters == NULL || stand == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (parameters == NULL || table == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_parameters(parameters);
     if (status != BENCH8_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2867,7 +2874,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        bench8_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, stand->flywheel[s].t_0);
+        bench8_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -2878,16 +2885,16 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        bench8_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_c, stand->flywheel[s].J_c,
-            stand->flywheel[s].t_c);
+        bench8_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+            table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
         Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        bench8_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_s, stand->flywheel[s].J_s,
-            stand->flywheel[s].t_s);
+        bench8_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+            table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -2895,7 +2902,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        bench8_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2c, t);
+        bench8_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -2903,17 +2910,17 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        bench8_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2s, t);
-        stand->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
-        stand->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        bench8_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
     }
-    stand->mass = mass;
-    stand->mass_inverse = 1.0 / mass;
-    stand->first_moment[0] = first_moment[0];
-    stand->first_moment[1] = first_moment[1];
-    stand->first_moment[2] = first_moment[2];
-    stand->inertia[0] = inertia[0];  stand->inertia[1] = inertia[1];  stand->inertia[2] = inertia[2];
-    stand->inertia[3] = inertia[3];  stand->inertia[4] = inertia[4];  stand->inertia[5] = inertia[5];
+    table->mass = mass;
+    table->mass_inverse = 1.0 / mass;
+    table->first_moment[0] = first_moment[0];
+    table->first_moment[1] = first_moment[1];
+    table->first_moment[2] = first_moment[2];
+    table->inertia[0] = inertia[0];  table->inertia[1] = inertia[1];  table->inertia[2] = inertia[2];
+    table->inertia[3] = inertia[3];  table->inertia[4] = inertia[4];  table->inertia[5] = inertia[5];
     return BENCH8_OK;
 }
 
@@ -3008,12 +3015,12 @@ static void bench8_mount_wrench(const bench8_mount *mount, bench8_real s, bench8
 
 /* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
 BENCH8_CODE
-bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table *mounting,
+bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table *mounting,
                             const bench8_state *x, const bench8_real V_dot[6],
-                            const bench8_real phi_ddot[BENCH8_N], bench8_real loads[48])
+                            const bench8_real phi_ddot[BENCH8_N], bench8_real mount_wrench[48])
 {
-    if (stand == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
-        || loads == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || mount_wrench == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
@@ -3023,7 +3030,7 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
-    bench8_rotate_back(C, stand->gravity, g);
+    bench8_rotate_back(C, table->gravity, g);
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
@@ -3034,7 +3041,7 @@ bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table 
         bench8_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V,
             V_dot, g, W);
         for (int j = 0; j < 6; ++j) {
-            loads[s * 6 + j] = W[j];
+            mount_wrench[s * 6 + j] = W[j];
         }
     }
     return BENCH8_OK;

@@ -125,32 +125,32 @@ typedef struct bench8_table {
 } bench8_table;
 
 /* The matrices of (8). */
-typedef struct bench8_equations {
+typedef struct bench8_matrices_result {
     bench8_real K[6][6];         /* kg, kg m, kg m2; mass matrix (2) */
     bench8_real K_dot[6][6];     /* per s; its rate (6) */
     bench8_real M[6][6];         /* per s; velocity matrix (9) */
     bench8_real I[6][BENCH8_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
     bench8_real J[6][BENCH8_N];  /* per s; its velocity part (9) */
     bench8_real F[6];            /* N, N m; total external wrench (7) */
-} bench8_equations;
+} bench8_matrices_result;
 
 /* Momentum, energy and mass centre. */
-typedef struct bench8_momenta {
+typedef struct bench8_momentum_result {
     bench8_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
     bench8_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
     bench8_real energy;             /* J; kinetic */
     bench8_real center_of_mass[3];  /* m; of all bodies, in E1 */
-} bench8_momenta;
+} bench8_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
-typedef struct bench8_generalized {
+typedef struct bench8_generalized_result {
     bench8_real A[6][6];    /* V = A q' (10) */
     bench8_real D[6][6];    /* 1/s; A' along the motion (10) */
     bench8_real I0[6][6];   /* K A (11) */
     bench8_real J0[6][6];   /* K D + M A (11) */
     bench8_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
     bench8_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
-} bench8_generalized;
+} bench8_generalized_result;
 
 /* One flywheel and how it sits: for mounts only. */
 typedef struct bench8_mount {
@@ -195,7 +195,7 @@ typedef struct bench8_inverse_result {
 } bench8_inverse_result;
 
 /* Derivatives of coupled. */
-typedef struct bench8_coupled_slopes {
+typedef struct bench8_coupled_jacobian_result {
     bench8_real V_dot_V[6][6];                         /* of V* by V: row i, column j */
     bench8_real V_dot_phi[6][BENCH8_N];                /* of V* by the phases */
     bench8_real V_dot_phi_dot[6][BENCH8_N];            /* by the speeds */
@@ -204,15 +204,15 @@ typedef struct bench8_coupled_slopes {
     bench8_real phi_ddot_phi[BENCH8_N][BENCH8_N];      /* of phi'' by the phases */
     bench8_real phi_ddot_phi_dot[BENCH8_N][BENCH8_N];  /* by the speeds */
     bench8_real phi_ddot_tau[BENCH8_N][BENCH8_N];      /* by the drive torques */
-} bench8_coupled_slopes;
+} bench8_coupled_jacobian_result;
 
 /* Derivatives of forward. */
-typedef struct bench8_forward_slopes {
+typedef struct bench8_forward_jacobian_result {
     bench8_real V_dot_V[6][6];                /* of V* by V: row i, column j */
     bench8_real V_dot_phi[6][BENCH8_N];       /* of V* by the phases */
     bench8_real V_dot_phi_dot[6][BENCH8_N];   /* by the speeds */
     bench8_real V_dot_phi_ddot[6][BENCH8_N];  /* by the accelerations */
-} bench8_forward_slopes;
+} bench8_forward_jacobian_result;
 
 extern const bench8_parameters bench8_default_parameters;         /* of the stand file */
 extern const bench8_table bench8_default;                         /* what prepare makes of them */
@@ -222,54 +222,54 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
 
 /* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
  * phi'' + J phi'), (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2607 operations on reals, 6 of them divisions. */
-bench8_status bench8_forward(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
 
 /* wrench: total external wrench of all bodies at a state, (7).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2364 operations on reals, 3 of them divisions. */
-bench8_status bench8_wrench(const bench8_table *stand, const bench8_state *x, bench8_real F[6]);
+bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, bench8_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 3228 operations on reals, 3 of them divisions. */
-bench8_status bench8_matrices(const bench8_table *stand, const bench8_state *x, bench8_equations *out);
+bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, bench8_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2440 operations on reals, 1 of them a division. */
-bench8_status bench8_momentum(const bench8_table *stand, const bench8_state *x, bench8_momenta *out);
+bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1444 operations on reals, 1 of them a division. */
-bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
+bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[8]       N m; drive torques, mount on flywheel
  *   locked[8]    not 0: a lock holds phi'' = 0, whatever its tau
@@ -278,12 +278,12 @@ bench8_status bench8_torque(const bench8_table *stand, const bench8_state *x, co
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 4026 operations on reals, 7 of them divisions. */
-bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N]);
 
 /* step: state a time step later, under drive torques and wrenches held constant.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[8]     N m; drive torques, mount on flywheel
  *   locked[8]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -294,11 +294,11 @@ bench8_status bench8_coupled(const bench8_table *stand, const bench8_state *x,
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 16892 operations on reals, 34 of them divisions. */
-bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, const bench8_real tau[BENCH8_N],
+bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
 /* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
@@ -308,7 +308,7 @@ bench8_status bench8_step(const bench8_table *stand, const bench8_state *x, cons
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 11216 operations on reals, 30 of them divisions. */
-bench8_status bench8_step_driven(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
 
@@ -354,7 +354,7 @@ bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, be
 bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
@@ -362,11 +362,12 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 10673 operations on reals, 96 of them divisions. */
-bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_state *x,
-                                      const bench8_real phi_ddot[BENCH8_N], bench8_forward_slopes *out);
+bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_state *x,
+                                      const bench8_real phi_ddot[BENCH8_N],
+                                      bench8_forward_jacobian_result *out);
 
 /* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[8]     N m; drive torques, mount on flywheel
  *   locked[8]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -375,14 +376,14 @@ bench8_status bench8_forward_jacobian(const bench8_table *stand, const bench8_st
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 26115 operations on reals, 128 of them divisions. */
-bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                      bench8_coupled_slopes *out);
+                                      bench8_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
  * is shared among the others, (12).
- *   stand     the prepared table
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
  *   options   weights, limits, damping; default_options has those of the stand
@@ -391,12 +392,12 @@ bench8_status bench8_coupled_jacobian(const bench8_table *stand, const bench8_st
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
  * At most 52696 operations on reals, 1396 of them divisions. */
-bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, const bench8_real V_dot[6],
+bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
 /* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
  * equations, (12).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
  *   options      weights and damping; near and limits are not read
@@ -407,7 +408,7 @@ bench8_status bench8_inverse(const bench8_table *stand, const bench8_state *x, c
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 4496 operations on reals, 115 of them divisions. */
-bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state *x,
+bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);
 
@@ -418,7 +419,8 @@ bench8_status bench8_inverse_fast(const bench8_table *stand, const bench8_state 
  * At most 176 operations on reals, no division. */
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
 
-/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
+/* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
+ * + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
@@ -428,13 +430,13 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
  * At most 465 operations on reals, 1 of them a division. */
-bench8_status bench8_target(const bench8_real position[3], const bench8_real angles[3],
-                            const bench8_real q_dot[6], const bench8_real q_ddot[6], bench8_state *x,
-                            bench8_real V_dot[6]);
+bench8_status bench8_state_from_coordinates(const bench8_real position[3], const bench8_real angles[3],
+                                            const bench8_real q_dot[6], const bench8_real q_ddot[6],
+                                            bench8_state *x, bench8_real V_dot[6]);
 
-/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+/* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude is not read, the angles take its place
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[8]  rad/s2; flywheel accelerations
@@ -442,12 +444,13 @@ bench8_status bench8_target(const bench8_real position[3], const bench8_real ang
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
  * At most 7628 operations on reals, 11 of them divisions. */
-bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, const bench8_real angles[3],
-                              const bench8_real phi_ddot[BENCH8_N], bench8_generalized *out);
+bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
+                                 const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
+                                 bench8_generalized_result *out);
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
  * RANGE also where a mass is negative or axes have no direction.
  * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
@@ -456,21 +459,21 @@ bench8_status bench8_attitude(const bench8_table *stand, const bench8_state *x, 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 10673 operations on reals, 68 of them divisions. */
-bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *stand);
+bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   stand        the prepared table
- *   mounting     made once by prepare_mounts
- *   x            state; its attitude within 1e-3 of unit length
- *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
- *   phi_ddot[8]  rad/s2; flywheel accelerations
- *   loads[48]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
- *                at phi = 0; the fourth is tau
+ *   table             the prepared table
+ *   mounting          made once by prepare_mounts
+ *   x                 state; its attitude within 1e-3 of unit length
+ *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[8]       rad/s2; flywheel accelerations
+ *   mount_wrench[48]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
+ *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2991 operations on reals, 1 of them a division. */
-bench8_status bench8_mounts(const bench8_table *stand, const bench8_mount_table *mounting,
+bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table *mounting,
                             const bench8_state *x, const bench8_real V_dot[6],
-                            const bench8_real phi_ddot[BENCH8_N], bench8_real loads[48]);
+                            const bench8_real phi_ddot[BENCH8_N], bench8_real mount_wrench[48]);
 
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings

@@ -16,8 +16,8 @@
 #include "bench8.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
- * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
- * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+ * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
+ * correctly rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
 
 /*@ requires -10000000.0 <= x <= 10000000.0;
     assigns *sine, *cosine \from x;
@@ -191,7 +191,7 @@ static void untouched(const bench8_real *x, int count)
 static void normal_state(bench8_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    quaternion(x->attitude, 2.0);
+    reals(&x->attitude[0], 4, 1.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 8, 100.0);
     reals(&x->phi_dot[0], 8, 1.0e3);
@@ -200,7 +200,7 @@ static void normal_state(bench8_state *x)
 static void any_state(bench8_state *x)
 {
     reals(&x->position[0], 3, BENCH8_LARGEST);
-    quaternion(x->attitude, BENCH8_LARGEST);
+    reals(&x->attitude[0], 4, BENCH8_LARGEST);
     reals(&x->V[0], 6, BENCH8_LARGEST);
     reals(&x->phi[0], 8, BENCH8_LARGEST);
     reals(&x->phi_dot[0], 8, BENCH8_LARGEST);
@@ -305,7 +305,7 @@ static void bits_parameters(bench8_parameters *x)
     }
 }
 
-static void untouched_equations(const bench8_equations *x)
+static void untouched_matrices_result(const bench8_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -315,7 +315,7 @@ static void untouched_equations(const bench8_equations *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_equations(const bench8_equations *x)
+static void written_matrices_result(const bench8_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -325,7 +325,7 @@ static void written_equations(const bench8_equations *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_equations(const bench8_equations *x)
+static void initialised_matrices_result(const bench8_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -335,7 +335,7 @@ static void initialised_equations(const bench8_equations *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momenta(const bench8_momenta *x)
+static void untouched_momentum_result(const bench8_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -343,7 +343,7 @@ static void untouched_momenta(const bench8_momenta *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momenta(const bench8_momenta *x)
+static void written_momentum_result(const bench8_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -351,7 +351,7 @@ static void written_momenta(const bench8_momenta *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momenta(const bench8_momenta *x)
+static void initialised_momentum_result(const bench8_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -400,7 +400,7 @@ static void initialised_encoder(const bench8_encoder *x)
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_slopes(const bench8_forward_slopes *x)
+static void untouched_forward_jacobian_result(const bench8_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 48);
@@ -408,7 +408,7 @@ static void untouched_forward_slopes(const bench8_forward_slopes *x)
     untouched(&x->V_dot_phi_ddot[0][0], 48);
 }
 
-static void written_forward_slopes(const bench8_forward_slopes *x)
+static void written_forward_jacobian_result(const bench8_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 48);
@@ -416,7 +416,7 @@ static void written_forward_slopes(const bench8_forward_slopes *x)
     written(&x->V_dot_phi_ddot[0][0], 48);
 }
 
-static void initialised_forward_slopes(const bench8_forward_slopes *x)
+static void initialised_forward_jacobian_result(const bench8_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 48);
@@ -424,7 +424,7 @@ static void initialised_forward_slopes(const bench8_forward_slopes *x)
     initialised(&x->V_dot_phi_ddot[0][0], 48);
 }
 
-static void untouched_coupled_slopes(const bench8_coupled_slopes *x)
+static void untouched_coupled_jacobian_result(const bench8_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 48);
@@ -436,7 +436,7 @@ static void untouched_coupled_slopes(const bench8_coupled_slopes *x)
     untouched(&x->phi_ddot_tau[0][0], 64);
 }
 
-static void written_coupled_slopes(const bench8_coupled_slopes *x)
+static void written_coupled_jacobian_result(const bench8_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 48);
@@ -448,7 +448,7 @@ static void written_coupled_slopes(const bench8_coupled_slopes *x)
     written(&x->phi_ddot_tau[0][0], 64);
 }
 
-static void initialised_coupled_slopes(const bench8_coupled_slopes *x)
+static void initialised_coupled_jacobian_result(const bench8_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 48);
@@ -491,7 +491,7 @@ static void initialised_inverse_result(const bench8_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized(const bench8_generalized *x)
+static void untouched_generalized_result(const bench8_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -501,7 +501,7 @@ static void untouched_generalized(const bench8_generalized *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized(const bench8_generalized *x)
+static void written_generalized_result(const bench8_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -511,7 +511,7 @@ static void written_generalized(const bench8_generalized *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized(const bench8_generalized *x)
+static void initialised_generalized_result(const bench8_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -958,13 +958,13 @@ void bench8_eva_normal_matrices(void)
 {
     bench8_state x;
     normal_state(&x);
-    bench8_equations out;
+    bench8_matrices_result out;
     const bench8_status status = bench8_matrices(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -973,13 +973,13 @@ void bench8_eva_any_matrices(void)
 {
     bench8_state x;
     any_state(&x);
-    bench8_equations out;
+    bench8_matrices_result out;
     const bench8_status status = bench8_matrices(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -988,13 +988,13 @@ void bench8_eva_bits_matrices(void)
 {
     bench8_state x;
     bits_state(&x);
-    bench8_equations out;
+    bench8_matrices_result out;
     const bench8_status status = bench8_matrices(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_equations(&out);
+        initialised_matrices_result(&out);
     }
 }
 
@@ -1003,13 +1003,13 @@ void bench8_eva_normal_momentum(void)
 {
     bench8_state x;
     normal_state(&x);
-    bench8_momenta out;
+    bench8_momentum_result out;
     const bench8_status status = bench8_momentum(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -1018,13 +1018,13 @@ void bench8_eva_any_momentum(void)
 {
     bench8_state x;
     any_state(&x);
-    bench8_momenta out;
+    bench8_momentum_result out;
     const bench8_status status = bench8_momentum(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -1033,13 +1033,13 @@ void bench8_eva_bits_momentum(void)
 {
     bench8_state x;
     bits_state(&x);
-    bench8_momenta out;
+    bench8_momentum_result out;
     const bench8_status status = bench8_momentum(&bench8_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_momenta(&out);
+        initialised_momentum_result(&out);
     }
 }
 
@@ -1521,13 +1521,13 @@ void bench8_eva_normal_forward_jacobian(void)
     normal_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, 1.0e4);
-    bench8_forward_slopes out;
+    bench8_forward_jacobian_result out;
     const bench8_status status = bench8_forward_jacobian(&bench8_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1538,13 +1538,13 @@ void bench8_eva_any_forward_jacobian(void)
     any_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, BENCH8_LARGEST);
-    bench8_forward_slopes out;
+    bench8_forward_jacobian_result out;
     const bench8_status status = bench8_forward_jacobian(&bench8_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1555,13 +1555,13 @@ void bench8_eva_bits_forward_jacobian(void)
     bits_state(&x);
     bench8_real phi_ddot[BENCH8_N];
     all_bits(&phi_ddot[0], 8);
-    bench8_forward_slopes out;
+    bench8_forward_jacobian_result out;
     const bench8_status status = bench8_forward_jacobian(&bench8_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_forward_slopes(&out);
+        initialised_forward_jacobian_result(&out);
     }
 }
 
@@ -1574,13 +1574,13 @@ void bench8_eva_normal_coupled_jacobian(void)
     reals(&tau[0], 8, 100.0);
     int locked[BENCH8_N];
     integers(&locked[0], 8, 0, 1);
-    bench8_coupled_slopes out;
+    bench8_coupled_jacobian_result out;
     const bench8_status status = bench8_coupled_jacobian(&bench8_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1593,13 +1593,13 @@ void bench8_eva_any_coupled_jacobian(void)
     reals(&tau[0], 8, BENCH8_LARGEST);
     int locked[BENCH8_N];
     integers(&locked[0], 8, INT_MIN, INT_MAX);
-    bench8_coupled_slopes out;
+    bench8_coupled_jacobian_result out;
     const bench8_status status = bench8_coupled_jacobian(&bench8_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1612,13 +1612,13 @@ void bench8_eva_bits_coupled_jacobian(void)
     all_bits(&tau[0], 8);
     int locked[BENCH8_N];
     integers(&locked[0], 8, INT_MIN, INT_MAX);
-    bench8_coupled_slopes out;
+    bench8_coupled_jacobian_result out;
     const bench8_status status = bench8_coupled_jacobian(&bench8_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_coupled_slopes(&out);
+        initialised_coupled_jacobian_result(&out);
     }
 }
 
@@ -1781,8 +1781,8 @@ void bench8_eva_bits_quaternion(void)
     }
 }
 
-void bench8_eva_normal_target(void);
-void bench8_eva_normal_target(void)
+void bench8_eva_normal_state_from_coordinates(void);
+void bench8_eva_normal_state_from_coordinates(void)
 {
     bench8_real position[3];
     reals(&position[0], 3, 100.0);
@@ -1795,7 +1795,7 @@ void bench8_eva_normal_target(void)
     bench8_state x;
     normal_state(&x);
     bench8_real V_dot[6];
-    const bench8_status status = bench8_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const bench8_status status = bench8_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1805,8 +1805,8 @@ void bench8_eva_normal_target(void)
     }
 }
 
-void bench8_eva_any_target(void);
-void bench8_eva_any_target(void)
+void bench8_eva_any_state_from_coordinates(void);
+void bench8_eva_any_state_from_coordinates(void)
 {
     bench8_real position[3];
     reals(&position[0], 3, BENCH8_LARGEST);
@@ -1819,7 +1819,7 @@ void bench8_eva_any_target(void)
     bench8_state x;
     any_state(&x);
     bench8_real V_dot[6];
-    const bench8_status status = bench8_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const bench8_status status = bench8_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1829,8 +1829,8 @@ void bench8_eva_any_target(void)
     }
 }
 
-void bench8_eva_bits_target(void);
-void bench8_eva_bits_target(void)
+void bench8_eva_bits_state_from_coordinates(void);
+void bench8_eva_bits_state_from_coordinates(void)
 {
     bench8_real position[3];
     all_bits(&position[0], 3);
@@ -1843,7 +1843,7 @@ void bench8_eva_bits_target(void)
     bench8_state x;
     bits_state(&x);
     bench8_real V_dot[6];
-    const bench8_status status = bench8_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const bench8_status status = bench8_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1853,8 +1853,8 @@ void bench8_eva_bits_target(void)
     }
 }
 
-void bench8_eva_normal_attitude(void);
-void bench8_eva_normal_attitude(void)
+void bench8_eva_normal_generalized(void);
+void bench8_eva_normal_generalized(void)
 {
     bench8_state x;
     normal_state(&x);
@@ -1862,18 +1862,18 @@ void bench8_eva_normal_attitude(void)
     reals(&angles[0], 3, 7.0);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, 1.0e4);
-    bench8_generalized out;
-    const bench8_status status = bench8_attitude(&bench8_default, &x, angles, phi_ddot, &out);
+    bench8_generalized_result out;
+    const bench8_status status = bench8_generalized(&bench8_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void bench8_eva_any_attitude(void);
-void bench8_eva_any_attitude(void)
+void bench8_eva_any_generalized(void);
+void bench8_eva_any_generalized(void)
 {
     bench8_state x;
     any_state(&x);
@@ -1881,18 +1881,18 @@ void bench8_eva_any_attitude(void)
     reals(&angles[0], 3, BENCH8_LARGEST);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, BENCH8_LARGEST);
-    bench8_generalized out;
-    const bench8_status status = bench8_attitude(&bench8_default, &x, angles, phi_ddot, &out);
+    bench8_generalized_result out;
+    const bench8_status status = bench8_generalized(&bench8_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void bench8_eva_bits_attitude(void);
-void bench8_eva_bits_attitude(void)
+void bench8_eva_bits_generalized(void);
+void bench8_eva_bits_generalized(void)
 {
     bench8_state x;
     bits_state(&x);
@@ -1900,13 +1900,13 @@ void bench8_eva_bits_attitude(void)
     all_bits(&angles[0], 3);
     bench8_real phi_ddot[BENCH8_N];
     all_bits(&phi_ddot[0], 8);
-    bench8_generalized out;
-    const bench8_status status = bench8_attitude(&bench8_default, &x, angles, phi_ddot, &out);
+    bench8_generalized_result out;
+    const bench8_status status = bench8_generalized(&bench8_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_generalized(&out);
+        initialised_generalized_result(&out);
     }
 }
 
@@ -1915,12 +1915,12 @@ void bench8_eva_normal_prepare(void)
 {
     bench8_parameters parameters;
     normal_parameters(&parameters);
-    bench8_table stand = bench8_default;
-    const bench8_status status = bench8_prepare(&parameters, &stand);
+    bench8_table table = bench8_default;
+    const bench8_status status = bench8_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1929,12 +1929,12 @@ void bench8_eva_any_prepare(void)
 {
     bench8_parameters parameters;
     any_parameters(&parameters);
-    bench8_table stand = bench8_default;
-    const bench8_status status = bench8_prepare(&parameters, &stand);
+    bench8_table table = bench8_default;
+    const bench8_status status = bench8_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1943,12 +1943,12 @@ void bench8_eva_bits_prepare(void)
 {
     bench8_parameters parameters;
     bits_parameters(&parameters);
-    bench8_table stand = bench8_default;
-    const bench8_status status = bench8_prepare(&parameters, &stand);
+    bench8_table table = bench8_default;
+    const bench8_status status = bench8_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised_table(&stand);
+        initialised_table(&table);
     }
 }
 
@@ -1963,13 +1963,13 @@ void bench8_eva_normal_mounts(void)
     reals(&V_dot[0], 6, 1.0e3);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, 1.0e4);
-    bench8_real loads[48];
-    const bench8_status status = bench8_mounts(&bench8_default, &mounting, &x, V_dot, phi_ddot, loads);
+    bench8_real mount_wrench[48];
+    const bench8_status status = bench8_mounts(&bench8_default, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 48);
+        untouched(&mount_wrench[0], 48);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 48);
+        written(&mount_wrench[0], 48);
     }
 }
 
@@ -1984,13 +1984,13 @@ void bench8_eva_any_mounts(void)
     reals(&V_dot[0], 6, BENCH8_LARGEST);
     bench8_real phi_ddot[BENCH8_N];
     reals(&phi_ddot[0], 8, BENCH8_LARGEST);
-    bench8_real loads[48];
-    const bench8_status status = bench8_mounts(&bench8_default, &mounting, &x, V_dot, phi_ddot, loads);
+    bench8_real mount_wrench[48];
+    const bench8_status status = bench8_mounts(&bench8_default, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 48);
+        untouched(&mount_wrench[0], 48);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 48);
+        written(&mount_wrench[0], 48);
     }
 }
 
@@ -2005,13 +2005,13 @@ void bench8_eva_bits_mounts(void)
     all_bits(&V_dot[0], 6);
     bench8_real phi_ddot[BENCH8_N];
     all_bits(&phi_ddot[0], 8);
-    bench8_real loads[48];
-    const bench8_status status = bench8_mounts(&bench8_default, &mounting, &x, V_dot, phi_ddot, loads);
+    bench8_real mount_wrench[48];
+    const bench8_status status = bench8_mounts(&bench8_default, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 48);
+        untouched(&mount_wrench[0], 48);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&loads[0], 48);
+        initialised(&mount_wrench[0], 48);
     }
 }
 

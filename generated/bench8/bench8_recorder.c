@@ -176,15 +176,15 @@ static void bench8_hash_members(const bench8_state *x, uint32_t seen[BENCH8_RECO
 }
 
 BENCH8_CODE
-bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *stand, const bench8_state *x)
+bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *table, const bench8_state *x)
 {
     bench8_page page;
     uint32_t table;
-    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+    if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return BENCH8_BAD_ARGUMENT;
     }
     bench8_record_begin(&page, NULL);
-    bench8_record_put_table(&page, stand);
+    bench8_record_put_table(&page, table);
     table = page.check;
     bench8_record_begin(&page, log);
     bench8_record_put_bytes(&page, bench8_record_magic, sizeof bench8_record_magic);
@@ -208,7 +208,7 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *st
         bench8_record_put(&page, 0, 4);
     } else {
         bench8_record_put(&page, BENCH8_RECORD_TABLE_BYTES, 4);
-        bench8_record_put_table(&page, stand);
+        bench8_record_put_table(&page, table);
     }
     bench8_record_end(&page);
     bench8_hash_members(x, log->seen);
@@ -283,14 +283,14 @@ static void bench8_record_result(bench8_page *page, bench8_recorder *log,
 }
 
 BENCH8_CODE
-bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *stand, bench8_state *x,
+bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                    const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                    bench8_real dt, int order)
 {
     bench8_page page;
     bench8_status status;
     unsigned flags = 0;
-    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
         || log->write == NULL) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
         flags |= (locked[s] != 0) ? BENCH8_RECORD_LOCKS : 0u;
@@ -307,24 +307,24 @@ bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *sta
             bench8_record_put(&page, mask, 1);
         }
     }
-    status = bench8_step(stand, x, tau, locked, dt, order, x);
+    status = bench8_step(table, x, tau, locked, dt, order, x);
     bench8_record_result(&page, log, x, status);
     return status;
 }
 
 BENCH8_CODE
-bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *stand, bench8_state *x,
+bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                           const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order)
 {
     bench8_page page;
     bench8_status status;
     unsigned flags = BENCH8_RECORD_DRIVEN;
-    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return BENCH8_BAD_ARGUMENT; }
     flags |= bench8_notice_changes(log, x, dt, order);
     bench8_record_head(&page, log, x, flags);
     bench8_record_put_reals(&page, phi_ddot, BENCH8_N);
-    status = bench8_step_driven(stand, x, phi_ddot, dt, order, x);
+    status = bench8_step_driven(table, x, phi_ddot, dt, order, x);
     bench8_record_result(&page, log, x, status);
     return status;
 }

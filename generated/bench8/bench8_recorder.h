@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define BENCH8_RECORDER_FORMAT 1u           /* of the log */
-#define BENCH8_RECORDER_SOURCE 0x7e6edee2u  /* of the texts of bench8.h and bench8.c: FNV-1a */
+#define BENCH8_RECORDER_SOURCE 0x2a6089efu  /* of the texts of bench8.h and bench8.c: FNV-1a */
 #define BENCH8_RECORDER_TABLE  0x35f7de05u  /* hash of the default table */
 #define BENCH8_RECORD_BYTES    325  /* longest record of a step; most have 80 */
 #define BENCH8_RECORD_MEMBERS  5  /* of a state */
@@ -68,10 +68,10 @@ typedef struct bench8_recorder {
 
 /* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
  *   log    its write and context are set; in and out
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state before the next step
  * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
-bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *stand, const bench8_state *x);
+bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *table, const bench8_state *x);
 
 /* recorder_step: step, and a record of it.
  *   log  a log that was started
@@ -79,7 +79,7 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *st
  *   The others are those of step; also a step that is refused is logged.
  * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: BENCH8_RECORD_BYTES and less than 200 bytes more than step. */
-bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *stand, bench8_state *x,
+bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                    const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                    bench8_real dt, int order);
 
@@ -89,7 +89,7 @@ bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *sta
  *   The others are those of step_driven; also a step that is refused is logged.
  * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: BENCH8_RECORD_BYTES and less than 200 bytes more than step_driven. */
-bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *stand, bench8_state *x,
+bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                           const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order);
 
 #ifdef __cplusplus

@@ -77,8 +77,8 @@ static bench8_mount_table mounting;
 static union {
     struct { bench8_real V_dot[6]; } forward;
     struct { bench8_real F[6]; } wrench;
-    struct { bench8_equations out; } matrices;
-    struct { bench8_momenta out; } momentum;
+    struct { bench8_matrices_result out; } matrices;
+    struct { bench8_momentum_result out; } momentum;
     struct { bench8_real tau[BENCH8_N]; } torque;
     struct { bench8_real V_dot[6]; bench8_real phi_ddot[BENCH8_N]; } coupled;
     struct { bench8_state next; } step;
@@ -87,15 +87,15 @@ static union {
     struct { bench8_real phi; } phase_of_counts;
     struct { bench8_real phi_dot; } speed_of_counts;
     struct { bench8_encoder encoder; } accumulate;
-    struct { bench8_forward_slopes out; } forward_jacobian;
-    struct { bench8_coupled_slopes out; } coupled_jacobian;
+    struct { bench8_forward_jacobian_result out; } forward_jacobian;
+    struct { bench8_coupled_jacobian_result out; } coupled_jacobian;
     struct { bench8_inverse_result out; } inverse;
     struct { bench8_real phi_ddot[BENCH8_N]; } inverse_fast;
     struct { bench8_real attitude[4]; } quaternion;
-    struct { bench8_state x; bench8_real V_dot[6]; } target;
-    struct { bench8_generalized out; } attitude;
-    struct { bench8_table stand; } prepare;
-    struct { bench8_real loads[48]; } mounts;
+    struct { bench8_state x; bench8_real V_dot[6]; } state_from_coordinates;
+    struct { bench8_generalized_result out; } generalized;
+    struct { bench8_table table; } prepare;
+    struct { bench8_real mount_wrench[48]; } mounts;
     struct { bench8_mount_table mounting; } prepare_mounts;
     unsigned char bytes[1];
 } results;
@@ -174,7 +174,7 @@ static void untouched(tally *sum, const void *place, size_t size)
     }
 }
 
-static void take_equations(tally *sum, const bench8_equations *value)
+static void take_matrices_result(tally *sum, const bench8_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->K[i], 6);
@@ -194,7 +194,7 @@ static void take_equations(tally *sum, const bench8_equations *value)
     take_reals(sum, value->F, 6);
 }
 
-static void take_momenta(tally *sum, const bench8_momenta *value)
+static void take_momentum_result(tally *sum, const bench8_momentum_result *value)
 {
     take_reals(sum, value->Z, 6);
     take_reals(sum, value->Z0, 6);
@@ -218,7 +218,7 @@ static void take_encoder(tally *sum, const bench8_encoder *value)
     take_ints(sum, &value->moved, 1);
 }
 
-static void take_forward_slopes(tally *sum, const bench8_forward_slopes *value)
+static void take_forward_jacobian_result(tally *sum, const bench8_forward_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -234,7 +234,7 @@ static void take_forward_slopes(tally *sum, const bench8_forward_slopes *value)
     }
 }
 
-static void take_coupled_slopes(tally *sum, const bench8_coupled_slopes *value)
+static void take_coupled_jacobian_result(tally *sum, const bench8_coupled_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -273,7 +273,7 @@ static void take_inverse_result(tally *sum, const bench8_inverse_result *value)
     take_reals(sum, value->hardest, 6);
 }
 
-static void take_generalized(tally *sum, const bench8_generalized *value)
+static void take_generalized_result(tally *sum, const bench8_generalized_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->A[i], 6);
@@ -388,7 +388,7 @@ static void take_matrices_results(tally *sum, bench8_status status)
         untouched(sum, &results.matrices.out, sizeof results.matrices.out);
         return;
     }
-    take_equations(sum, &results.matrices.out);
+    take_matrices_result(sum, &results.matrices.out);
 }
 
 static bench8_status call_momentum(void)
@@ -402,7 +402,7 @@ static void take_momentum_results(tally *sum, bench8_status status)
         untouched(sum, &results.momentum.out, sizeof results.momentum.out);
         return;
     }
-    take_momenta(sum, &results.momentum.out);
+    take_momentum_result(sum, &results.momentum.out);
 }
 
 static bench8_status call_torque(void)
@@ -530,7 +530,7 @@ static void take_forward_jacobian_results(tally *sum, bench8_status status)
         untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
         return;
     }
-    take_forward_slopes(sum, &results.forward_jacobian.out);
+    take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
 static bench8_status call_coupled_jacobian(void)
@@ -544,7 +544,7 @@ static void take_coupled_jacobian_results(tally *sum, bench8_status status)
         untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
         return;
     }
-    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+    take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
 static bench8_status call_inverse(void)
@@ -590,61 +590,62 @@ static void take_quaternion_results(tally *sum, bench8_status status)
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
-static bench8_status call_target(void)
+static bench8_status call_state_from_coordinates(void)
 {
-    results.target.x = in.x;
-    return bench8_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x,
-        results.target.V_dot);
+    results.state_from_coordinates.x = in.x;
+    return bench8_state_from_coordinates(in.position, in.angles, in.q_dot, in.q_ddot,
+        &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_target_results(tally *sum, bench8_status status)
+static void take_state_from_coordinates_results(tally *sum, bench8_status status)
 {
-    take_state(sum, &results.target.x);
+    take_state(sum, &results.state_from_coordinates.x);
     if (status < 0) {
-        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
         return;
     }
-    take_reals(sum, results.target.V_dot, 6);
+    take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
-static bench8_status call_attitude(void)
+static bench8_status call_generalized(void)
 {
-    return bench8_attitude(&bench8_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+    return bench8_generalized(&bench8_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_attitude_results(tally *sum, bench8_status status)
+static void take_generalized_results(tally *sum, bench8_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
         return;
     }
-    take_generalized(sum, &results.attitude.out);
+    take_generalized_result(sum, &results.generalized.out);
 }
 
 static bench8_status call_prepare(void)
 {
-    results.prepare.stand = bench8_default;
-    return bench8_prepare(&parameters, &results.prepare.stand);
+    results.prepare.table = bench8_default;
+    return bench8_prepare(&parameters, &results.prepare.table);
 }
 
 static void take_prepare_results(tally *sum, bench8_status status)
 {
     (void)status;
-    take_table(sum, &results.prepare.stand);
+    take_table(sum, &results.prepare.table);
 }
 
 static bench8_status call_mounts(void)
 {
-    return bench8_mounts(&bench8_default, &mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+    return bench8_mounts(&bench8_default, &mounting, &in.x, in.V_dot, in.phi_ddot,
+        results.mounts.mount_wrench);
 }
 
 static void take_mounts_results(tally *sum, bench8_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
         return;
     }
-    take_reals(sum, results.mounts.loads, 48);
+    take_reals(sum, results.mounts.mount_wrench, 48);
 }
 
 static bench8_status call_prepare_mounts(void)
@@ -979,7 +980,7 @@ static const bench8_real numbers_quaternion[] =
     0x1.dc3ddd947a8b2p-1, 0x1.69d6566611acep-2, 0x1.e2dc9bc3c05d3p-5, 0x1.496b0014e5738p-4,
 };
 
-static const bench8_real numbers_target[] =
+static const bench8_real numbers_state_from_coordinates[] =
 {
     0x1.9f33ep-1, 0x1.c06e04p+0, 0x1.6815p-4, 0x1.dc551e125052cp-1, 0x1.f8cb0c6616f6ep-3,
         -0x1.2996f623fce36p-3, 0x1.d5bacd21650a7p-3, -0x1.bf0c4c7f8700cp-3, 0x1.002fc5e1f2355p+0,
@@ -1002,7 +1003,7 @@ static const bench8_real numbers_target[] =
         0x1.e6041p+7, 0x1.efbb3cp+7, -0x1.fcd4p+5, -0x1.05219cp+7, -0x1.1937p+2, -0x1.0b842cp+7, 0x1.7eee2p+5,
 };
 
-static const bench8_real numbers_attitude[] =
+static const bench8_real numbers_generalized[] =
 {
     0x1.b482a63f00b45p-1, 0x1.6ba81a182028ep-2, 0x1.88a35c971f121p-2, 0x0p+0, 0x0p+0, 0x0p+0,
         -0x1.fe5b6985925bap-2, 0x1.8beb9e23645f4p-1, 0x1.915f59fffd2c2p-2, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -1160,12 +1161,12 @@ static const function functions[FUNCTIONS] =
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0xd092c698u, 4 }, { 0, 0xf04ee43fu, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6a4d98b1u },
-    { "target", sizeof results.target,
-      call_target, take_target_results, numbers_target,
+    { "state_from_coordinates", sizeof results.state_from_coordinates,
+      call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x3ce9e1b0u, 32 }, { 0, 0x928d5fd1u, 32 }, { -2, 0xe320b71fu, 29 } },
       0x5c782a24u },
-    { "attitude", sizeof results.attitude,
-      call_attitude, take_attitude_results, numbers_attitude,
+    { "generalized", sizeof results.generalized,
+      call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0x2a2529cau, 32 }, { 0, 0x6d5cb4c6u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x396a9493u },
     { "prepare", sizeof results.prepare,

@@ -115,32 +115,32 @@ typedef struct demo3_table {
 } demo3_table;
 
 /* The matrices of (8). */
-typedef struct demo3_equations {
+typedef struct demo3_matrices_result {
     demo3_real K[6][6];        /* kg, kg m, kg m2; mass matrix (2) */
     demo3_real K_dot[6][6];    /* per s; its rate (6) */
     demo3_real M[6][6];        /* per s; velocity matrix (9) */
     demo3_real I[6][DEMO3_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
     demo3_real J[6][DEMO3_N];  /* per s; its velocity part (9) */
     demo3_real F[6];           /* N, N m; total external wrench (7) */
-} demo3_equations;
+} demo3_matrices_result;
 
 /* Momentum, energy and mass centre. */
-typedef struct demo3_momenta {
+typedef struct demo3_momentum_result {
     demo3_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
     demo3_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
     demo3_real energy;             /* J; kinetic */
     demo3_real center_of_mass[3];  /* m; of all bodies, in E1 */
-} demo3_momenta;
+} demo3_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
-typedef struct demo3_generalized {
+typedef struct demo3_generalized_result {
     demo3_real A[6][6];    /* V = A q' (10) */
     demo3_real D[6][6];    /* 1/s; A' along the motion (10) */
     demo3_real I0[6][6];   /* K A (11) */
     demo3_real J0[6][6];   /* K D + M A (11) */
     demo3_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
     demo3_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
-} demo3_generalized;
+} demo3_generalized_result;
 
 /* One flywheel and how it sits: for mounts only. */
 typedef struct demo3_mount {
@@ -185,7 +185,7 @@ typedef struct demo3_inverse_result {
 } demo3_inverse_result;
 
 /* Derivatives of coupled. */
-typedef struct demo3_coupled_slopes {
+typedef struct demo3_coupled_jacobian_result {
     demo3_real V_dot_V[6][6];                       /* of V* by V: row i, column j */
     demo3_real V_dot_phi[6][DEMO3_N];               /* of V* by the phases */
     demo3_real V_dot_phi_dot[6][DEMO3_N];           /* by the speeds */
@@ -194,15 +194,15 @@ typedef struct demo3_coupled_slopes {
     demo3_real phi_ddot_phi[DEMO3_N][DEMO3_N];      /* of phi'' by the phases */
     demo3_real phi_ddot_phi_dot[DEMO3_N][DEMO3_N];  /* by the speeds */
     demo3_real phi_ddot_tau[DEMO3_N][DEMO3_N];      /* by the drive torques */
-} demo3_coupled_slopes;
+} demo3_coupled_jacobian_result;
 
 /* Derivatives of forward. */
-typedef struct demo3_forward_slopes {
+typedef struct demo3_forward_jacobian_result {
     demo3_real V_dot_V[6][6];               /* of V* by V: row i, column j */
     demo3_real V_dot_phi[6][DEMO3_N];       /* of V* by the phases */
     demo3_real V_dot_phi_dot[6][DEMO3_N];   /* by the speeds */
     demo3_real V_dot_phi_ddot[6][DEMO3_N];  /* by the accelerations */
-} demo3_forward_slopes;
+} demo3_forward_jacobian_result;
 
 extern const demo3_parameters demo3_default_parameters;           /* of the stand file */
 extern const demo3_table demo3_default;                           /* what prepare makes of them */
@@ -212,46 +212,46 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
 
 /* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
  * phi'' + J phi'), (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1016 operations on reals, 3 of them divisions. */
-demo3_status demo3_forward(const demo3_table *stand, const demo3_state *x,
+demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
                            const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1252 operations on reals, no division. */
-demo3_status demo3_matrices(const demo3_table *stand, const demo3_state *x, demo3_equations *out);
+demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo3_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1060 operations on reals, 1 of them a division. */
-demo3_status demo3_momentum(const demo3_table *stand, const demo3_state *x, demo3_momenta *out);
+demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo3_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   tau[3]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 589 operations on reals, no division. */
-demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[3]       N m; drive torques, mount on flywheel
  *   locked[3]    not 0: a lock holds phi'' = 0, whatever its tau
@@ -260,11 +260,11 @@ demo3_status demo3_torque(const demo3_table *stand, const demo3_state *x, const 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1632 operations on reals, 4 of them divisions. */
-demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
 
 /* step: state a time step later, under drive torques and wrenches held constant.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[3]     N m; drive torques, mount on flywheel
  *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -275,11 +275,11 @@ demo3_status demo3_coupled(const demo3_table *stand, const demo3_state *x, const
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 7101 operations on reals, 22 of them divisions. */
-demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const demo3_real tau[DEMO3_N],
+demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
 
 /* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
@@ -289,7 +289,7 @@ demo3_status demo3_step(const demo3_table *stand, const demo3_state *x, const de
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 4637 operations on reals, 18 of them divisions. */
-demo3_status demo3_step_driven(const demo3_table *stand, const demo3_state *x,
+demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
 
@@ -335,7 +335,7 @@ demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3
 demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
@@ -343,11 +343,11 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 4409 operations on reals, 48 of them divisions. */
-demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state *x,
-                                    const demo3_real phi_ddot[DEMO3_N], demo3_forward_slopes *out);
+demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state *x,
+                                    const demo3_real phi_ddot[DEMO3_N], demo3_forward_jacobian_result *out);
 
 /* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[3]     N m; drive torques, mount on flywheel
  *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -356,14 +356,14 @@ demo3_status demo3_forward_jacobian(const demo3_table *stand, const demo3_state 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 9573 operations on reals, 64 of them divisions. */
-demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state *x,
+demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
-                                    demo3_coupled_slopes *out);
+                                    demo3_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
  * is shared among the others, (12).
- *   stand     the prepared table
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
  *   options   weights, limits, damping; default_options has those of the stand
@@ -372,12 +372,12 @@ demo3_status demo3_coupled_jacobian(const demo3_table *stand, const demo3_state 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
  * At most 29735 operations on reals, 918 of them divisions. */
-demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
 /* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
  * equations, (12).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
  *   options      weights and damping; near and limits are not read
@@ -388,7 +388,7 @@ demo3_status demo3_inverse(const demo3_table *stand, const demo3_state *x, const
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1881 operations on reals, 33 of them divisions. */
-demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, const demo3_real V_dot[6],
+demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 
 /* quaternion: attitude quaternion of three angles.
@@ -398,7 +398,8 @@ demo3_status demo3_inverse_fast(const demo3_table *stand, const demo3_state *x, 
  * At most 176 operations on reals, no division. */
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
 
-/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
+/* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
+ * + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
@@ -408,13 +409,13 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
  * At most 465 operations on reals, 1 of them a division. */
-demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[3],
-                          const demo3_real q_dot[6], const demo3_real q_ddot[6], demo3_state *x,
-                          demo3_real V_dot[6]);
+demo3_status demo3_state_from_coordinates(const demo3_real position[3], const demo3_real angles[3],
+                                          const demo3_real q_dot[6], const demo3_real q_ddot[6],
+                                          demo3_state *x, demo3_real V_dot[6]);
 
-/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+/* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude is not read, the angles take its place
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[3]  rad/s2; flywheel accelerations
@@ -422,12 +423,12 @@ demo3_status demo3_target(const demo3_real position[3], const demo3_real angles[
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
  * At most 4061 operations on reals, 5 of them divisions. */
-demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, const demo3_real angles[3],
-                            const demo3_real phi_ddot[DEMO3_N], demo3_generalized *out);
+demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, const demo3_real angles[3],
+                               const demo3_real phi_ddot[DEMO3_N], demo3_generalized_result *out);
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
  * RANGE also where a mass is negative or axes have no direction.
  * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
@@ -436,19 +437,19 @@ demo3_status demo3_attitude(const demo3_table *stand, const demo3_state *x, cons
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 4208 operations on reals, 28 of them divisions. */
-demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *stand);
+demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *table);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   mounting     made once by prepare_mounts
- *   x            state; its attitude within 1e-3 of unit length
- *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
- *   phi_ddot[3]  rad/s2; flywheel accelerations
- *   loads[18]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
- *                at phi = 0; the fourth is tau
+ *   mounting          made once by prepare_mounts
+ *   x                 state; its attitude within 1e-3 of unit length
+ *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[3]       rad/s2; flywheel accelerations
+ *   mount_wrench[18]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
+ *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1042 operations on reals, no division. */
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
-                          const demo3_real phi_ddot[DEMO3_N], demo3_real loads[18]);
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real mount_wrench[18]);
 
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings

@@ -16,8 +16,8 @@
 #include "demo3.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
- * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
- * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+ * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
+ * correctly rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
 
 /*@ requires -10000000.0 <= x <= 10000000.0;
     assigns *sine, *cosine \from x;
@@ -161,7 +161,7 @@ static void untouched(const demo3_real *x, int count)
 static void normal_state(demo3_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    quaternion(x->attitude, 2.0);
+    reals(&x->attitude[0], 4, 1.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 3, 100.0);
     reals(&x->phi_dot[0], 3, 1.0e3);
@@ -170,7 +170,7 @@ static void normal_state(demo3_state *x)
 static void any_state(demo3_state *x)
 {
     reals(&x->position[0], 3, DEMO3_LARGEST);
-    quaternion(x->attitude, DEMO3_LARGEST);
+    reals(&x->attitude[0], 4, DEMO3_LARGEST);
     reals(&x->V[0], 6, DEMO3_LARGEST);
     reals(&x->phi[0], 3, DEMO3_LARGEST);
     reals(&x->phi_dot[0], 3, DEMO3_LARGEST);
@@ -275,7 +275,7 @@ static void bits_parameters(demo3_parameters *x)
     }
 }
 
-static void untouched_equations(const demo3_equations *x)
+static void untouched_matrices_result(const demo3_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -285,7 +285,7 @@ static void untouched_equations(const demo3_equations *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_equations(const demo3_equations *x)
+static void written_matrices_result(const demo3_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -295,7 +295,7 @@ static void written_equations(const demo3_equations *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_equations(const demo3_equations *x)
+static void initialised_matrices_result(const demo3_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -305,7 +305,7 @@ static void initialised_equations(const demo3_equations *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momenta(const demo3_momenta *x)
+static void untouched_momentum_result(const demo3_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -313,7 +313,7 @@ static void untouched_momenta(const demo3_momenta *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momenta(const demo3_momenta *x)
+static void written_momentum_result(const demo3_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -321,7 +321,7 @@ static void written_momenta(const demo3_momenta *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momenta(const demo3_momenta *x)
+static void initialised_momentum_result(const demo3_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -370,7 +370,7 @@ static void initialised_encoder(const demo3_encoder *x)
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_slopes(const demo3_forward_slopes *x)
+static void untouched_forward_jacobian_result(const demo3_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 18);
@@ -378,7 +378,7 @@ static void untouched_forward_slopes(const demo3_forward_slopes *x)
     untouched(&x->V_dot_phi_ddot[0][0], 18);
 }
 
-static void written_forward_slopes(const demo3_forward_slopes *x)
+static void written_forward_jacobian_result(const demo3_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 18);
@@ -386,7 +386,7 @@ static void written_forward_slopes(const demo3_forward_slopes *x)
     written(&x->V_dot_phi_ddot[0][0], 18);
 }
 
-static void initialised_forward_slopes(const demo3_forward_slopes *x)
+static void initialised_forward_jacobian_result(const demo3_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 18);
@@ -394,7 +394,7 @@ static void initialised_forward_slopes(const demo3_forward_slopes *x)
     initialised(&x->V_dot_phi_ddot[0][0], 18);
 }
 
-static void untouched_coupled_slopes(const demo3_coupled_slopes *x)
+static void untouched_coupled_jacobian_result(const demo3_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 18);
@@ -406,7 +406,7 @@ static void untouched_coupled_slopes(const demo3_coupled_slopes *x)
     untouched(&x->phi_ddot_tau[0][0], 9);
 }
 
-static void written_coupled_slopes(const demo3_coupled_slopes *x)
+static void written_coupled_jacobian_result(const demo3_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 18);
@@ -418,7 +418,7 @@ static void written_coupled_slopes(const demo3_coupled_slopes *x)
     written(&x->phi_ddot_tau[0][0], 9);
 }
 
-static void initialised_coupled_slopes(const demo3_coupled_slopes *x)
+static void initialised_coupled_jacobian_result(const demo3_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 18);
@@ -461,7 +461,7 @@ static void initialised_inverse_result(const demo3_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized(const demo3_generalized *x)
+static void untouched_generalized_result(const demo3_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -471,7 +471,7 @@ static void untouched_generalized(const demo3_generalized *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized(const demo3_generalized *x)
+static void written_generalized_result(const demo3_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -481,7 +481,7 @@ static void written_generalized(const demo3_generalized *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized(const demo3_generalized *x)
+static void initialised_generalized_result(const demo3_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -688,13 +688,13 @@ void demo3_eva_normal_matrices(void)
 {
     demo3_state x;
     normal_state(&x);
-    demo3_equations out;
+    demo3_matrices_result out;
     const demo3_status status = demo3_matrices(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -703,13 +703,13 @@ void demo3_eva_any_matrices(void)
 {
     demo3_state x;
     any_state(&x);
-    demo3_equations out;
+    demo3_matrices_result out;
     const demo3_status status = demo3_matrices(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -718,13 +718,13 @@ void demo3_eva_bits_matrices(void)
 {
     demo3_state x;
     bits_state(&x);
-    demo3_equations out;
+    demo3_matrices_result out;
     const demo3_status status = demo3_matrices(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_equations(&out);
+        initialised_matrices_result(&out);
     }
 }
 
@@ -733,13 +733,13 @@ void demo3_eva_normal_momentum(void)
 {
     demo3_state x;
     normal_state(&x);
-    demo3_momenta out;
+    demo3_momentum_result out;
     const demo3_status status = demo3_momentum(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -748,13 +748,13 @@ void demo3_eva_any_momentum(void)
 {
     demo3_state x;
     any_state(&x);
-    demo3_momenta out;
+    demo3_momentum_result out;
     const demo3_status status = demo3_momentum(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -763,13 +763,13 @@ void demo3_eva_bits_momentum(void)
 {
     demo3_state x;
     bits_state(&x);
-    demo3_momenta out;
+    demo3_momentum_result out;
     const demo3_status status = demo3_momentum(&demo3_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_momenta(&out);
+        initialised_momentum_result(&out);
     }
 }
 
@@ -1251,13 +1251,13 @@ void demo3_eva_normal_forward_jacobian(void)
     normal_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, 1.0e4);
-    demo3_forward_slopes out;
+    demo3_forward_jacobian_result out;
     const demo3_status status = demo3_forward_jacobian(&demo3_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1268,13 +1268,13 @@ void demo3_eva_any_forward_jacobian(void)
     any_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, DEMO3_LARGEST);
-    demo3_forward_slopes out;
+    demo3_forward_jacobian_result out;
     const demo3_status status = demo3_forward_jacobian(&demo3_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1285,13 +1285,13 @@ void demo3_eva_bits_forward_jacobian(void)
     bits_state(&x);
     demo3_real phi_ddot[DEMO3_N];
     all_bits(&phi_ddot[0], 3);
-    demo3_forward_slopes out;
+    demo3_forward_jacobian_result out;
     const demo3_status status = demo3_forward_jacobian(&demo3_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_forward_slopes(&out);
+        initialised_forward_jacobian_result(&out);
     }
 }
 
@@ -1304,13 +1304,13 @@ void demo3_eva_normal_coupled_jacobian(void)
     reals(&tau[0], 3, 100.0);
     int locked[DEMO3_N];
     integers(&locked[0], 3, 0, 1);
-    demo3_coupled_slopes out;
+    demo3_coupled_jacobian_result out;
     const demo3_status status = demo3_coupled_jacobian(&demo3_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1323,13 +1323,13 @@ void demo3_eva_any_coupled_jacobian(void)
     reals(&tau[0], 3, DEMO3_LARGEST);
     int locked[DEMO3_N];
     integers(&locked[0], 3, INT_MIN, INT_MAX);
-    demo3_coupled_slopes out;
+    demo3_coupled_jacobian_result out;
     const demo3_status status = demo3_coupled_jacobian(&demo3_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1342,13 +1342,13 @@ void demo3_eva_bits_coupled_jacobian(void)
     all_bits(&tau[0], 3);
     int locked[DEMO3_N];
     integers(&locked[0], 3, INT_MIN, INT_MAX);
-    demo3_coupled_slopes out;
+    demo3_coupled_jacobian_result out;
     const demo3_status status = demo3_coupled_jacobian(&demo3_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_coupled_slopes(&out);
+        initialised_coupled_jacobian_result(&out);
     }
 }
 
@@ -1511,8 +1511,8 @@ void demo3_eva_bits_quaternion(void)
     }
 }
 
-void demo3_eva_normal_target(void);
-void demo3_eva_normal_target(void)
+void demo3_eva_normal_state_from_coordinates(void);
+void demo3_eva_normal_state_from_coordinates(void)
 {
     demo3_real position[3];
     reals(&position[0], 3, 100.0);
@@ -1525,7 +1525,7 @@ void demo3_eva_normal_target(void)
     demo3_state x;
     normal_state(&x);
     demo3_real V_dot[6];
-    const demo3_status status = demo3_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const demo3_status status = demo3_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1535,8 +1535,8 @@ void demo3_eva_normal_target(void)
     }
 }
 
-void demo3_eva_any_target(void);
-void demo3_eva_any_target(void)
+void demo3_eva_any_state_from_coordinates(void);
+void demo3_eva_any_state_from_coordinates(void)
 {
     demo3_real position[3];
     reals(&position[0], 3, DEMO3_LARGEST);
@@ -1549,7 +1549,7 @@ void demo3_eva_any_target(void)
     demo3_state x;
     any_state(&x);
     demo3_real V_dot[6];
-    const demo3_status status = demo3_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const demo3_status status = demo3_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1559,8 +1559,8 @@ void demo3_eva_any_target(void)
     }
 }
 
-void demo3_eva_bits_target(void);
-void demo3_eva_bits_target(void)
+void demo3_eva_bits_state_from_coordinates(void);
+void demo3_eva_bits_state_from_coordinates(void)
 {
     demo3_real position[3];
     all_bits(&position[0], 3);
@@ -1573,7 +1573,7 @@ void demo3_eva_bits_target(void)
     demo3_state x;
     bits_state(&x);
     demo3_real V_dot[6];
-    const demo3_status status = demo3_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const demo3_status status = demo3_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1583,8 +1583,8 @@ void demo3_eva_bits_target(void)
     }
 }
 
-void demo3_eva_normal_attitude(void);
-void demo3_eva_normal_attitude(void)
+void demo3_eva_normal_generalized(void);
+void demo3_eva_normal_generalized(void)
 {
     demo3_state x;
     normal_state(&x);
@@ -1592,18 +1592,18 @@ void demo3_eva_normal_attitude(void)
     reals(&angles[0], 3, 7.0);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, 1.0e4);
-    demo3_generalized out;
-    const demo3_status status = demo3_attitude(&demo3_default, &x, angles, phi_ddot, &out);
+    demo3_generalized_result out;
+    const demo3_status status = demo3_generalized(&demo3_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void demo3_eva_any_attitude(void);
-void demo3_eva_any_attitude(void)
+void demo3_eva_any_generalized(void);
+void demo3_eva_any_generalized(void)
 {
     demo3_state x;
     any_state(&x);
@@ -1611,18 +1611,18 @@ void demo3_eva_any_attitude(void)
     reals(&angles[0], 3, DEMO3_LARGEST);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, DEMO3_LARGEST);
-    demo3_generalized out;
-    const demo3_status status = demo3_attitude(&demo3_default, &x, angles, phi_ddot, &out);
+    demo3_generalized_result out;
+    const demo3_status status = demo3_generalized(&demo3_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void demo3_eva_bits_attitude(void);
-void demo3_eva_bits_attitude(void)
+void demo3_eva_bits_generalized(void);
+void demo3_eva_bits_generalized(void)
 {
     demo3_state x;
     bits_state(&x);
@@ -1630,13 +1630,13 @@ void demo3_eva_bits_attitude(void)
     all_bits(&angles[0], 3);
     demo3_real phi_ddot[DEMO3_N];
     all_bits(&phi_ddot[0], 3);
-    demo3_generalized out;
-    const demo3_status status = demo3_attitude(&demo3_default, &x, angles, phi_ddot, &out);
+    demo3_generalized_result out;
+    const demo3_status status = demo3_generalized(&demo3_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_generalized(&out);
+        initialised_generalized_result(&out);
     }
 }
 
@@ -1645,12 +1645,12 @@ void demo3_eva_normal_prepare(void)
 {
     demo3_parameters parameters;
     normal_parameters(&parameters);
-    demo3_table stand = demo3_default;
-    const demo3_status status = demo3_prepare(&parameters, &stand);
+    demo3_table table = demo3_default;
+    const demo3_status status = demo3_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1659,12 +1659,12 @@ void demo3_eva_any_prepare(void)
 {
     demo3_parameters parameters;
     any_parameters(&parameters);
-    demo3_table stand = demo3_default;
-    const demo3_status status = demo3_prepare(&parameters, &stand);
+    demo3_table table = demo3_default;
+    const demo3_status status = demo3_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1673,12 +1673,12 @@ void demo3_eva_bits_prepare(void)
 {
     demo3_parameters parameters;
     bits_parameters(&parameters);
-    demo3_table stand = demo3_default;
-    const demo3_status status = demo3_prepare(&parameters, &stand);
+    demo3_table table = demo3_default;
+    const demo3_status status = demo3_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised_table(&stand);
+        initialised_table(&table);
     }
 }
 
@@ -1693,13 +1693,13 @@ void demo3_eva_normal_mounts(void)
     reals(&V_dot[0], 6, 1.0e3);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, 1.0e4);
-    demo3_real loads[18];
-    const demo3_status status = demo3_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    demo3_real mount_wrench[18];
+    const demo3_status status = demo3_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 18);
+        untouched(&mount_wrench[0], 18);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 18);
+        written(&mount_wrench[0], 18);
     }
 }
 
@@ -1714,13 +1714,13 @@ void demo3_eva_any_mounts(void)
     reals(&V_dot[0], 6, DEMO3_LARGEST);
     demo3_real phi_ddot[DEMO3_N];
     reals(&phi_ddot[0], 3, DEMO3_LARGEST);
-    demo3_real loads[18];
-    const demo3_status status = demo3_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    demo3_real mount_wrench[18];
+    const demo3_status status = demo3_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 18);
+        untouched(&mount_wrench[0], 18);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 18);
+        written(&mount_wrench[0], 18);
     }
 }
 
@@ -1735,13 +1735,13 @@ void demo3_eva_bits_mounts(void)
     all_bits(&V_dot[0], 6);
     demo3_real phi_ddot[DEMO3_N];
     all_bits(&phi_ddot[0], 3);
-    demo3_real loads[18];
-    const demo3_status status = demo3_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    demo3_real mount_wrench[18];
+    const demo3_status status = demo3_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 18);
+        untouched(&mount_wrench[0], 18);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&loads[0], 18);
+        initialised(&mount_wrench[0], 18);
     }
 }
 

@@ -161,15 +161,15 @@ static void demo3_hash_members(const demo3_state *x, uint32_t seen[DEMO3_RECORD_
 }
 
 DEMO3_CODE
-demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *stand, const demo3_state *x)
+demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table, const demo3_state *x)
 {
     demo3_page page;
     uint32_t table;
-    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+    if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return DEMO3_BAD_ARGUMENT;
     }
     demo3_record_begin(&page, NULL);
-    demo3_record_put_table(&page, stand);
+    demo3_record_put_table(&page, table);
     table = page.check;
     demo3_record_begin(&page, log);
     demo3_record_put_bytes(&page, demo3_record_magic, sizeof demo3_record_magic);
@@ -193,7 +193,7 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *stand,
         demo3_record_put(&page, 0, 4);
     } else {
         demo3_record_put(&page, DEMO3_RECORD_TABLE_BYTES, 4);
-        demo3_record_put_table(&page, stand);
+        demo3_record_put_table(&page, table);
     }
     demo3_record_end(&page);
     demo3_hash_members(x, log->seen);
@@ -268,14 +268,14 @@ static void demo3_record_result(demo3_page *page, demo3_recorder *log,
 }
 
 DEMO3_CODE
-demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *stand, demo3_state *x,
+demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                  const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
                                  int order)
 {
     demo3_page page;
     demo3_status status;
     unsigned flags = 0;
-    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
         || log->write == NULL) { return DEMO3_BAD_ARGUMENT; }
     for (int s = 0; s < DEMO3_N; ++s) {
         flags |= (locked[s] != 0) ? DEMO3_RECORD_LOCKS : 0u;
@@ -292,24 +292,24 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *stand, 
             demo3_record_put(&page, mask, 1);
         }
     }
-    status = demo3_step(stand, x, tau, locked, dt, order, x);
+    status = demo3_step(table, x, tau, locked, dt, order, x);
     demo3_record_result(&page, log, x, status);
     return status;
 }
 
 DEMO3_CODE
-demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *stand, demo3_state *x,
+demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                         const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order)
 {
     demo3_page page;
     demo3_status status;
     unsigned flags = DEMO3_RECORD_DRIVEN;
-    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return DEMO3_BAD_ARGUMENT; }
     flags |= demo3_notice_changes(log, x, dt, order);
     demo3_record_head(&page, log, x, flags);
     demo3_record_put_reals(&page, phi_ddot, DEMO3_N);
-    status = demo3_step_driven(stand, x, phi_ddot, dt, order, x);
+    status = demo3_step_driven(table, x, phi_ddot, dt, order, x);
     demo3_record_result(&page, log, x, status);
     return status;
 }

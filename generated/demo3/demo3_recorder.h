@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define DEMO3_RECORDER_FORMAT 1u           /* of the log */
-#define DEMO3_RECORDER_SOURCE 0xf4f16911u  /* of the texts of demo3.h and demo3.c: FNV-1a */
+#define DEMO3_RECORDER_SOURCE 0x41fb31eau  /* of the texts of demo3.h and demo3.c: FNV-1a */
 #define DEMO3_RECORDER_TABLE  0x69c75902u  /* hash of the default table */
 #define DEMO3_RECORD_BYTES    205  /* longest record of a step; most have 40 */
 #define DEMO3_RECORD_MEMBERS  5  /* of a state */
@@ -68,10 +68,10 @@ typedef struct demo3_recorder {
 
 /* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
  *   log    its write and context are set; in and out
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state before the next step
  * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
-demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *stand, const demo3_state *x);
+demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table, const demo3_state *x);
 
 /* recorder_step: step, and a record of it.
  *   log  a log that was started
@@ -79,7 +79,7 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *stand,
  *   The others are those of step; also a step that is refused is logged.
  * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: DEMO3_RECORD_BYTES and less than 200 bytes more than step. */
-demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *stand, demo3_state *x,
+demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                  const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
                                  int order);
 
@@ -89,7 +89,7 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *stand, 
  *   The others are those of step_driven; also a step that is refused is logged.
  * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: DEMO3_RECORD_BYTES and less than 200 bytes more than step_driven. */
-demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *stand, demo3_state *x,
+demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                         const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order);
 
 #ifdef __cplusplus

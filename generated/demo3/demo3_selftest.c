@@ -76,8 +76,8 @@ static demo3_mount_table mounting;
 
 static union {
     struct { demo3_real V_dot[6]; } forward;
-    struct { demo3_equations out; } matrices;
-    struct { demo3_momenta out; } momentum;
+    struct { demo3_matrices_result out; } matrices;
+    struct { demo3_momentum_result out; } momentum;
     struct { demo3_real tau[DEMO3_N]; } torque;
     struct { demo3_real V_dot[6]; demo3_real phi_ddot[DEMO3_N]; } coupled;
     struct { demo3_state next; } step;
@@ -86,15 +86,15 @@ static union {
     struct { demo3_real phi; } phase_of_counts;
     struct { demo3_real phi_dot; } speed_of_counts;
     struct { demo3_encoder encoder; } accumulate;
-    struct { demo3_forward_slopes out; } forward_jacobian;
-    struct { demo3_coupled_slopes out; } coupled_jacobian;
+    struct { demo3_forward_jacobian_result out; } forward_jacobian;
+    struct { demo3_coupled_jacobian_result out; } coupled_jacobian;
     struct { demo3_inverse_result out; } inverse;
     struct { demo3_real phi_ddot[DEMO3_N]; } inverse_fast;
     struct { demo3_real attitude[4]; } quaternion;
-    struct { demo3_state x; demo3_real V_dot[6]; } target;
-    struct { demo3_generalized out; } attitude;
-    struct { demo3_table stand; } prepare;
-    struct { demo3_real loads[18]; } mounts;
+    struct { demo3_state x; demo3_real V_dot[6]; } state_from_coordinates;
+    struct { demo3_generalized_result out; } generalized;
+    struct { demo3_table table; } prepare;
+    struct { demo3_real mount_wrench[18]; } mounts;
     struct { demo3_mount_table mounting; } prepare_mounts;
     unsigned char bytes[1];
 } results;
@@ -173,7 +173,7 @@ static void untouched(tally *sum, const void *place, size_t size)
     }
 }
 
-static void take_equations(tally *sum, const demo3_equations *value)
+static void take_matrices_result(tally *sum, const demo3_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->K[i], 6);
@@ -193,7 +193,7 @@ static void take_equations(tally *sum, const demo3_equations *value)
     take_reals(sum, value->F, 6);
 }
 
-static void take_momenta(tally *sum, const demo3_momenta *value)
+static void take_momentum_result(tally *sum, const demo3_momentum_result *value)
 {
     take_reals(sum, value->Z, 6);
     take_reals(sum, value->Z0, 6);
@@ -217,7 +217,7 @@ static void take_encoder(tally *sum, const demo3_encoder *value)
     take_ints(sum, &value->moved, 1);
 }
 
-static void take_forward_slopes(tally *sum, const demo3_forward_slopes *value)
+static void take_forward_jacobian_result(tally *sum, const demo3_forward_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -233,7 +233,7 @@ static void take_forward_slopes(tally *sum, const demo3_forward_slopes *value)
     }
 }
 
-static void take_coupled_slopes(tally *sum, const demo3_coupled_slopes *value)
+static void take_coupled_jacobian_result(tally *sum, const demo3_coupled_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -272,7 +272,7 @@ static void take_inverse_result(tally *sum, const demo3_inverse_result *value)
     take_reals(sum, value->hardest, 6);
 }
 
-static void take_generalized(tally *sum, const demo3_generalized *value)
+static void take_generalized_result(tally *sum, const demo3_generalized_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->A[i], 6);
@@ -359,7 +359,7 @@ static void take_matrices_results(tally *sum, demo3_status status)
         untouched(sum, &results.matrices.out, sizeof results.matrices.out);
         return;
     }
-    take_equations(sum, &results.matrices.out);
+    take_matrices_result(sum, &results.matrices.out);
 }
 
 static demo3_status call_momentum(void)
@@ -373,7 +373,7 @@ static void take_momentum_results(tally *sum, demo3_status status)
         untouched(sum, &results.momentum.out, sizeof results.momentum.out);
         return;
     }
-    take_momenta(sum, &results.momentum.out);
+    take_momentum_result(sum, &results.momentum.out);
 }
 
 static demo3_status call_torque(void)
@@ -500,7 +500,7 @@ static void take_forward_jacobian_results(tally *sum, demo3_status status)
         untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
         return;
     }
-    take_forward_slopes(sum, &results.forward_jacobian.out);
+    take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
 static demo3_status call_coupled_jacobian(void)
@@ -514,7 +514,7 @@ static void take_coupled_jacobian_results(tally *sum, demo3_status status)
         untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
         return;
     }
-    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+    take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
 static demo3_status call_inverse(void)
@@ -560,60 +560,61 @@ static void take_quaternion_results(tally *sum, demo3_status status)
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
-static demo3_status call_target(void)
+static demo3_status call_state_from_coordinates(void)
 {
-    results.target.x = in.x;
-    return demo3_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x, results.target.V_dot);
+    results.state_from_coordinates.x = in.x;
+    return demo3_state_from_coordinates(in.position, in.angles, in.q_dot, in.q_ddot,
+        &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_target_results(tally *sum, demo3_status status)
+static void take_state_from_coordinates_results(tally *sum, demo3_status status)
 {
-    take_state(sum, &results.target.x);
+    take_state(sum, &results.state_from_coordinates.x);
     if (status < 0) {
-        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
         return;
     }
-    take_reals(sum, results.target.V_dot, 6);
+    take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
-static demo3_status call_attitude(void)
+static demo3_status call_generalized(void)
 {
-    return demo3_attitude(&demo3_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+    return demo3_generalized(&demo3_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_attitude_results(tally *sum, demo3_status status)
+static void take_generalized_results(tally *sum, demo3_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
         return;
     }
-    take_generalized(sum, &results.attitude.out);
+    take_generalized_result(sum, &results.generalized.out);
 }
 
 static demo3_status call_prepare(void)
 {
-    results.prepare.stand = demo3_default;
-    return demo3_prepare(&parameters, &results.prepare.stand);
+    results.prepare.table = demo3_default;
+    return demo3_prepare(&parameters, &results.prepare.table);
 }
 
 static void take_prepare_results(tally *sum, demo3_status status)
 {
     (void)status;
-    take_table(sum, &results.prepare.stand);
+    take_table(sum, &results.prepare.table);
 }
 
 static demo3_status call_mounts(void)
 {
-    return demo3_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+    return demo3_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.mount_wrench);
 }
 
 static void take_mounts_results(tally *sum, demo3_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
         return;
     }
-    take_reals(sum, results.mounts.loads, 18);
+    take_reals(sum, results.mounts.mount_wrench, 18);
 }
 
 static demo3_status call_prepare_mounts(void)
@@ -899,7 +900,7 @@ static const demo3_real numbers_quaternion[] =
     0x1.aec2b153e65e3p-1, 0x1.747d963150efdp-2, -0x1.038268d5ace41p-2, 0x1.3ca4c01481218p-2,
 };
 
-static const demo3_real numbers_target[] =
+static const demo3_real numbers_state_from_coordinates[] =
 {
     0x1.96f608p+0, 0x1.af406cp+0, 0x1.f9388cp+0, 0x1.ca14b66e1cc41p-1, 0x1.f8e97e60df587p-3,
         -0x1.e05904351ce6dp-4, -0x1.6a08b2b4d6bbp-2, -0x1.d430a495ec6b3p-1, 0x1.0c1a5eb25570cp+0,
@@ -919,7 +920,7 @@ static const demo3_real numbers_target[] =
         -0x1.3d4554p+7, -0x1.07562p+6,
 };
 
-static const demo3_real numbers_attitude[] =
+static const demo3_real numbers_generalized[] =
 {
     0x1.71eba1d84dc4fp-1, -0x1.618398252aaf8p-1, 0x1.22f594a295503p-5, 0x0p+0, 0x0p+0, 0x0p+0,
         0x1.264d423e3b134p-1, 0x1.41c35629ee882p-1, 0x1.0c5388aa5e33p-1, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -1051,12 +1052,12 @@ static const function functions[FUNCTIONS] =
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0x256d3568u, 4 }, { 0, 0x1da341c1u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xaf642e2cu },
-    { "target", sizeof results.target,
-      call_target, take_target_results, numbers_target,
+    { "state_from_coordinates", sizeof results.state_from_coordinates,
+      call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x73abebd2u, 25 }, { 0, 0xdd09d40au, 25 }, { -2, 0x73bba0deu, 19 } },
       0x269c5b94u },
-    { "attitude", sizeof results.attitude,
-      call_attitude, take_attitude_results, numbers_attitude,
+    { "generalized", sizeof results.generalized,
+      call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0x9350c7c0u, 32 }, { 0, 0x71c559c8u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x3b4d207fu },
     { "prepare", sizeof results.prepare,

@@ -226,13 +226,13 @@ static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], r
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 REMUS6_CODE
-static void remus6_start_sums(const remus6_table *stand, remus6_sums *restrict sum)
+static void remus6_start_sums(const remus6_table *table, remus6_sums *restrict sum)
 {
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
     sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
     sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
@@ -333,7 +333,7 @@ static void remus6_add_flywheel(const remus6_row *row, remus6_real s, remus6_rea
 
 /* adds the damping of one body to its wrench, both in the body's own frame, (7). */
 REMUS6_CODE
-static void remus6_damp(const remus6_table *stand, const remus6_damper *damper, const remus6_real V[6],
+static void remus6_damp(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
                         remus6_real P[restrict 6])
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
@@ -346,44 +346,44 @@ static void remus6_damp(const remus6_table *stand, const remus6_damper *damper, 
     x[10] = (V[4] < 0.0) ? -V[4] : V[4];
     x[11] = (V[5] < 0.0) ? -V[5] : V[5];
     for (int t = damper->first_term; t < damper->last_term; ++t) {
-        P[stand->term[t].wrench] += stand->term[t].value * x[stand->term[t].first] * x[stand->term[t].second];
+        P[table->term[t].wrench] += table->term[t].value * x[table->term[t].first] * x[table->term[t].second];
     }
 }
 
 /* total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
 REMUS6_CODE
-static void remus6_external(const remus6_table *stand, const remus6_sums *sum, const remus6_real V[6],
+static void remus6_external(const remus6_table *table, const remus6_sums *sum, const remus6_real V[6],
                             const remus6_real g[3], remus6_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
     /* weight of every body: its line of action moves with the flywheels */
-    F[0] += g[0] * stand->weight_mass;  F[1] += g[1] * stand->weight_mass;  F[2] += g[2] * stand->weight_mass;
-    F[3] += (sum->mu[1] - stand->displaced_moment[1]) * g[2]
-        + (stand->displaced_moment[2] - sum->mu[2]) * g[1];
-    F[4] += (stand->displaced_moment[0] - sum->mu[0]) * g[2]
-        + (sum->mu[2] - stand->displaced_moment[2]) * g[0];
-    F[5] += (sum->mu[0] - stand->displaced_moment[0]) * g[1]
-        + (stand->displaced_moment[1] - sum->mu[1]) * g[0];
-    remus6_damp(stand, &stand->damper, V, F);
+    F[0] += g[0] * table->weight_mass;  F[1] += g[1] * table->weight_mass;  F[2] += g[2] * table->weight_mass;
+    F[3] += (sum->mu[1] - table->displaced_moment[1]) * g[2]
+        + (table->displaced_moment[2] - sum->mu[2]) * g[1];
+    F[4] += (table->displaced_moment[0] - sum->mu[0]) * g[2]
+        + (sum->mu[2] - table->displaced_moment[2]) * g[0];
+    F[5] += (sum->mu[0] - table->displaced_moment[0]) * g[1]
+        + (table->displaced_moment[1] - sum->mu[1]) * g[0];
+    remus6_damp(table, &table->damper, V, F);
 }
 
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 REMUS6_CODE
-static void remus6_momentum_screw(const remus6_table *stand, const remus6_sums *sum, const remus6_real V[6],
+static void remus6_momentum_screw(const remus6_table *table, const remus6_sums *sum, const remus6_real V[6],
                                   remus6_real Z[restrict 6])
 {
-    Z[0] = stand->A[0] * V[0] + stand->A[3] * V[1] + stand->A[4] * V[2] + stand->G[0] * V[3]
-        + (stand->G[3] + sum->mu[2]) * V[4] + (stand->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
-    Z[1] = stand->A[1] * V[1] + stand->A[3] * V[0] + stand->A[5] * V[2] + (stand->G[1] - sum->mu[2]) * V[3]
-        + stand->G[4] * V[4] + (stand->G[7] + sum->mu[0]) * V[5] + sum->mu_dot[1];
-    Z[2] = stand->A[2] * V[2] + stand->A[4] * V[0] + stand->A[5] * V[1] + (stand->G[2] + sum->mu[1]) * V[3]
-        + (stand->G[5] - sum->mu[0]) * V[4] + stand->G[8] * V[5] + sum->mu_dot[2];
-    Z[3] = stand->G[0] * V[0] + (stand->G[1] - sum->mu[2]) * V[1] + (stand->G[2] + sum->mu[1]) * V[2]
+    Z[0] = table->A[0] * V[0] + table->A[3] * V[1] + table->A[4] * V[2] + table->G[0] * V[3]
+        + (table->G[3] + sum->mu[2]) * V[4] + (table->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
+    Z[1] = table->A[1] * V[1] + table->A[3] * V[0] + table->A[5] * V[2] + (table->G[1] - sum->mu[2]) * V[3]
+        + table->G[4] * V[4] + (table->G[7] + sum->mu[0]) * V[5] + sum->mu_dot[1];
+    Z[2] = table->A[2] * V[2] + table->A[4] * V[0] + table->A[5] * V[1] + (table->G[2] + sum->mu[1]) * V[3]
+        + (table->G[5] - sum->mu[0]) * V[4] + table->G[8] * V[5] + sum->mu_dot[2];
+    Z[3] = table->G[0] * V[0] + (table->G[1] - sum->mu[2]) * V[1] + (table->G[2] + sum->mu[1]) * V[2]
         + sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0];
-    Z[4] = (stand->G[3] + sum->mu[2]) * V[0] + stand->G[4] * V[1] + (stand->G[5] - sum->mu[0]) * V[2]
+    Z[4] = (table->G[3] + sum->mu[2]) * V[0] + table->G[4] * V[1] + (table->G[5] - sum->mu[0]) * V[2]
         + sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1];
-    Z[5] = (stand->G[6] - sum->mu[1]) * V[0] + (stand->G[7] + sum->mu[0]) * V[1] + stand->G[8] * V[2]
+    Z[5] = (table->G[6] - sum->mu[1]) * V[0] + (table->G[7] + sum->mu[0]) * V[1] + table->G[8] * V[2]
         + sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2];
 }
 
@@ -432,24 +432,24 @@ static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3
 
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 REMUS6_CODE
-static remus6_status remus6_solve_carrier(const remus6_table *stand, const remus6_sums *sum,
+static remus6_status remus6_solve_carrier(const remus6_table *table, const remus6_sums *sum,
                                           const remus6_real F[6], remus6_real y[restrict 6])
 {
     remus6_status status;
     remus6_real B[9];  /* <mu> + Lambda_21: lower left block of K */
     remus6_real U[9];  /* A^-1 B^T */
-    B[0] = stand->G[0];               B[1] = stand->G[1] - sum->mu[2];  B[2] = stand->G[2] + sum->mu[1];
-    B[3] = stand->G[3] + sum->mu[2];  B[4] = stand->G[4];               B[5] = stand->G[5] - sum->mu[0];
-    B[6] = stand->G[6] - sum->mu[1];  B[7] = stand->G[7] + sum->mu[0];  B[8] = stand->G[8];
-    U[0] = stand->A_inv[0] * B[0] + stand->A_inv[3] * B[1] + stand->A_inv[4] * B[2];
-    U[1] = stand->A_inv[0] * B[3] + stand->A_inv[3] * B[4] + stand->A_inv[4] * B[5];
-    U[2] = stand->A_inv[0] * B[6] + stand->A_inv[3] * B[7] + stand->A_inv[4] * B[8];
-    U[3] = stand->A_inv[1] * B[1] + stand->A_inv[3] * B[0] + stand->A_inv[5] * B[2];
-    U[4] = stand->A_inv[1] * B[4] + stand->A_inv[3] * B[3] + stand->A_inv[5] * B[5];
-    U[5] = stand->A_inv[1] * B[7] + stand->A_inv[3] * B[6] + stand->A_inv[5] * B[8];
-    U[6] = stand->A_inv[2] * B[2] + stand->A_inv[4] * B[0] + stand->A_inv[5] * B[1];
-    U[7] = stand->A_inv[2] * B[5] + stand->A_inv[4] * B[3] + stand->A_inv[5] * B[4];
-    U[8] = stand->A_inv[2] * B[8] + stand->A_inv[4] * B[6] + stand->A_inv[5] * B[7];
+    B[0] = table->G[0];               B[1] = table->G[1] - sum->mu[2];  B[2] = table->G[2] + sum->mu[1];
+    B[3] = table->G[3] + sum->mu[2];  B[4] = table->G[4];               B[5] = table->G[5] - sum->mu[0];
+    B[6] = table->G[6] - sum->mu[1];  B[7] = table->G[7] + sum->mu[0];  B[8] = table->G[8];
+    U[0] = table->A_inv[0] * B[0] + table->A_inv[3] * B[1] + table->A_inv[4] * B[2];
+    U[1] = table->A_inv[0] * B[3] + table->A_inv[3] * B[4] + table->A_inv[4] * B[5];
+    U[2] = table->A_inv[0] * B[6] + table->A_inv[3] * B[7] + table->A_inv[4] * B[8];
+    U[3] = table->A_inv[1] * B[1] + table->A_inv[3] * B[0] + table->A_inv[5] * B[2];
+    U[4] = table->A_inv[1] * B[4] + table->A_inv[3] * B[3] + table->A_inv[5] * B[5];
+    U[5] = table->A_inv[1] * B[7] + table->A_inv[3] * B[6] + table->A_inv[5] * B[8];
+    U[6] = table->A_inv[2] * B[2] + table->A_inv[4] * B[0] + table->A_inv[5] * B[1];
+    U[7] = table->A_inv[2] * B[5] + table->A_inv[4] * B[3] + table->A_inv[5] * B[4];
+    U[8] = table->A_inv[2] * B[8] + table->A_inv[4] * B[6] + table->A_inv[5] * B[7];
     remus6_real S[6];  /* J - B A^-1 B^T */
     remus6_real moment[3];  /* n - B A^-1 f */
     remus6_real omega_dot[3];
@@ -464,11 +464,11 @@ static remus6_status remus6_solve_carrier(const remus6_table *stand, const remus
     moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
     status = remus6_solve3(S, moment, omega_dot);
     if (status != REMUS6_OK) { return status; }
-    y[0] = stand->A_inv[0] * F[0] + stand->A_inv[3] * F[1] + stand->A_inv[4] * F[2] - U[0] * omega_dot[0]
+    y[0] = table->A_inv[0] * F[0] + table->A_inv[3] * F[1] + table->A_inv[4] * F[2] - U[0] * omega_dot[0]
         - U[1] * omega_dot[1] - U[2] * omega_dot[2];
-    y[1] = stand->A_inv[1] * F[1] + stand->A_inv[3] * F[0] + stand->A_inv[5] * F[2] - U[3] * omega_dot[0]
+    y[1] = table->A_inv[1] * F[1] + table->A_inv[3] * F[0] + table->A_inv[5] * F[2] - U[3] * omega_dot[0]
         - U[4] * omega_dot[1] - U[5] * omega_dot[2];
-    y[2] = stand->A_inv[2] * F[2] + stand->A_inv[4] * F[0] + stand->A_inv[5] * F[1] - U[6] * omega_dot[0]
+    y[2] = table->A_inv[2] * F[2] + table->A_inv[4] * F[0] + table->A_inv[5] * F[1] - U[6] * omega_dot[0]
         - U[7] * omega_dot[1] - U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
     return REMUS6_OK;
@@ -477,7 +477,7 @@ static remus6_status remus6_solve_carrier(const remus6_table *stand, const remus
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 REMUS6_CODE
-static remus6_status remus6_accelerate(const remus6_table *stand, const remus6_state *x,
+static remus6_status remus6_accelerate(const remus6_table *table, const remus6_state *x,
                                        const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
                                        const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[restrict 6])
 {
@@ -485,23 +485,23 @@ static remus6_status remus6_accelerate(const remus6_table *stand, const remus6_s
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_sums sum;
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     remus6_real F[6];  /* wrench (7); then what K V* must equal */
     remus6_real Z[6];  /* momentum screw (2) */
-    remus6_external(stand, &sum, V, g, F);
-    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_external(table, &sum, V, g, F);
+    remus6_momentum_screw(table, &sum, V, Z);
     remus6_subtract_rates(&sum, V, Z, F);
-    status = remus6_solve_carrier(stand, &sum, F, V_dot);
+    status = remus6_solve_carrier(table, &sum, F, V_dot);
     if (status != REMUS6_OK) { return status; }
     /* V* = V_r* - (omega x C^T u, 0) */
     remus6_real drift[3];  /* omega x C^T u */
@@ -514,13 +514,13 @@ static remus6_status remus6_accelerate(const remus6_table *stand, const remus6_s
 
 /* (8) */
 REMUS6_CODE
-remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_forward(const remus6_table *table, const remus6_state *x,
                              const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6])
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
@@ -528,7 +528,7 @@ remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_accelerate(stand, x, sine, cosine, phi_ddot, result);
+    status = remus6_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != REMUS6_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -537,32 +537,32 @@ remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
 
 /* (7) */
 REMUS6_CODE
-remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, remus6_real F[6])
+remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, remus6_real F[6])
 {
-    if (stand == NULL || x == NULL || F == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || F == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_sums sum;
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     remus6_real result[6];
-    remus6_external(stand, &sum, V, g, result);
+    remus6_external(table, &sum, V, g, result);
     F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
     F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
     return REMUS6_OK;
@@ -570,7 +570,7 @@ remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, re
 
 /* M = Phi K + K*, (9). */
 REMUS6_CODE
-static void remus6_velocity_matrix(const remus6_real V[6], remus6_equations *restrict out)
+static void remus6_velocity_matrix(const remus6_real V[6], remus6_matrices_result *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -587,58 +587,58 @@ static void remus6_velocity_matrix(const remus6_real V[6], remus6_equations *res
 
 /* (2), (6)-(9) */
 REMUS6_CODE
-remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, remus6_equations *out)
+remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, remus6_matrices_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_sums sum;
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     remus6_real F[6];
-    remus6_external(stand, &sum, V, g, F);
+    remus6_external(table, &sum, V, g, F);
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
     out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
     /* K (2) and its rate (6) */
-    out->K[0][0] = stand->A[0];  out->K[0][1] = stand->A[3];  out->K[0][2] = stand->A[4];
-    out->K[0][3] = stand->G[0];
-    out->K[0][4] = stand->G[3] + sum.mu[2];
-    out->K[0][5] = stand->G[6] - sum.mu[1];
-    out->K[1][0] = stand->A[3];  out->K[1][1] = stand->A[1];  out->K[1][2] = stand->A[5];
-    out->K[1][3] = stand->G[1] - sum.mu[2];
-    out->K[1][4] = stand->G[4];
-    out->K[1][5] = stand->G[7] + sum.mu[0];
-    out->K[2][0] = stand->A[4];  out->K[2][1] = stand->A[5];  out->K[2][2] = stand->A[2];
-    out->K[2][3] = stand->G[2] + sum.mu[1];
-    out->K[2][4] = stand->G[5] - sum.mu[0];
-    out->K[2][5] = stand->G[8];
-    out->K[3][0] = stand->G[0];
-    out->K[3][1] = stand->G[1] - sum.mu[2];
-    out->K[3][2] = stand->G[2] + sum.mu[1];
+    out->K[0][0] = table->A[0];  out->K[0][1] = table->A[3];  out->K[0][2] = table->A[4];
+    out->K[0][3] = table->G[0];
+    out->K[0][4] = table->G[3] + sum.mu[2];
+    out->K[0][5] = table->G[6] - sum.mu[1];
+    out->K[1][0] = table->A[3];  out->K[1][1] = table->A[1];  out->K[1][2] = table->A[5];
+    out->K[1][3] = table->G[1] - sum.mu[2];
+    out->K[1][4] = table->G[4];
+    out->K[1][5] = table->G[7] + sum.mu[0];
+    out->K[2][0] = table->A[4];  out->K[2][1] = table->A[5];  out->K[2][2] = table->A[2];
+    out->K[2][3] = table->G[2] + sum.mu[1];
+    out->K[2][4] = table->G[5] - sum.mu[0];
+    out->K[2][5] = table->G[8];
+    out->K[3][0] = table->G[0];
+    out->K[3][1] = table->G[1] - sum.mu[2];
+    out->K[3][2] = table->G[2] + sum.mu[1];
     out->K[3][3] = sum.J[0];  out->K[3][4] = sum.J[3];  out->K[3][5] = sum.J[4];
-    out->K[4][0] = stand->G[3] + sum.mu[2];
-    out->K[4][1] = stand->G[4];
-    out->K[4][2] = stand->G[5] - sum.mu[0];
+    out->K[4][0] = table->G[3] + sum.mu[2];
+    out->K[4][1] = table->G[4];
+    out->K[4][2] = table->G[5] - sum.mu[0];
     out->K[4][3] = sum.J[3];  out->K[4][4] = sum.J[1];  out->K[4][5] = sum.J[5];
-    out->K[5][0] = stand->G[6] - sum.mu[1];
-    out->K[5][1] = stand->G[7] + sum.mu[0];
-    out->K[5][2] = stand->G[8];  out->K[5][3] = sum.J[4];     out->K[5][4] = sum.J[5];
+    out->K[5][0] = table->G[6] - sum.mu[1];
+    out->K[5][1] = table->G[7] + sum.mu[0];
+    out->K[5][2] = table->G[8];  out->K[5][3] = sum.J[4];     out->K[5][4] = sum.J[5];
     out->K[5][5] = sum.J[2];
     out->K_dot[0][0] = 0.0;             out->K_dot[0][1] = 0.0;             out->K_dot[0][2] = 0.0;
     out->K_dot[0][3] = 0.0;             out->K_dot[0][4] = sum.mu_dot[2];   out->K_dot[0][5] = -sum.mu_dot[1];
@@ -658,21 +658,21 @@ remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, 
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real s_phi = sine[s];
         const remus6_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
-        rate[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-        rate[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-        rate[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-        rate[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-        rate[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-        rate[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        rate[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+        rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+        rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
         out->I[0][s] = column[0];
         out->J[0][s] = column[2] * V[4] - column[1] * V[5] + rate[0] * x->phi_dot[s];
         out->I[1][s] = column[1];
@@ -694,17 +694,17 @@ remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, 
 
 /* (1), (2) */
 REMUS6_CODE
-remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, remus6_momenta *out)
+remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, remus6_momentum_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
@@ -712,38 +712,38 @@ remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, 
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     remus6_real Z[6];  /* momentum screw (2) */
-    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_momentum_screw(table, &sum, V, Z);
     remus6_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real s_phi = sine[s];
         const remus6_real c_phi = cosine[s];
         /* I_s . V */
-        const remus6_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
-            * V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * V[1]
-            + (stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi) * V[2]
-            + (stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0]) * V[3]
-            + (stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1]) * V[4]
-            + (stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2]) * V[5];
-        spin += x->phi_dot[s] * (along + stand->flywheel[s].spin * x->phi_dot[s]);
+        const remus6_real along = (table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi)
+            * V[0] + (table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi) * V[1]
+            + (table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi) * V[2]
+            + (table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0]) * V[3]
+            + (table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1]) * V[4]
+            + (table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2]) * V[5];
+        spin += x->phi_dot[s] * (along + table->flywheel[s].spin * x->phi_dot[s]);
     }
     remus6_real energy = 0.5 * Z[3] * V[3] + 0.5 * Z[4] * V[4] + 0.5 * Z[5] * V[5] + 0.5 * Z[0] * V[0]
         + 0.5 * Z[1] * V[1] + 0.5 * Z[2] * V[2] + 0.5 * spin;
     /* bodies at V, added mass at V relative to the stream */
     remus6_real p[3];  /* momentum of the bodies relative to the stream */
-    p[0] = stand->mass * V[0] + sum.mu[2] * V[4] + sum.mu_dot[0] - sum.mu[1] * V[5];
-    p[1] = stand->mass * V[1] + sum.mu[0] * V[5] + sum.mu_dot[1] - sum.mu[2] * V[3];
-    p[2] = stand->mass * V[2] + sum.mu[1] * V[3] + sum.mu_dot[2] - sum.mu[0] * V[4];
+    p[0] = table->mass * V[0] + sum.mu[2] * V[4] + sum.mu_dot[0] - sum.mu[1] * V[5];
+    p[1] = table->mass * V[1] + sum.mu[0] * V[5] + sum.mu_dot[1] - sum.mu[2] * V[3];
+    p[2] = table->mass * V[2] + sum.mu[1] * V[3] + sum.mu_dot[2] - sum.mu[0] * V[4];
     energy += p[0] * u[0] + p[1] * u[1] + p[2] * u[2]
-        + 0.5 * stand->mass * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-    Z[0] += stand->mass * u[0];  Z[1] += stand->mass * u[1];  Z[2] += stand->mass * u[2];
+        + 0.5 * table->mass * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    Z[0] += table->mass * u[0];  Z[1] += table->mass * u[1];  Z[2] += table->mass * u[2];
     Z[3] += sum.mu[1] * u[2] - sum.mu[2] * u[1];
     Z[4] += sum.mu[2] * u[0] - sum.mu[0] * u[2];
     Z[5] += sum.mu[0] * u[1] - sum.mu[1] * u[0];
@@ -760,16 +760,17 @@ remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, 
     out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
         - out->Z0[0] * x->position[1];
     out->energy = energy;
-    out->center_of_mass[0] = sum.mu[0] * stand->mass_inverse;
-    out->center_of_mass[1] = sum.mu[1] * stand->mass_inverse;
-    out->center_of_mass[2] = sum.mu[2] * stand->mass_inverse;
+    out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
     return REMUS6_OK;
 }
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 REMUS6_CODE
-static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c, const remus6_real swing[3],
-                          const remus6_real spun[6], remus6_coupling *restrict out)
+static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c,
+                          const remus6_real origin_acceleration[3], const remus6_real spun[6],
+                          remus6_coupling *restrict out)
 {
     const remus6_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const remus6_real two_s2 = 4.0 * c * s;
@@ -793,7 +794,8 @@ static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c, c
     const remus6_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
         - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
+        + out->I[2] * origin_acceleration[2];
 }
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
@@ -817,14 +819,14 @@ static void remus6_eliminate(const remus6_real I[6], remus6_real spin_inv, remus
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 REMUS6_CODE
-remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+remus6_status remus6_torque(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
@@ -833,12 +835,12 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
@@ -849,19 +851,19 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
     remus6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
     V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
     V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
-    remus6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
     remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_coupling drive;
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
+        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
         tau[s] = V_r_dot[0] * drive.I[0] + V_r_dot[1] * drive.I[1] + V_r_dot[2] * drive.I[2]
             + V_r_dot[3] * drive.I[3] + V_r_dot[4] * drive.I[4] + V_r_dot[5] * drive.I[5]
-            + stand->flywheel[s].spin * phi_ddot[s] + drive.bias;
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
     }
     return REMUS6_OK;
 }
@@ -921,54 +923,56 @@ static remus6_status remus6_solve_schur(const remus6_schur *K, const remus6_real
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 REMUS6_CODE
-static remus6_status remus6_move(const remus6_table *stand, const remus6_state *x,
-                                 const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
-                                 const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
-                                 remus6_real V_dot[restrict 6], remus6_real phi_ddot[restrict REMUS6_N])
+static remus6_status remus6_solve_coupled(const remus6_table *table, const remus6_state *x,
+                                          const remus6_real sine[REMUS6_N],
+                                          const remus6_real cosine[REMUS6_N],
+                                          const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                          remus6_real V_dot[restrict 6],
+                                          remus6_real phi_ddot[restrict REMUS6_N])
 {
     remus6_status status;
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_sums sum;
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     remus6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     remus6_real Z[6];  /* momentum screw (2) */
-    remus6_external(stand, &sum, V, g, F);
-    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_external(table, &sum, V, g, F);
+    remus6_momentum_screw(table, &sum, V, Z);
     remus6_subtract_rates(&sum, V, Z, F);
     remus6_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->A[0];  K.A[1] = stand->A[1];  K.A[2] = stand->A[2];
-    K.A[3] = stand->A[3];  K.A[4] = stand->A[4];  K.A[5] = stand->A[5];
-    K.B[0] = stand->G[0];              K.B[1] = stand->G[1] - sum.mu[2];  K.B[2] = stand->G[2] + sum.mu[1];
-    K.B[3] = stand->G[3] + sum.mu[2];  K.B[4] = stand->G[4];              K.B[5] = stand->G[5] - sum.mu[0];
-    K.B[6] = stand->G[6] - sum.mu[1];  K.B[7] = stand->G[7] + sum.mu[0];  K.B[8] = stand->G[8];
+    K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
+    K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
+    K.B[0] = table->G[0];              K.B[1] = table->G[1] - sum.mu[2];  K.B[2] = table->G[2] + sum.mu[1];
+    K.B[3] = table->G[3] + sum.mu[2];  K.B[4] = table->G[4];              K.B[5] = table->G[5] - sum.mu[0];
+    K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     remus6_coupling drive[REMUS6_N];
-    remus6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
     remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_real rate[REMUS6_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
-            rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
-            remus6_eliminate(drive[s].I, stand->flywheel[s].spin_inv, rate[s], &K, F);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            remus6_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = remus6_solve_schur(&K, F, V_dot);
@@ -978,7 +982,7 @@ static remus6_status remus6_move(const remus6_table *stand, const remus6_state *
         if (locked[s] == 0) {
             phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
                 + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * stand->flywheel[s].spin_inv;
+                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
         }
     }
     /* V* = V_r* - (omega x C^T u, 0) */
@@ -992,15 +996,15 @@ static remus6_status remus6_move(const remus6_table *stand, const remus6_state *
 
 /* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
 REMUS6_CODE
-remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_coupled(const remus6_table *table, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                              remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N])
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
         || phi_ddot == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
     if (status != REMUS6_OK) { return status; }
@@ -1009,7 +1013,7 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = remus6_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != REMUS6_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -1064,7 +1068,7 @@ static remus6_status remus6_finish(remus6_state *restrict x)
 
 /* rates of the state under drive torques. */
 REMUS6_CODE
-static remus6_status remus6_rate(const remus6_table *stand, const remus6_state *x,
+static remus6_status remus6_rate(const remus6_table *table, const remus6_state *x,
                                  const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                  remus6_state *restrict rate)
 {
@@ -1073,7 +1077,7 @@ static remus6_status remus6_rate(const remus6_table *stand, const remus6_state *
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
+    status = remus6_solve_coupled(table, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != REMUS6_OK) { return status; }
     remus6_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1095,14 +1099,14 @@ static remus6_status remus6_rate(const remus6_table *stand, const remus6_state *
 
 /* State a time step later, under drive torques and wrenches held constant. */
 REMUS6_CODE
-remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
+remus6_status remus6_step(const remus6_table *table, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || next == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
     if (status != REMUS6_OK) { return status; }
@@ -1114,19 +1118,19 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
     if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
     remus6_state k;  /* rates of a stage */
     remus6_state y;  /* state of a stage; then the new state */
-    status = remus6_rate(stand, x, tau, locked, &k);
+    status = remus6_rate(table, x, tau, locked, &k);
     if (status != REMUS6_OK) { return status; }
     const remus6_real half = 0.5 * dt;
     if (order == 2) {
         remus6_advance(x, &k, half, &y);
-        status = remus6_rate(stand, &y, tau, locked, &k);
+        status = remus6_rate(table, &y, tau, locked, &k);
         if (status != REMUS6_OK) { return status; }
         remus6_advance(x, &k, dt, &y);
     } else {
         remus6_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         remus6_advance(x, &k, half, &y);
-        status = remus6_rate(stand, &y, tau, locked, &k);
+        status = remus6_rate(table, &y, tau, locked, &k);
         if (status != REMUS6_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1144,7 +1148,7 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         remus6_advance(x, &k, half, &y);
-        status = remus6_rate(stand, &y, tau, locked, &k);
+        status = remus6_rate(table, &y, tau, locked, &k);
         if (status != REMUS6_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1162,7 +1166,7 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         remus6_advance(x, &k, dt, &y);
-        status = remus6_rate(stand, &y, tau, locked, &k);
+        status = remus6_rate(table, &y, tau, locked, &k);
         if (status != REMUS6_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -1190,7 +1194,7 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
 
 /* rates of the state under given flywheel accelerations. */
 REMUS6_CODE
-static remus6_status remus6_rate_driven(const remus6_table *stand, const remus6_state *x,
+static remus6_status remus6_rate_driven(const remus6_table *table, const remus6_state *x,
                                         const remus6_real phi_ddot[REMUS6_N], remus6_state *restrict rate)
 {
     remus6_status status;
@@ -1198,7 +1202,7 @@ static remus6_status remus6_rate_driven(const remus6_table *stand, const remus6_
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
+    status = remus6_accelerate(table, x, sine, cosine, phi_ddot, rate->V);
     if (status != REMUS6_OK) { return status; }
     remus6_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1221,14 +1225,14 @@ static remus6_status remus6_rate_driven(const remus6_table *stand, const remus6_
 
 /* State a time step later, under given flywheel accelerations and wrenches held constant. */
 REMUS6_CODE
-remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_step_driven(const remus6_table *table, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
@@ -1240,19 +1244,19 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
     if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
     remus6_state k;  /* rates of a stage */
     remus6_state y;  /* state of a stage; then the new state */
-    status = remus6_rate_driven(stand, x, phi_ddot, &k);
+    status = remus6_rate_driven(table, x, phi_ddot, &k);
     if (status != REMUS6_OK) { return status; }
     const remus6_real half = 0.5 * dt;
     if (order == 2) {
         remus6_advance(x, &k, half, &y);
-        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        status = remus6_rate_driven(table, &y, phi_ddot, &k);
         if (status != REMUS6_OK) { return status; }
         remus6_advance(x, &k, dt, &y);
     } else {
         remus6_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         remus6_advance(x, &k, half, &y);
-        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        status = remus6_rate_driven(table, &y, phi_ddot, &k);
         if (status != REMUS6_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1270,7 +1274,7 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         remus6_advance(x, &k, half, &y);
-        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        status = remus6_rate_driven(table, &y, phi_ddot, &k);
         if (status != REMUS6_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1288,7 +1292,7 @@ remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         remus6_advance(x, &k, dt, &y);
-        status = remus6_rate_driven(stand, &y, phi_ddot, &k);
+        status = remus6_rate_driven(table, &y, phi_ddot, &k);
         if (status != REMUS6_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -1411,7 +1415,7 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
 
 /* change of the damping of one body with its twist, (7). */
 REMUS6_CODE
-static void remus6_damp_slope(const remus6_table *stand, const remus6_damper *damper, const remus6_real V[6],
+static void remus6_damp_slope(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
                               const remus6_real change[6], remus6_real P[restrict 6])
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
@@ -1441,16 +1445,16 @@ static void remus6_damp_slope(const remus6_table *stand, const remus6_damper *da
     dx[5] = change[5];
     dx[11] = (V[5] < 0.0) ? -change[5] : change[5];
     for (int t = damper->first_term; t < damper->last_term; ++t) {
-        P[stand->term[t].wrench] += stand->term[t].value
-            * (dx[stand->term[t].first] * x[stand->term[t].second]
-            + x[stand->term[t].first] * dx[stand->term[t].second]);
+        P[table->term[t].wrench] += table->term[t].value
+            * (dx[table->term[t].first] * x[table->term[t].second]
+            + x[table->term[t].first] * dx[table->term[t].second]);
     }
 }
 
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 REMUS6_CODE
-static void remus6_twist_slope(const remus6_table *stand, const remus6_real V[6], const remus6_real Z[6],
-                               const remus6_equations *m, remus6_real slope[restrict 36])
+static void remus6_twist_slope(const remus6_table *table, const remus6_real V[6], const remus6_real Z[6],
+                               const remus6_matrices_result *m, remus6_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1477,7 +1481,7 @@ static void remus6_twist_slope(const remus6_table *stand, const remus6_real V[6]
             F[i] = 0.0;
         }
         change[j] = 1.0;
-        remus6_damp_slope(stand, &stand->damper, V, change, F);
+        remus6_damp_slope(table, &table->damper, V, change, F);
         for (int i = 0; i < 6; ++i) {
             slope[i * 6 + j] += F[i];
         }
@@ -1561,67 +1565,68 @@ static void remus6_row_slope(const remus6_row *row, const remus6_real weight[12]
 
 /* (8) */
 REMUS6_CODE
-remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
-                                      const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out)
+remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_state *x,
+                                      const remus6_real phi_ddot[REMUS6_N],
+                                      remus6_forward_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_sums sum;
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     remus6_real F[6];  /* what K V* must equal */
     remus6_real Z[6];  /* momentum screw (2) */
     remus6_real V_result[6];  /* V_r* */
     remus6_real rhs[6];
     remus6_real y[6];
-    remus6_external(stand, &sum, V, g, F);
-    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_external(table, &sum, V, g, F);
+    remus6_momentum_screw(table, &sum, V, Z);
     remus6_subtract_rates(&sum, V, Z, F);
-    status = remus6_solve_carrier(stand, &sum, F, V_result);
+    status = remus6_solve_carrier(table, &sum, F, V_result);
     if (status != REMUS6_OK) { return status; }
-    remus6_equations m;
-    m.K[0][0] = stand->A[0];  m.K[0][1] = stand->A[3];  m.K[0][2] = stand->A[4];
-    m.K[0][3] = stand->G[0];
-    m.K[0][4] = stand->G[3] + sum.mu[2];
-    m.K[0][5] = stand->G[6] - sum.mu[1];
-    m.K[1][0] = stand->A[3];  m.K[1][1] = stand->A[1];  m.K[1][2] = stand->A[5];
-    m.K[1][3] = stand->G[1] - sum.mu[2];
-    m.K[1][4] = stand->G[4];
-    m.K[1][5] = stand->G[7] + sum.mu[0];
-    m.K[2][0] = stand->A[4];  m.K[2][1] = stand->A[5];  m.K[2][2] = stand->A[2];
-    m.K[2][3] = stand->G[2] + sum.mu[1];
-    m.K[2][4] = stand->G[5] - sum.mu[0];
-    m.K[2][5] = stand->G[8];
-    m.K[3][0] = stand->G[0];
-    m.K[3][1] = stand->G[1] - sum.mu[2];
-    m.K[3][2] = stand->G[2] + sum.mu[1];
+    remus6_matrices_result m;
+    m.K[0][0] = table->A[0];  m.K[0][1] = table->A[3];  m.K[0][2] = table->A[4];
+    m.K[0][3] = table->G[0];
+    m.K[0][4] = table->G[3] + sum.mu[2];
+    m.K[0][5] = table->G[6] - sum.mu[1];
+    m.K[1][0] = table->A[3];  m.K[1][1] = table->A[1];  m.K[1][2] = table->A[5];
+    m.K[1][3] = table->G[1] - sum.mu[2];
+    m.K[1][4] = table->G[4];
+    m.K[1][5] = table->G[7] + sum.mu[0];
+    m.K[2][0] = table->A[4];  m.K[2][1] = table->A[5];  m.K[2][2] = table->A[2];
+    m.K[2][3] = table->G[2] + sum.mu[1];
+    m.K[2][4] = table->G[5] - sum.mu[0];
+    m.K[2][5] = table->G[8];
+    m.K[3][0] = table->G[0];
+    m.K[3][1] = table->G[1] - sum.mu[2];
+    m.K[3][2] = table->G[2] + sum.mu[1];
     m.K[3][3] = sum.J[0];  m.K[3][4] = sum.J[3];  m.K[3][5] = sum.J[4];
-    m.K[4][0] = stand->G[3] + sum.mu[2];
-    m.K[4][1] = stand->G[4];
-    m.K[4][2] = stand->G[5] - sum.mu[0];
+    m.K[4][0] = table->G[3] + sum.mu[2];
+    m.K[4][1] = table->G[4];
+    m.K[4][2] = table->G[5] - sum.mu[0];
     m.K[4][3] = sum.J[3];  m.K[4][4] = sum.J[1];  m.K[4][5] = sum.J[5];
-    m.K[5][0] = stand->G[6] - sum.mu[1];
-    m.K[5][1] = stand->G[7] + sum.mu[0];
-    m.K[5][2] = stand->G[8];  m.K[5][3] = sum.J[4];     m.K[5][4] = sum.J[5];
+    m.K[5][0] = table->G[6] - sum.mu[1];
+    m.K[5][1] = table->G[7] + sum.mu[0];
+    m.K[5][2] = table->G[8];  m.K[5][3] = sum.J[4];     m.K[5][4] = sum.J[5];
     m.K[5][5] = sum.J[2];
     m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
     m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
@@ -1637,12 +1642,12 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     remus6_velocity_matrix(V, &m);
     remus6_real slope[36];  /* by V, row by row */
-    remus6_twist_slope(stand, V, Z, &m, slope);
+    remus6_twist_slope(table, V, Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)remus6_solve_carrier(stand, &sum, rhs, y);
+        (void)remus6_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1668,8 +1673,8 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
-            (void)remus6_solve_carrier(stand, &sum, rhs, y);
+            remus6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
+            (void)remus6_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1679,22 +1684,22 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
-            (void)remus6_solve_carrier(stand, &sum, rhs, y);
+            remus6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
+            (void)remus6_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
         }
-        rhs[0] = stand->flywheel[s].mu_c[0] * s_phi - stand->flywheel[s].mu_s[0] * c_phi;
-        rhs[1] = stand->flywheel[s].mu_c[1] * s_phi - stand->flywheel[s].mu_s[1] * c_phi;
-        rhs[2] = stand->flywheel[s].mu_c[2] * s_phi - stand->flywheel[s].mu_s[2] * c_phi;
-        rhs[3] = -stand->flywheel[s].t_c[0] * c_phi - stand->flywheel[s].t_s[0] * s_phi
-            - stand->flywheel[s].t_0[0];
-        rhs[4] = -stand->flywheel[s].t_c[1] * c_phi - stand->flywheel[s].t_s[1] * s_phi
-            - stand->flywheel[s].t_0[1];
-        rhs[5] = -stand->flywheel[s].t_c[2] * c_phi - stand->flywheel[s].t_s[2] * s_phi
-            - stand->flywheel[s].t_0[2];
-        (void)remus6_solve_carrier(stand, &sum, rhs, y);
+        rhs[0] = table->flywheel[s].mu_c[0] * s_phi - table->flywheel[s].mu_s[0] * c_phi;
+        rhs[1] = table->flywheel[s].mu_c[1] * s_phi - table->flywheel[s].mu_s[1] * c_phi;
+        rhs[2] = table->flywheel[s].mu_c[2] * s_phi - table->flywheel[s].mu_s[2] * c_phi;
+        rhs[3] = -table->flywheel[s].t_c[0] * c_phi - table->flywheel[s].t_s[0] * s_phi
+            - table->flywheel[s].t_0[0];
+        rhs[4] = -table->flywheel[s].t_c[1] * c_phi - table->flywheel[s].t_s[1] * s_phi
+            - table->flywheel[s].t_0[1];
+        rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
+            - table->flywheel[s].t_0[2];
+        (void)remus6_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1704,15 +1709,15 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
 
 /* Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude. */
 REMUS6_CODE
-remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
-                                      remus6_coupled_slopes *out)
+                                      remus6_coupled_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
     if (status != REMUS6_OK) { return status; }
@@ -1721,21 +1726,21 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = remus6_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != REMUS6_OK) { return status; }
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_sums sum;
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     remus6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
@@ -1743,31 +1748,31 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
     drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
     V_result[0] += drift[0];  V_result[1] += drift[1];  V_result[2] += drift[2];
     remus6_real Z[6];  /* momentum screw (2) */
-    remus6_momentum_screw(stand, &sum, V, Z);
-    remus6_equations m;
-    m.K[0][0] = stand->A[0];  m.K[0][1] = stand->A[3];  m.K[0][2] = stand->A[4];
-    m.K[0][3] = stand->G[0];
-    m.K[0][4] = stand->G[3] + sum.mu[2];
-    m.K[0][5] = stand->G[6] - sum.mu[1];
-    m.K[1][0] = stand->A[3];  m.K[1][1] = stand->A[1];  m.K[1][2] = stand->A[5];
-    m.K[1][3] = stand->G[1] - sum.mu[2];
-    m.K[1][4] = stand->G[4];
-    m.K[1][5] = stand->G[7] + sum.mu[0];
-    m.K[2][0] = stand->A[4];  m.K[2][1] = stand->A[5];  m.K[2][2] = stand->A[2];
-    m.K[2][3] = stand->G[2] + sum.mu[1];
-    m.K[2][4] = stand->G[5] - sum.mu[0];
-    m.K[2][5] = stand->G[8];
-    m.K[3][0] = stand->G[0];
-    m.K[3][1] = stand->G[1] - sum.mu[2];
-    m.K[3][2] = stand->G[2] + sum.mu[1];
+    remus6_momentum_screw(table, &sum, V, Z);
+    remus6_matrices_result m;
+    m.K[0][0] = table->A[0];  m.K[0][1] = table->A[3];  m.K[0][2] = table->A[4];
+    m.K[0][3] = table->G[0];
+    m.K[0][4] = table->G[3] + sum.mu[2];
+    m.K[0][5] = table->G[6] - sum.mu[1];
+    m.K[1][0] = table->A[3];  m.K[1][1] = table->A[1];  m.K[1][2] = table->A[5];
+    m.K[1][3] = table->G[1] - sum.mu[2];
+    m.K[1][4] = table->G[4];
+    m.K[1][5] = table->G[7] + sum.mu[0];
+    m.K[2][0] = table->A[4];  m.K[2][1] = table->A[5];  m.K[2][2] = table->A[2];
+    m.K[2][3] = table->G[2] + sum.mu[1];
+    m.K[2][4] = table->G[5] - sum.mu[0];
+    m.K[2][5] = table->G[8];
+    m.K[3][0] = table->G[0];
+    m.K[3][1] = table->G[1] - sum.mu[2];
+    m.K[3][2] = table->G[2] + sum.mu[1];
     m.K[3][3] = sum.J[0];  m.K[3][4] = sum.J[3];  m.K[3][5] = sum.J[4];
-    m.K[4][0] = stand->G[3] + sum.mu[2];
-    m.K[4][1] = stand->G[4];
-    m.K[4][2] = stand->G[5] - sum.mu[0];
+    m.K[4][0] = table->G[3] + sum.mu[2];
+    m.K[4][1] = table->G[4];
+    m.K[4][2] = table->G[5] - sum.mu[0];
     m.K[4][3] = sum.J[3];  m.K[4][4] = sum.J[1];  m.K[4][5] = sum.J[5];
-    m.K[5][0] = stand->G[6] - sum.mu[1];
-    m.K[5][1] = stand->G[7] + sum.mu[0];
-    m.K[5][2] = stand->G[8];  m.K[5][3] = sum.J[4];     m.K[5][4] = sum.J[5];
+    m.K[5][0] = table->G[6] - sum.mu[1];
+    m.K[5][1] = table->G[7] + sum.mu[0];
+    m.K[5][2] = table->G[8];  m.K[5][3] = sum.J[4];     m.K[5][4] = sum.J[5];
     m.K[5][5] = sum.J[2];
     m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
     m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
@@ -1783,21 +1788,21 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     remus6_velocity_matrix(V, &m);
     remus6_real slope[36];  /* by V, row by row */
-    remus6_twist_slope(stand, V, Z, &m, slope);
+    remus6_twist_slope(table, V, Z, &m, slope);
     remus6_coupling drive[REMUS6_N];
-    remus6_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = V[4] * V[2] - g[0] - V[5] * V[1];
-    swing[1] = V[5] * V[0] - g[1] - V[3] * V[2];
-    swing[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
     remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->A[0];  K.A[1] = stand->A[1];  K.A[2] = stand->A[2];
-    K.A[3] = stand->A[3];  K.A[4] = stand->A[4];  K.A[5] = stand->A[5];
-    K.B[0] = stand->G[0];              K.B[1] = stand->G[1] - sum.mu[2];  K.B[2] = stand->G[2] + sum.mu[1];
-    K.B[3] = stand->G[3] + sum.mu[2];  K.B[4] = stand->G[4];              K.B[5] = stand->G[5] - sum.mu[0];
-    K.B[6] = stand->G[6] - sum.mu[1];  K.B[7] = stand->G[7] + sum.mu[0];  K.B[8] = stand->G[8];
+    K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
+    K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
+    K.B[0] = table->G[0];              K.B[1] = table->G[1] - sum.mu[2];  K.B[2] = table->G[2] + sum.mu[1];
+    K.B[3] = table->G[3] + sum.mu[2];  K.B[4] = table->G[4];              K.B[5] = table->G[5] - sum.mu[0];
+    K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     remus6_real rhs[6];  /* of the carrier */
@@ -1806,9 +1811,9 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            remus6_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
+            remus6_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
     remus6_real drive_slope[REMUS6_N][6];  /* of the bias torques by V */
@@ -1819,18 +1824,18 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
         const remus6_real c_phi = cosine[s];
         const remus6_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const remus6_real two_s2 = 4.0 * c_phi * s_phi;
-        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
-            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
-            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
-            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
-            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
-            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
-            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
+        J_p[0] = table->flywheel[s].J_2s[0] * two_c2 + table->flywheel[s].J_s[0] * c_phi
+            - table->flywheel[s].J_2c[0] * two_s2 - table->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = table->flywheel[s].J_2s[1] * two_c2 + table->flywheel[s].J_s[1] * c_phi
+            - table->flywheel[s].J_2c[1] * two_s2 - table->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = table->flywheel[s].J_2s[2] * two_c2 + table->flywheel[s].J_s[2] * c_phi
+            - table->flywheel[s].J_2c[2] * two_s2 - table->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = table->flywheel[s].J_2s[3] * two_c2 + table->flywheel[s].J_s[3] * c_phi
+            - table->flywheel[s].J_2c[3] * two_s2 - table->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = table->flywheel[s].J_2s[4] * two_c2 + table->flywheel[s].J_s[4] * c_phi
+            - table->flywheel[s].J_2c[4] * two_s2 - table->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = table->flywheel[s].J_2s[5] * two_c2 + table->flywheel[s].J_s[5] * c_phi
+            - table->flywheel[s].J_2c[5] * two_s2 - table->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
         turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
         turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
@@ -1850,7 +1855,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
         }
         for (int t = 0; t < REMUS6_N; ++t) {
             if (locked[t] == 0) {
-                const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -1866,7 +1871,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -1891,43 +1896,44 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
+            remus6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
             for (int t = 0; t < REMUS6_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             remus6_real mu_pp[3];  /* d2 mu / dphi2 */
             remus6_real J_pp[6];  /* d2 J / dphi2 */
             remus6_real I_p[6];  /* dI / dphi */
-            mu_pp[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            mu_pp[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            mu_pp[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            J_pp[0] = -4.0 * stand->flywheel[s].J_2c[0] * c2 - 4.0 * stand->flywheel[s].J_2s[0] * s2
-                - stand->flywheel[s].J_c[0] * c_phi - stand->flywheel[s].J_s[0] * s_phi;
-            J_pp[1] = -4.0 * stand->flywheel[s].J_2c[1] * c2 - 4.0 * stand->flywheel[s].J_2s[1] * s2
-                - stand->flywheel[s].J_c[1] * c_phi - stand->flywheel[s].J_s[1] * s_phi;
-            J_pp[2] = -4.0 * stand->flywheel[s].J_2c[2] * c2 - 4.0 * stand->flywheel[s].J_2s[2] * s2
-                - stand->flywheel[s].J_c[2] * c_phi - stand->flywheel[s].J_s[2] * s_phi;
-            J_pp[3] = -4.0 * stand->flywheel[s].J_2c[3] * c2 - 4.0 * stand->flywheel[s].J_2s[3] * s2
-                - stand->flywheel[s].J_c[3] * c_phi - stand->flywheel[s].J_s[3] * s_phi;
-            J_pp[4] = -4.0 * stand->flywheel[s].J_2c[4] * c2 - 4.0 * stand->flywheel[s].J_2s[4] * s2
-                - stand->flywheel[s].J_c[4] * c_phi - stand->flywheel[s].J_s[4] * s_phi;
-            J_pp[5] = -4.0 * stand->flywheel[s].J_2c[5] * c2 - 4.0 * stand->flywheel[s].J_2s[5] * s2
-                - stand->flywheel[s].J_c[5] * c_phi - stand->flywheel[s].J_s[5] * s_phi;
-            I_p[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            I_p[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            I_p[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            I_p[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-            I_p[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-            I_p[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+            mu_pp[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            mu_pp[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            mu_pp[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            J_pp[0] = -4.0 * table->flywheel[s].J_2c[0] * c2 - 4.0 * table->flywheel[s].J_2s[0] * s2
+                - table->flywheel[s].J_c[0] * c_phi - table->flywheel[s].J_s[0] * s_phi;
+            J_pp[1] = -4.0 * table->flywheel[s].J_2c[1] * c2 - 4.0 * table->flywheel[s].J_2s[1] * s2
+                - table->flywheel[s].J_c[1] * c_phi - table->flywheel[s].J_s[1] * s_phi;
+            J_pp[2] = -4.0 * table->flywheel[s].J_2c[2] * c2 - 4.0 * table->flywheel[s].J_2s[2] * s2
+                - table->flywheel[s].J_c[2] * c_phi - table->flywheel[s].J_s[2] * s_phi;
+            J_pp[3] = -4.0 * table->flywheel[s].J_2c[3] * c2 - 4.0 * table->flywheel[s].J_2s[3] * s2
+                - table->flywheel[s].J_c[3] * c_phi - table->flywheel[s].J_s[3] * s_phi;
+            J_pp[4] = -4.0 * table->flywheel[s].J_2c[4] * c2 - 4.0 * table->flywheel[s].J_2s[4] * s2
+                - table->flywheel[s].J_c[4] * c_phi - table->flywheel[s].J_s[4] * s_phi;
+            J_pp[5] = -4.0 * table->flywheel[s].J_2c[5] * c2 - 4.0 * table->flywheel[s].J_2s[5] * s2
+                - table->flywheel[s].J_c[5] * c_phi - table->flywheel[s].J_s[5] * s_phi;
+            I_p[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            I_p[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            I_p[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+            I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+            I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
             drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
-                + (mu_pp[0] * swing[0] + mu_pp[1] * swing[1] + mu_pp[2] * swing[2]
+                + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
+                + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * V[3] + J_pp[3] * V[4] + J_pp[4] * V[5]) * V[3]
                 - 0.5 * (J_pp[1] * V[4] + J_pp[3] * V[3] + J_pp[5] * V[5]) * V[4]
                 - 0.5 * (J_pp[2] * V[5] + J_pp[4] * V[3] + J_pp[5] * V[4]) * V[5]));
             for (int t = 0; t < REMUS6_N; ++t) {
                 if (locked[t] == 0) {
-                    const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1943,7 +1949,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1952,13 +1958,13 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            remus6_row_slope(&stand->flywheel[s], change, V, V_result, g, rhs);
+            remus6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
             for (int t = 0; t < REMUS6_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             for (int t = 0; t < REMUS6_N; ++t) {
                 if (locked[t] == 0) {
-                    const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1974,7 +1980,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1986,7 +1992,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
         drive_rhs[s] = 1.0;
         for (int t = 0; t < REMUS6_N; ++t) {
             if (locked[t] == 0) {
-                const remus6_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -2002,7 +2008,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -2095,7 +2101,7 @@ static remus6_status remus6_factor(remus6_inverse_work *restrict work)
 
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 REMUS6_CODE
-static remus6_status remus6_demand(const remus6_table *stand, const remus6_state *x,
+static remus6_status remus6_demand(const remus6_table *table, const remus6_state *x,
                                    const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
                                    const remus6_real V_dot[6], remus6_inverse_work *restrict work)
 {
@@ -2103,12 +2109,12 @@ static remus6_status remus6_demand(const remus6_table *stand, const remus6_state
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_sums sum;
     remus6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
@@ -2117,55 +2123,55 @@ static remus6_status remus6_demand(const remus6_table *stand, const remus6_state
     remus6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
     V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
     V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
-    remus6_start_sums(stand, &sum);
+    remus6_start_sums(table, &sum);
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     remus6_real column[6];  /* I_s */
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real s_phi = sine[s];
         const remus6_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
             work->I[i][s] = column[i];
         }
     }
     remus6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     remus6_real Z[6];  /* momentum screw (2) */
-    remus6_external(stand, &sum, V, g, F);
-    remus6_momentum_screw(stand, &sum, V, Z);
+    remus6_external(table, &sum, V, g, F);
+    remus6_momentum_screw(table, &sum, V, Z);
     remus6_subtract_rates(&sum, V, Z, F);
-    work->G[0][0] = stand->A[0];  work->G[0][1] = stand->A[3];  work->G[0][2] = stand->A[4];
-    work->G[0][3] = stand->G[0];
-    work->G[0][4] = stand->G[3] + sum.mu[2];
-    work->G[0][5] = stand->G[6] - sum.mu[1];
-    work->G[1][0] = stand->A[3];  work->G[1][1] = stand->A[1];  work->G[1][2] = stand->A[5];
-    work->G[1][3] = stand->G[1] - sum.mu[2];
-    work->G[1][4] = stand->G[4];
-    work->G[1][5] = stand->G[7] + sum.mu[0];
-    work->G[2][0] = stand->A[4];  work->G[2][1] = stand->A[5];  work->G[2][2] = stand->A[2];
-    work->G[2][3] = stand->G[2] + sum.mu[1];
-    work->G[2][4] = stand->G[5] - sum.mu[0];
-    work->G[2][5] = stand->G[8];
-    work->G[3][0] = stand->G[0];
-    work->G[3][1] = stand->G[1] - sum.mu[2];
-    work->G[3][2] = stand->G[2] + sum.mu[1];
+    work->G[0][0] = table->A[0];  work->G[0][1] = table->A[3];  work->G[0][2] = table->A[4];
+    work->G[0][3] = table->G[0];
+    work->G[0][4] = table->G[3] + sum.mu[2];
+    work->G[0][5] = table->G[6] - sum.mu[1];
+    work->G[1][0] = table->A[3];  work->G[1][1] = table->A[1];  work->G[1][2] = table->A[5];
+    work->G[1][3] = table->G[1] - sum.mu[2];
+    work->G[1][4] = table->G[4];
+    work->G[1][5] = table->G[7] + sum.mu[0];
+    work->G[2][0] = table->A[4];  work->G[2][1] = table->A[5];  work->G[2][2] = table->A[2];
+    work->G[2][3] = table->G[2] + sum.mu[1];
+    work->G[2][4] = table->G[5] - sum.mu[0];
+    work->G[2][5] = table->G[8];
+    work->G[3][0] = table->G[0];
+    work->G[3][1] = table->G[1] - sum.mu[2];
+    work->G[3][2] = table->G[2] + sum.mu[1];
     work->G[3][3] = sum.J[0];  work->G[3][4] = sum.J[3];  work->G[3][5] = sum.J[4];
-    work->G[4][0] = stand->G[3] + sum.mu[2];
-    work->G[4][1] = stand->G[4];
-    work->G[4][2] = stand->G[5] - sum.mu[0];
+    work->G[4][0] = table->G[3] + sum.mu[2];
+    work->G[4][1] = table->G[4];
+    work->G[4][2] = table->G[5] - sum.mu[0];
     work->G[4][3] = sum.J[3];  work->G[4][4] = sum.J[1];  work->G[4][5] = sum.J[5];
-    work->G[5][0] = stand->G[6] - sum.mu[1];
-    work->G[5][1] = stand->G[7] + sum.mu[0];
-    work->G[5][2] = stand->G[8];  work->G[5][3] = sum.J[4];     work->G[5][4] = sum.J[5];
+    work->G[5][0] = table->G[6] - sum.mu[1];
+    work->G[5][1] = table->G[7] + sum.mu[0];
+    work->G[5][2] = table->G[8];  work->G[5][3] = sum.J[4];     work->G[5][4] = sum.J[5];
     work->G[5][5] = sum.J[2];
     /* b = F - K V*: what the flywheels must give */
     for (int i = 0; i < 6; ++i) {
@@ -2179,7 +2185,7 @@ static remus6_status remus6_demand(const remus6_table *stand, const remus6_state
     status = remus6_factor(work);
     if (status != REMUS6_OK) { return status; }
     for (int s = 0; s < REMUS6_N; ++s) {
-        work->scale[s] = 1.0 / remus6_sqrt(stand->flywheel[s].spin);
+        work->scale[s] = 1.0 / remus6_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -2379,14 +2385,14 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
 
 /* (12) */
 REMUS6_CODE
-remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out)
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
@@ -2409,7 +2415,7 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_demand(stand, x, sine, cosine, V_dot, &work);
+    status = remus6_demand(table, x, sine, cosine, V_dot, &work);
     if (status != REMUS6_OK) { return status; }
     remus6_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2531,15 +2537,15 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
 
 /* (12) */
 REMUS6_CODE
-remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || phi_ddot == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
@@ -2557,7 +2563,7 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
-    status = remus6_demand(stand, x, sine, cosine, V_dot, &work);
+    status = remus6_demand(table, x, sine, cosine, V_dot, &work);
     if (status != REMUS6_OK) { return status; }
     /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
     remus6_real gram[6][6];
@@ -2623,7 +2629,7 @@ remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state 
 REMUS6_CODE
 static void remus6_sense(const remus6_sensor *sensor, const remus6_real r[3], const remus6_real V[6],
                          const remus6_real V_dot[6], const remus6_real C[9], const remus6_real g[3],
-                         remus6_reading *restrict out)
+                         remus6_points_result *restrict out)
 {
     remus6_real velocity[3];  /* in E1 */
     remus6_real force[3];  /* acceleration less gravity, in E1 */
@@ -2673,22 +2679,22 @@ static void remus6_sense(const remus6_sensor *sensor, const remus6_real r[3], co
 
 /* What an accelerometer and a gyro read at each instrument and point. */
 REMUS6_CODE
-remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
-                             remus6_reading out[REMUS6_SENSORS])
+remus6_status remus6_points(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
+                            remus6_points_result out[REMUS6_SENSORS])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || V_dot == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(V_dot, 6, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     for (int k = 0; k < REMUS6_SENSORS; ++k) {
-        remus6_sense(&stand->sensor[k], x->position, x->V, V_dot, C, g, &out[k]);
+        remus6_sense(&table->sensor[k], x->position, x->V, V_dot, C, g, &out[k]);
     }
     return REMUS6_OK;
 }
@@ -2715,9 +2721,9 @@ remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitud
 
 /* (10) */
 REMUS6_CODE
-remus6_status remus6_target(const remus6_real position[3], const remus6_real angles[3],
-                            const remus6_real q_dot[6], const remus6_real q_ddot[6], remus6_state *x,
-                            remus6_real V_dot[6])
+remus6_status remus6_state_from_coordinates(const remus6_real position[3], const remus6_real angles[3],
+                                            const remus6_real q_dot[6], const remus6_real q_ddot[6],
+                                            remus6_state *x, remus6_real V_dot[6])
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return REMUS6_BAD_ARGUMENT; }
@@ -2770,7 +2776,7 @@ remus6_status remus6_target(const remus6_real position[3], const remus6_real ang
 
 /* I0 = K A, J0 = K D + M A, (11). */
 REMUS6_CODE
-static void remus6_products(const remus6_equations *m, remus6_generalized *restrict out)
+static void remus6_products(const remus6_matrices_result *m, remus6_generalized_result *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2789,15 +2795,16 @@ static void remus6_products(const remus6_equations *m, remus6_generalized *restr
 
 /* (10), (11) */
 REMUS6_CODE
-remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
-                              const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out)
+remus6_status remus6_generalized(const remus6_table *table, const remus6_state *x,
+                                 const remus6_real angles[3], const remus6_real phi_ddot[REMUS6_N],
+                                 remus6_generalized_result *out)
 {
-    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || angles == NULL || phi_ddot == NULL
         || out == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status;
     remus6_state y;  /* the state with the attitude of the angles */
     remus6_real V_dot[6];
-    remus6_equations m;
+    remus6_matrices_result m;
     y = *x;
     status = remus6_quaternion(angles, y.attitude);
     if (status != REMUS6_OK) { return status; }
@@ -2806,9 +2813,9 @@ remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, 
     remus6_real s_phi, c_phi;
     remus6_sincos(angles[2], &s_phi, &c_phi);
     const remus6_real singular = c_theta;  /* A has no inverse where this is 0 */
-    status = remus6_forward(stand, &y, phi_ddot, V_dot);
+    status = remus6_forward(table, &y, phi_ddot, V_dot);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_matrices(stand, &y, &m);
+    status = remus6_matrices(table, &y, &m);
     if (status != REMUS6_OK) { return status; }
     if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return REMUS6_SINGULAR_ATTITUDE; }
     /* J0 of (11) holds M at V itself, not relative to the stream */
@@ -3231,9 +3238,9 @@ static remus6_status remus6_check_parameters(const remus6_parameters *parameters
 
 /* (2) */
 REMUS6_CODE
-remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *stand)
+remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *table)
 {
-    if (parameters == NULL || stand == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (parameters == NULL || table == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_parameters(parameters);
     if (status != REMUS6_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -3320,7 +3327,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        remus6_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, stand->flywheel[s].t_0);
+        remus6_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3331,16 +3338,16 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        remus6_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_c, stand->flywheel[s].J_c,
-            stand->flywheel[s].t_c);
+        remus6_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+            table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
         Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        remus6_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_s, stand->flywheel[s].J_s,
-            stand->flywheel[s].t_s);
+        remus6_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+            table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -3348,7 +3355,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        remus6_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2c, t);
+        remus6_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -3356,64 +3363,64 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        remus6_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2s, t);
-        stand->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
-        stand->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        remus6_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
         weight_mass += parameters->flywheel[s].body.mass;
     }
-    (void)remus6_translation_block(parameters, mass, stand->A, stand->A_inv);
-    stand->G[0] = parameters->added_mass[3][0];
-    stand->G[1] = parameters->added_mass[3][1];
-    stand->G[2] = parameters->added_mass[3][2];
-    stand->G[3] = parameters->added_mass[4][0];
-    stand->G[4] = parameters->added_mass[4][1];
-    stand->G[5] = parameters->added_mass[4][2];
-    stand->G[6] = parameters->added_mass[5][0];
-    stand->G[7] = parameters->added_mass[5][1];
-    stand->G[8] = parameters->added_mass[5][2];
+    (void)remus6_translation_block(parameters, mass, table->A, table->A_inv);
+    table->G[0] = parameters->added_mass[3][0];
+    table->G[1] = parameters->added_mass[3][1];
+    table->G[2] = parameters->added_mass[3][2];
+    table->G[3] = parameters->added_mass[4][0];
+    table->G[4] = parameters->added_mass[4][1];
+    table->G[5] = parameters->added_mass[4][2];
+    table->G[6] = parameters->added_mass[5][0];
+    table->G[7] = parameters->added_mass[5][1];
+    table->G[8] = parameters->added_mass[5][2];
     inertia[0] += parameters->added_mass[3][3];
     inertia[1] += parameters->added_mass[4][4];
     inertia[2] += parameters->added_mass[5][5];
     inertia[3] += parameters->added_mass[3][4];
     inertia[4] += parameters->added_mass[3][5];
     inertia[5] += parameters->added_mass[4][5];
-    stand->mass = mass;
-    stand->mass_inverse = 1.0 / mass;
-    stand->first_moment[0] = first_moment[0];
-    stand->first_moment[1] = first_moment[1];
-    stand->first_moment[2] = first_moment[2];
-    stand->inertia[0] = inertia[0];  stand->inertia[1] = inertia[1];  stand->inertia[2] = inertia[2];
-    stand->inertia[3] = inertia[3];  stand->inertia[4] = inertia[4];  stand->inertia[5] = inertia[5];
-    stand->weight_mass = weight_mass;
-    stand->displaced_moment[0] = displaced[0];
-    stand->displaced_moment[1] = displaced[1];
-    stand->displaced_moment[2] = displaced[2];
+    table->mass = mass;
+    table->mass_inverse = 1.0 / mass;
+    table->first_moment[0] = first_moment[0];
+    table->first_moment[1] = first_moment[1];
+    table->first_moment[2] = first_moment[2];
+    table->inertia[0] = inertia[0];  table->inertia[1] = inertia[1];  table->inertia[2] = inertia[2];
+    table->inertia[3] = inertia[3];  table->inertia[4] = inertia[4];  table->inertia[5] = inertia[5];
+    table->weight_mass = weight_mass;
+    table->displaced_moment[0] = displaced[0];
+    table->displaced_moment[1] = displaced[1];
+    table->displaced_moment[2] = displaced[2];
     /* poses of instruments and points */
     for (int k = 0; k < 1; ++k) {
         (void)remus6_frame_of_axes(parameters->instrument[k].axis, parameters->instrument[k].zero, R);
         O[0] = parameters->instrument[k].position[0];
         O[1] = parameters->instrument[k].position[1];
         O[2] = parameters->instrument[k].position[2];
-        stand->sensor[k].origin[0] = O[0];  stand->sensor[k].origin[1] = O[1];
-        stand->sensor[k].origin[2] = O[2];
-        stand->sensor[k].axes[0] = R[0];  stand->sensor[k].axes[1] = R[1];  stand->sensor[k].axes[2] = R[2];
-        stand->sensor[k].axes[3] = R[3];  stand->sensor[k].axes[4] = R[4];  stand->sensor[k].axes[5] = R[5];
-        stand->sensor[k].axes[6] = R[6];  stand->sensor[k].axes[7] = R[7];  stand->sensor[k].axes[8] = R[8];
+        table->sensor[k].origin[0] = O[0];  table->sensor[k].origin[1] = O[1];
+        table->sensor[k].origin[2] = O[2];
+        table->sensor[k].axes[0] = R[0];  table->sensor[k].axes[1] = R[1];  table->sensor[k].axes[2] = R[2];
+        table->sensor[k].axes[3] = R[3];  table->sensor[k].axes[4] = R[4];  table->sensor[k].axes[5] = R[5];
+        table->sensor[k].axes[6] = R[6];  table->sensor[k].axes[7] = R[7];  table->sensor[k].axes[8] = R[8];
     }
     for (int k = 0; k < 1; ++k) {
         (void)remus6_place_point(parameters, &parameters->point[k], O, R);
-        stand->sensor[k + 1].origin[0] = O[0];
-        stand->sensor[k + 1].origin[1] = O[1];
-        stand->sensor[k + 1].origin[2] = O[2];
-        stand->sensor[k + 1].axes[0] = R[0];
-        stand->sensor[k + 1].axes[1] = R[1];
-        stand->sensor[k + 1].axes[2] = R[2];
-        stand->sensor[k + 1].axes[3] = R[3];
-        stand->sensor[k + 1].axes[4] = R[4];
-        stand->sensor[k + 1].axes[5] = R[5];
-        stand->sensor[k + 1].axes[6] = R[6];
-        stand->sensor[k + 1].axes[7] = R[7];
-        stand->sensor[k + 1].axes[8] = R[8];
+        table->sensor[k + 1].origin[0] = O[0];
+        table->sensor[k + 1].origin[1] = O[1];
+        table->sensor[k + 1].origin[2] = O[2];
+        table->sensor[k + 1].axes[0] = R[0];
+        table->sensor[k + 1].axes[1] = R[1];
+        table->sensor[k + 1].axes[2] = R[2];
+        table->sensor[k + 1].axes[3] = R[3];
+        table->sensor[k + 1].axes[4] = R[4];
+        table->sensor[k + 1].axes[5] = R[5];
+        table->sensor[k + 1].axes[6] = R[6];
+        table->sensor[k + 1].axes[7] = R[7];
+        table->sensor[k + 1].axes[8] = R[8];
     }
     return REMUS6_OK;
 }
@@ -3509,15 +3516,15 @@ static void remus6_mount_wrench(const remus6_mount *mount, remus6_real s, remus6
 
 /* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
 REMUS6_CODE
-remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table *mounting,
+remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table *mounting,
                             const remus6_state *x, const remus6_real V_dot[6],
-                            const remus6_real phi_ddot[REMUS6_N], remus6_real loads[36])
+                            const remus6_real phi_ddot[REMUS6_N], remus6_real mount_wrench[36])
 {
-    if (stand == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
-        || loads == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || mount_wrench == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
-    status = remus6_within(stand->stream, 3, REMUS6_MAX_VELOCITY);
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
     if (status != REMUS6_OK) { return status; }
@@ -3526,12 +3533,12 @@ remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table 
     remus6_real C[9];  /* attitude */
     remus6_rotation(x->attitude, C);
     remus6_real u[3];  /* stream in E1 */
-    remus6_rotate_back(C, stand->stream, u);
+    remus6_rotate_back(C, table->stream, u);
     remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
     V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
     V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
     remus6_real g[3];  /* gravity in E1 */
-    remus6_rotate_back(C, stand->gravity, g);
+    remus6_rotate_back(C, table->gravity, g);
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
@@ -3549,7 +3556,7 @@ remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table 
         remus6_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], V,
             V_r_dot, g, W);
         for (int j = 0; j < 6; ++j) {
-            loads[s * 6 + j] = W[j];
+            mount_wrench[s * 6 + j] = W[j];
         }
     }
     return REMUS6_OK;

@@ -177,32 +177,32 @@ typedef struct remus6_table {
 } remus6_table;
 
 /* The matrices of (8). */
-typedef struct remus6_equations {
+typedef struct remus6_matrices_result {
     remus6_real K[6][6];         /* kg, kg m, kg m2; mass matrix (2) */
     remus6_real K_dot[6][6];     /* per s; its rate (6) */
     remus6_real M[6][6];         /* per s; velocity matrix (9), at V relative to the stream */
     remus6_real I[6][REMUS6_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
     remus6_real J[6][REMUS6_N];  /* per s; its velocity part (9) */
     remus6_real F[6];            /* N, N m; total external wrench (7) */
-} remus6_equations;
+} remus6_matrices_result;
 
 /* Momentum, energy and mass centre. */
-typedef struct remus6_momenta {
+typedef struct remus6_momentum_result {
     remus6_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
     remus6_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
     remus6_real energy;             /* J; kinetic */
     remus6_real center_of_mass[3];  /* m; of all bodies, in E1 */
-} remus6_momenta;
+} remus6_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
-typedef struct remus6_generalized {
+typedef struct remus6_generalized_result {
     remus6_real A[6][6];    /* V = A q' (10) */
     remus6_real D[6][6];    /* 1/s; A' along the motion (10) */
     remus6_real I0[6][6];   /* K A (11) */
     remus6_real J0[6][6];   /* K D + M A (11) */
     remus6_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
     remus6_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
-} remus6_generalized;
+} remus6_generalized_result;
 
 /* One flywheel and how it sits: for mounts only. */
 typedef struct remus6_mount {
@@ -219,14 +219,14 @@ typedef struct remus6_mount_table {
 } remus6_mount_table;
 
 /* Motion at an instrument or a point. */
-typedef struct remus6_reading {
+typedef struct remus6_points_result {
     remus6_real position[3];              /* m; in E0 */
     remus6_real C[3][3];                  /* own axes to E0 */
     remus6_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes: a gyro reads the last
                                            * three */
     remus6_real specific_force[3];        /* m/s2; acceleration less gravity, in own axes: an accelerometer */
     remus6_real angular_acceleration[3];  /* rad/s2; in own axes */
-} remus6_reading;
+} remus6_points_result;
 
 /* An encoder whose counter wraps. Kept by accumulate. */
 typedef struct remus6_encoder {
@@ -257,7 +257,7 @@ typedef struct remus6_inverse_result {
 } remus6_inverse_result;
 
 /* Derivatives of coupled. */
-typedef struct remus6_coupled_slopes {
+typedef struct remus6_coupled_jacobian_result {
     remus6_real V_dot_V[6][6];                         /* of V* by V: row i, column j */
     remus6_real V_dot_phi[6][REMUS6_N];                /* of V* by the phases */
     remus6_real V_dot_phi_dot[6][REMUS6_N];            /* by the speeds */
@@ -266,15 +266,15 @@ typedef struct remus6_coupled_slopes {
     remus6_real phi_ddot_phi[REMUS6_N][REMUS6_N];      /* of phi'' by the phases */
     remus6_real phi_ddot_phi_dot[REMUS6_N][REMUS6_N];  /* by the speeds */
     remus6_real phi_ddot_tau[REMUS6_N][REMUS6_N];      /* by the drive torques */
-} remus6_coupled_slopes;
+} remus6_coupled_jacobian_result;
 
 /* Derivatives of forward. */
-typedef struct remus6_forward_slopes {
+typedef struct remus6_forward_jacobian_result {
     remus6_real V_dot_V[6][6];                /* of V* by V: row i, column j */
     remus6_real V_dot_phi[6][REMUS6_N];       /* of V* by the phases */
     remus6_real V_dot_phi_dot[6][REMUS6_N];   /* by the speeds */
     remus6_real V_dot_phi_ddot[6][REMUS6_N];  /* by the accelerations */
-} remus6_forward_slopes;
+} remus6_forward_jacobian_result;
 
 extern const remus6_parameters remus6_default_parameters;         /* of the stand file */
 extern const remus6_table remus6_default;                         /* what prepare makes of them */
@@ -284,54 +284,54 @@ extern const remus6_inverse_options remus6_default_options;       /* of inverse,
 
 /* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
  * phi'' + J phi'), (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2044 operations on reals, 4 of them divisions. */
-remus6_status remus6_forward(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_forward(const remus6_table *table, const remus6_state *x,
                              const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6]);
 
 /* wrench: total external wrench of all bodies at a state, (7).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1671 operations on reals, 1 of them a division. */
-remus6_status remus6_wrench(const remus6_table *stand, const remus6_state *x, remus6_real F[6]);
+remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, remus6_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2385 operations on reals, 1 of them a division. */
-remus6_status remus6_matrices(const remus6_table *stand, const remus6_state *x, remus6_equations *out);
+remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, remus6_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2004 operations on reals, 1 of them a division. */
-remus6_status remus6_momentum(const remus6_table *stand, const remus6_state *x, remus6_momenta *out);
+remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, remus6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1170 operations on reals, 1 of them a division. */
-remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+remus6_status remus6_torque(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[6]       N m; drive torques, mount on flywheel
  *   locked[6]    not 0: a lock holds phi'' = 0, whatever its tau
@@ -340,12 +340,12 @@ remus6_status remus6_torque(const remus6_table *stand, const remus6_state *x, co
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 3059 operations on reals, 5 of them divisions. */
-remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_coupled(const remus6_table *table, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                              remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N]);
 
 /* step: state a time step later, under drive torques and wrenches held constant.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
  *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -356,11 +356,11 @@ remus6_status remus6_coupled(const remus6_table *stand, const remus6_state *x,
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 12902 operations on reals, 26 of them divisions. */
-remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, const remus6_real tau[REMUS6_N],
+remus6_status remus6_step(const remus6_table *table, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next);
 
 /* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
@@ -370,7 +370,7 @@ remus6_status remus6_step(const remus6_table *stand, const remus6_state *x, cons
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 8842 operations on reals, 22 of them divisions. */
-remus6_status remus6_step_driven(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_step_driven(const remus6_table *table, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next);
 
@@ -416,7 +416,7 @@ remus6_status remus6_speed_of_counts(int moved, int per_turn, remus6_real dt, re
 remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
@@ -424,11 +424,12 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 10894 operations on reals, 76 of them divisions. */
-remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_state *x,
-                                      const remus6_real phi_ddot[REMUS6_N], remus6_forward_slopes *out);
+remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_state *x,
+                                      const remus6_real phi_ddot[REMUS6_N],
+                                      remus6_forward_jacobian_result *out);
 
 /* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[6]     N m; drive torques, mount on flywheel
  *   locked[6]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -437,14 +438,14 @@ remus6_status remus6_forward_jacobian(const remus6_table *stand, const remus6_st
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 19624 operations on reals, 102 of them divisions. */
-remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
-                                      remus6_coupled_slopes *out);
+                                      remus6_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
  * is shared among the others, (12).
- *   stand     the prepared table
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
  *   options   weights, limits, damping; default_options has those of the stand
@@ -453,12 +454,12 @@ remus6_status remus6_coupled_jacobian(const remus6_table *stand, const remus6_st
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
  * At most 42649 operations on reals, 1180 of them divisions. */
-remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
+remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
 /* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
  * equations, (12).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
  *   options      weights and damping; near and limits are not read
@@ -469,19 +470,19 @@ remus6_status remus6_inverse(const remus6_table *stand, const remus6_state *x, c
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 3553 operations on reals, 97 of them divisions. */
-remus6_status remus6_inverse_fast(const remus6_table *stand, const remus6_state *x,
+remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);
 
-/* measure: what an accelerometer and a gyro read at each instrument and point.
- *   stand     the prepared table
+/* points: what an accelerometer and a gyro read at each instrument and point.
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[2]    out: a reading each
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 543 operations on reals, 1 of them a division. */
-remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, const remus6_real V_dot[6],
-                             remus6_reading out[REMUS6_SENSORS]);
+remus6_status remus6_points(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
+                            remus6_points_result out[REMUS6_SENSORS]);
 
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
@@ -490,7 +491,8 @@ remus6_status remus6_measure(const remus6_table *stand, const remus6_state *x, c
  * At most 176 operations on reals, no division. */
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4]);
 
-/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
+/* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
+ * + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
@@ -500,13 +502,13 @@ remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitud
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
  * At most 465 operations on reals, 1 of them a division. */
-remus6_status remus6_target(const remus6_real position[3], const remus6_real angles[3],
-                            const remus6_real q_dot[6], const remus6_real q_ddot[6], remus6_state *x,
-                            remus6_real V_dot[6]);
+remus6_status remus6_state_from_coordinates(const remus6_real position[3], const remus6_real angles[3],
+                                            const remus6_real q_dot[6], const remus6_real q_ddot[6],
+                                            remus6_state *x, remus6_real V_dot[6]);
 
-/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+/* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude is not read, the angles take its place
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[6]  rad/s2; flywheel accelerations
@@ -514,12 +516,13 @@ remus6_status remus6_target(const remus6_real position[3], const remus6_real ang
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
  * At most 6438 operations on reals, 7 of them divisions. */
-remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, const remus6_real angles[3],
-                              const remus6_real phi_ddot[REMUS6_N], remus6_generalized *out);
+remus6_status remus6_generalized(const remus6_table *table, const remus6_state *x,
+                                 const remus6_real angles[3], const remus6_real phi_ddot[REMUS6_N],
+                                 remus6_generalized_result *out);
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
  * RANGE also where a mass is negative or axes have no direction.
  * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
@@ -528,21 +531,21 @@ remus6_status remus6_attitude(const remus6_table *stand, const remus6_state *x, 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 12196 operations on reals, 110 of them divisions. */
-remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *stand);
+remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *table);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   stand        the prepared table
- *   mounting     made once by prepare_mounts
- *   x            state; its attitude within 1e-3 of unit length
- *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
- *   phi_ddot[6]  rad/s2; flywheel accelerations
- *   loads[36]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
- *                at phi = 0; the fourth is tau
+ *   table             the prepared table
+ *   mounting          made once by prepare_mounts
+ *   x                 state; its attitude within 1e-3 of unit length
+ *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[6]       rad/s2; flywheel accelerations
+ *   mount_wrench[36]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
+ *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 2325 operations on reals, 1 of them a division. */
-remus6_status remus6_mounts(const remus6_table *stand, const remus6_mount_table *mounting,
+remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table *mounting,
                             const remus6_state *x, const remus6_real V_dot[6],
-                            const remus6_real phi_ddot[REMUS6_N], remus6_real loads[36]);
+                            const remus6_real phi_ddot[REMUS6_N], remus6_real mount_wrench[36]);
 
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings

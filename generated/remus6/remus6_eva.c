@@ -16,8 +16,8 @@
 #include "remus6.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
- * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
- * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+ * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
+ * correctly rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
 
 /*@ requires -10000000.0 <= x <= 10000000.0;
     assigns *sine, *cosine \from x;
@@ -176,7 +176,7 @@ static void untouched(const remus6_real *x, int count)
 static void normal_state(remus6_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    quaternion(x->attitude, 2.0);
+    reals(&x->attitude[0], 4, 1.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 6, 100.0);
     reals(&x->phi_dot[0], 6, 1.0e3);
@@ -185,7 +185,7 @@ static void normal_state(remus6_state *x)
 static void any_state(remus6_state *x)
 {
     reals(&x->position[0], 3, REMUS6_LARGEST);
-    quaternion(x->attitude, REMUS6_LARGEST);
+    reals(&x->attitude[0], 4, REMUS6_LARGEST);
     reals(&x->V[0], 6, REMUS6_LARGEST);
     reals(&x->phi[0], 6, REMUS6_LARGEST);
     reals(&x->phi_dot[0], 6, REMUS6_LARGEST);
@@ -350,7 +350,7 @@ static void bits_parameters(remus6_parameters *x)
     }
 }
 
-static void untouched_equations(const remus6_equations *x)
+static void untouched_matrices_result(const remus6_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -360,7 +360,7 @@ static void untouched_equations(const remus6_equations *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_equations(const remus6_equations *x)
+static void written_matrices_result(const remus6_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -370,7 +370,7 @@ static void written_equations(const remus6_equations *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_equations(const remus6_equations *x)
+static void initialised_matrices_result(const remus6_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -380,7 +380,7 @@ static void initialised_equations(const remus6_equations *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momenta(const remus6_momenta *x)
+static void untouched_momentum_result(const remus6_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -388,7 +388,7 @@ static void untouched_momenta(const remus6_momenta *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momenta(const remus6_momenta *x)
+static void written_momentum_result(const remus6_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -396,7 +396,7 @@ static void written_momenta(const remus6_momenta *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momenta(const remus6_momenta *x)
+static void initialised_momentum_result(const remus6_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -445,7 +445,7 @@ static void initialised_encoder(const remus6_encoder *x)
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_slopes(const remus6_forward_slopes *x)
+static void untouched_forward_jacobian_result(const remus6_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -453,7 +453,7 @@ static void untouched_forward_slopes(const remus6_forward_slopes *x)
     untouched(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void written_forward_slopes(const remus6_forward_slopes *x)
+static void written_forward_jacobian_result(const remus6_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -461,7 +461,7 @@ static void written_forward_slopes(const remus6_forward_slopes *x)
     written(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void initialised_forward_slopes(const remus6_forward_slopes *x)
+static void initialised_forward_jacobian_result(const remus6_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -469,7 +469,7 @@ static void initialised_forward_slopes(const remus6_forward_slopes *x)
     initialised(&x->V_dot_phi_ddot[0][0], 36);
 }
 
-static void untouched_coupled_slopes(const remus6_coupled_slopes *x)
+static void untouched_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 36);
@@ -481,7 +481,7 @@ static void untouched_coupled_slopes(const remus6_coupled_slopes *x)
     untouched(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void written_coupled_slopes(const remus6_coupled_slopes *x)
+static void written_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 36);
@@ -493,7 +493,7 @@ static void written_coupled_slopes(const remus6_coupled_slopes *x)
     written(&x->phi_ddot_tau[0][0], 36);
 }
 
-static void initialised_coupled_slopes(const remus6_coupled_slopes *x)
+static void initialised_coupled_jacobian_result(const remus6_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 36);
@@ -536,7 +536,7 @@ static void initialised_inverse_result(const remus6_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized(const remus6_generalized *x)
+static void untouched_generalized_result(const remus6_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -546,7 +546,7 @@ static void untouched_generalized(const remus6_generalized *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized(const remus6_generalized *x)
+static void written_generalized_result(const remus6_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -556,7 +556,7 @@ static void written_generalized(const remus6_generalized *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized(const remus6_generalized *x)
+static void initialised_generalized_result(const remus6_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -927,14 +927,14 @@ static void initialised_mount_table(const remus6_mount_table *x)
 void remus6_eva_normal_forward(void);
 void remus6_eva_normal_forward(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
     remus6_real V_dot[6];
-    const remus6_status status = remus6_forward(&stand, &x, phi_ddot, V_dot);
+    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -946,14 +946,14 @@ void remus6_eva_normal_forward(void)
 void remus6_eva_any_forward(void);
 void remus6_eva_any_forward(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, REMUS6_LARGEST);
     remus6_real V_dot[6];
-    const remus6_status status = remus6_forward(&stand, &x, phi_ddot, V_dot);
+    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -965,14 +965,14 @@ void remus6_eva_any_forward(void)
 void remus6_eva_bits_forward(void);
 void remus6_eva_bits_forward(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
     remus6_real V_dot[6];
-    const remus6_status status = remus6_forward(&stand, &x, phi_ddot, V_dot);
+    const remus6_status status = remus6_forward(&table, &x, phi_ddot, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -984,12 +984,12 @@ void remus6_eva_bits_forward(void)
 void remus6_eva_normal_wrench(void);
 void remus6_eva_normal_wrench(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real F[6];
-    const remus6_status status = remus6_wrench(&stand, &x, F);
+    const remus6_status status = remus6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -1001,12 +1001,12 @@ void remus6_eva_normal_wrench(void)
 void remus6_eva_any_wrench(void);
 void remus6_eva_any_wrench(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real F[6];
-    const remus6_status status = remus6_wrench(&stand, &x, F);
+    const remus6_status status = remus6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -1018,12 +1018,12 @@ void remus6_eva_any_wrench(void)
 void remus6_eva_bits_wrench(void);
 void remus6_eva_bits_wrench(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real F[6];
-    const remus6_status status = remus6_wrench(&stand, &x, F);
+    const remus6_status status = remus6_wrench(&table, &x, F);
     if (status < 0) {
         untouched(&F[0], 6);
     } else {
@@ -1035,110 +1035,110 @@ void remus6_eva_bits_wrench(void)
 void remus6_eva_normal_matrices(void);
 void remus6_eva_normal_matrices(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
-    remus6_equations out;
-    const remus6_status status = remus6_matrices(&stand, &x, &out);
+    remus6_matrices_result out;
+    const remus6_status status = remus6_matrices(&table, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
 void remus6_eva_any_matrices(void);
 void remus6_eva_any_matrices(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
-    remus6_equations out;
-    const remus6_status status = remus6_matrices(&stand, &x, &out);
+    remus6_matrices_result out;
+    const remus6_status status = remus6_matrices(&table, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
 void remus6_eva_bits_matrices(void);
 void remus6_eva_bits_matrices(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
-    remus6_equations out;
-    const remus6_status status = remus6_matrices(&stand, &x, &out);
+    remus6_matrices_result out;
+    const remus6_status status = remus6_matrices(&table, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_equations(&out);
+        initialised_matrices_result(&out);
     }
 }
 
 void remus6_eva_normal_momentum(void);
 void remus6_eva_normal_momentum(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
-    remus6_momenta out;
-    const remus6_status status = remus6_momentum(&stand, &x, &out);
+    remus6_momentum_result out;
+    const remus6_status status = remus6_momentum(&table, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
 void remus6_eva_any_momentum(void);
 void remus6_eva_any_momentum(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
-    remus6_momenta out;
-    const remus6_status status = remus6_momentum(&stand, &x, &out);
+    remus6_momentum_result out;
+    const remus6_status status = remus6_momentum(&table, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
 void remus6_eva_bits_momentum(void);
 void remus6_eva_bits_momentum(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
-    remus6_momenta out;
-    const remus6_status status = remus6_momentum(&stand, &x, &out);
+    remus6_momentum_result out;
+    const remus6_status status = remus6_momentum(&table, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_momenta(&out);
+        initialised_momentum_result(&out);
     }
 }
 
 void remus6_eva_normal_torque(void);
 void remus6_eva_normal_torque(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real V_dot[6];
@@ -1146,7 +1146,7 @@ void remus6_eva_normal_torque(void)
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
     remus6_real tau[REMUS6_N];
-    const remus6_status status = remus6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1158,8 +1158,8 @@ void remus6_eva_normal_torque(void)
 void remus6_eva_any_torque(void);
 void remus6_eva_any_torque(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real V_dot[6];
@@ -1167,7 +1167,7 @@ void remus6_eva_any_torque(void)
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, REMUS6_LARGEST);
     remus6_real tau[REMUS6_N];
-    const remus6_status status = remus6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1179,8 +1179,8 @@ void remus6_eva_any_torque(void)
 void remus6_eva_bits_torque(void);
 void remus6_eva_bits_torque(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real V_dot[6];
@@ -1188,7 +1188,7 @@ void remus6_eva_bits_torque(void)
     remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
     remus6_real tau[REMUS6_N];
-    const remus6_status status = remus6_torque(&stand, &x, V_dot, phi_ddot, tau);
+    const remus6_status status = remus6_torque(&table, &x, V_dot, phi_ddot, tau);
     if (status < 0) {
         untouched(&tau[0], 6);
     } else {
@@ -1200,8 +1200,8 @@ void remus6_eva_bits_torque(void)
 void remus6_eva_normal_coupled(void);
 void remus6_eva_normal_coupled(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real tau[REMUS6_N];
@@ -1210,7 +1210,7 @@ void remus6_eva_normal_coupled(void)
     integers(&locked[0], 6, 0, 1);
     remus6_real V_dot[6];
     remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1224,8 +1224,8 @@ void remus6_eva_normal_coupled(void)
 void remus6_eva_any_coupled(void);
 void remus6_eva_any_coupled(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real tau[REMUS6_N];
@@ -1234,7 +1234,7 @@ void remus6_eva_any_coupled(void)
     integers(&locked[0], 6, INT_MIN, INT_MAX);
     remus6_real V_dot[6];
     remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1248,8 +1248,8 @@ void remus6_eva_any_coupled(void)
 void remus6_eva_bits_coupled(void);
 void remus6_eva_bits_coupled(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real tau[REMUS6_N];
@@ -1258,7 +1258,7 @@ void remus6_eva_bits_coupled(void)
     integers(&locked[0], 6, INT_MIN, INT_MAX);
     remus6_real V_dot[6];
     remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_coupled(&stand, &x, tau, locked, V_dot, phi_ddot);
+    const remus6_status status = remus6_coupled(&table, &x, tau, locked, V_dot, phi_ddot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
         untouched(&phi_ddot[0], 6);
@@ -1272,8 +1272,8 @@ void remus6_eva_bits_coupled(void)
 void remus6_eva_normal_step(void);
 void remus6_eva_normal_step(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real tau[REMUS6_N];
@@ -1285,7 +1285,7 @@ void remus6_eva_normal_step(void)
     int order;
     integers(&order, 1, 2, 4);
     remus6_state next;
-    const remus6_status status = remus6_step(&stand, &x, tau, locked, dt, order, &next);
+    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1297,8 +1297,8 @@ void remus6_eva_normal_step(void)
 void remus6_eva_any_step(void);
 void remus6_eva_any_step(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real tau[REMUS6_N];
@@ -1310,7 +1310,7 @@ void remus6_eva_any_step(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     remus6_state next;
-    const remus6_status status = remus6_step(&stand, &x, tau, locked, dt, order, &next);
+    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1322,8 +1322,8 @@ void remus6_eva_any_step(void)
 void remus6_eva_bits_step(void);
 void remus6_eva_bits_step(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real tau[REMUS6_N];
@@ -1335,7 +1335,7 @@ void remus6_eva_bits_step(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     remus6_state next;
-    const remus6_status status = remus6_step(&stand, &x, tau, locked, dt, order, &next);
+    const remus6_status status = remus6_step(&table, &x, tau, locked, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1347,8 +1347,8 @@ void remus6_eva_bits_step(void)
 void remus6_eva_normal_step_driven(void);
 void remus6_eva_normal_step_driven(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real phi_ddot[REMUS6_N];
@@ -1358,7 +1358,7 @@ void remus6_eva_normal_step_driven(void)
     int order;
     integers(&order, 1, 2, 4);
     remus6_state next;
-    const remus6_status status = remus6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1370,8 +1370,8 @@ void remus6_eva_normal_step_driven(void)
 void remus6_eva_any_step_driven(void);
 void remus6_eva_any_step_driven(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real phi_ddot[REMUS6_N];
@@ -1381,7 +1381,7 @@ void remus6_eva_any_step_driven(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     remus6_state next;
-    const remus6_status status = remus6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1393,8 +1393,8 @@ void remus6_eva_any_step_driven(void)
 void remus6_eva_bits_step_driven(void);
 void remus6_eva_bits_step_driven(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real phi_ddot[REMUS6_N];
@@ -1404,7 +1404,7 @@ void remus6_eva_bits_step_driven(void)
     int order;
     integers(&order, 1, INT_MIN, INT_MAX);
     remus6_state next;
-    const remus6_status status = remus6_step_driven(&stand, &x, phi_ddot, dt, order, &next);
+    const remus6_status status = remus6_step_driven(&table, &x, phi_ddot, dt, order, &next);
     if (status < 0) {
         untouched_state(&next);
     } else {
@@ -1632,128 +1632,128 @@ void remus6_eva_bits_accumulate(void)
 void remus6_eva_normal_forward_jacobian(void);
 void remus6_eva_normal_forward_jacobian(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_forward_slopes out;
-    const remus6_status status = remus6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    remus6_forward_jacobian_result out;
+    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
 void remus6_eva_any_forward_jacobian(void);
 void remus6_eva_any_forward_jacobian(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_forward_slopes out;
-    const remus6_status status = remus6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    remus6_forward_jacobian_result out;
+    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
 void remus6_eva_bits_forward_jacobian(void);
 void remus6_eva_bits_forward_jacobian(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_forward_slopes out;
-    const remus6_status status = remus6_forward_jacobian(&stand, &x, phi_ddot, &out);
+    remus6_forward_jacobian_result out;
+    const remus6_status status = remus6_forward_jacobian(&table, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_forward_slopes(&out);
+        initialised_forward_jacobian_result(&out);
     }
 }
 
 void remus6_eva_normal_coupled_jacobian(void);
 void remus6_eva_normal_coupled_jacobian(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real tau[REMUS6_N];
     reals(&tau[0], 6, 100.0);
     int locked[REMUS6_N];
     integers(&locked[0], 6, 0, 1);
-    remus6_coupled_slopes out;
-    const remus6_status status = remus6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    remus6_coupled_jacobian_result out;
+    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
 void remus6_eva_any_coupled_jacobian(void);
 void remus6_eva_any_coupled_jacobian(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real tau[REMUS6_N];
     reals(&tau[0], 6, REMUS6_LARGEST);
     int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_coupled_slopes out;
-    const remus6_status status = remus6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    remus6_coupled_jacobian_result out;
+    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
 void remus6_eva_bits_coupled_jacobian(void);
 void remus6_eva_bits_coupled_jacobian(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real tau[REMUS6_N];
     all_bits(&tau[0], 6);
     int locked[REMUS6_N];
     integers(&locked[0], 6, INT_MIN, INT_MAX);
-    remus6_coupled_slopes out;
-    const remus6_status status = remus6_coupled_jacobian(&stand, &x, tau, locked, &out);
+    remus6_coupled_jacobian_result out;
+    const remus6_status status = remus6_coupled_jacobian(&table, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_coupled_slopes(&out);
+        initialised_coupled_jacobian_result(&out);
     }
 }
 
 void remus6_eva_normal_inverse(void);
 void remus6_eva_normal_inverse(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real V_dot[6];
@@ -1761,7 +1761,7 @@ void remus6_eva_normal_inverse(void)
     remus6_inverse_options options;
     normal_inverse_options(&options);
     remus6_inverse_result out;
-    const remus6_status status = remus6_inverse(&stand, &x, V_dot, &options, &out);
+    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1773,8 +1773,8 @@ void remus6_eva_normal_inverse(void)
 void remus6_eva_any_inverse(void);
 void remus6_eva_any_inverse(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real V_dot[6];
@@ -1782,7 +1782,7 @@ void remus6_eva_any_inverse(void)
     remus6_inverse_options options;
     any_inverse_options(&options);
     remus6_inverse_result out;
-    const remus6_status status = remus6_inverse(&stand, &x, V_dot, &options, &out);
+    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1794,8 +1794,8 @@ void remus6_eva_any_inverse(void)
 void remus6_eva_bits_inverse(void);
 void remus6_eva_bits_inverse(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real V_dot[6];
@@ -1803,7 +1803,7 @@ void remus6_eva_bits_inverse(void)
     remus6_inverse_options options;
     bits_inverse_options(&options);
     remus6_inverse_result out;
-    const remus6_status status = remus6_inverse(&stand, &x, V_dot, &options, &out);
+    const remus6_status status = remus6_inverse(&table, &x, V_dot, &options, &out);
     if (status < 0) {
         untouched_inverse_result(&out);
     } else {
@@ -1815,8 +1815,8 @@ void remus6_eva_bits_inverse(void)
 void remus6_eva_normal_inverse_fast(void);
 void remus6_eva_normal_inverse_fast(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real V_dot[6];
@@ -1824,7 +1824,7 @@ void remus6_eva_normal_inverse_fast(void)
     remus6_inverse_options options;
     normal_inverse_options(&options);
     remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1836,8 +1836,8 @@ void remus6_eva_normal_inverse_fast(void)
 void remus6_eva_any_inverse_fast(void);
 void remus6_eva_any_inverse_fast(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real V_dot[6];
@@ -1845,7 +1845,7 @@ void remus6_eva_any_inverse_fast(void)
     remus6_inverse_options options;
     any_inverse_options(&options);
     remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1857,8 +1857,8 @@ void remus6_eva_any_inverse_fast(void)
 void remus6_eva_bits_inverse_fast(void);
 void remus6_eva_bits_inverse_fast(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real V_dot[6];
@@ -1866,7 +1866,7 @@ void remus6_eva_bits_inverse_fast(void)
     remus6_inverse_options options;
     bits_inverse_options(&options);
     remus6_real phi_ddot[REMUS6_N];
-    const remus6_status status = remus6_inverse_fast(&stand, &x, V_dot, &options, phi_ddot);
+    const remus6_status status = remus6_inverse_fast(&table, &x, V_dot, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 6);
     } else {
@@ -1875,17 +1875,17 @@ void remus6_eva_bits_inverse_fast(void)
     }
 }
 
-void remus6_eva_normal_measure(void);
-void remus6_eva_normal_measure(void)
+void remus6_eva_normal_points(void);
+void remus6_eva_normal_points(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    remus6_reading out[REMUS6_SENSORS];
-    const remus6_status status = remus6_measure(&stand, &x, V_dot, out);
+    remus6_points_result out[REMUS6_SENSORS];
+    const remus6_status status = remus6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1912,17 +1912,17 @@ void remus6_eva_normal_measure(void)
     }
 }
 
-void remus6_eva_any_measure(void);
-void remus6_eva_any_measure(void)
+void remus6_eva_any_points(void);
+void remus6_eva_any_points(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real V_dot[6];
     reals(&V_dot[0], 6, REMUS6_LARGEST);
-    remus6_reading out[REMUS6_SENSORS];
-    const remus6_status status = remus6_measure(&stand, &x, V_dot, out);
+    remus6_points_result out[REMUS6_SENSORS];
+    const remus6_status status = remus6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1949,17 +1949,17 @@ void remus6_eva_any_measure(void)
     }
 }
 
-void remus6_eva_bits_measure(void);
-void remus6_eva_bits_measure(void)
+void remus6_eva_bits_points(void);
+void remus6_eva_bits_points(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    remus6_reading out[REMUS6_SENSORS];
-    const remus6_status status = remus6_measure(&stand, &x, V_dot, out);
+    remus6_points_result out[REMUS6_SENSORS];
+    const remus6_status status = remus6_points(&table, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -2031,8 +2031,8 @@ void remus6_eva_bits_quaternion(void)
     }
 }
 
-void remus6_eva_normal_target(void);
-void remus6_eva_normal_target(void)
+void remus6_eva_normal_state_from_coordinates(void);
+void remus6_eva_normal_state_from_coordinates(void)
 {
     remus6_real position[3];
     reals(&position[0], 3, 100.0);
@@ -2045,7 +2045,7 @@ void remus6_eva_normal_target(void)
     remus6_state x;
     normal_state(&x);
     remus6_real V_dot[6];
-    const remus6_status status = remus6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2055,8 +2055,8 @@ void remus6_eva_normal_target(void)
     }
 }
 
-void remus6_eva_any_target(void);
-void remus6_eva_any_target(void)
+void remus6_eva_any_state_from_coordinates(void);
+void remus6_eva_any_state_from_coordinates(void)
 {
     remus6_real position[3];
     reals(&position[0], 3, REMUS6_LARGEST);
@@ -2069,7 +2069,7 @@ void remus6_eva_any_target(void)
     remus6_state x;
     any_state(&x);
     remus6_real V_dot[6];
-    const remus6_status status = remus6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2079,8 +2079,8 @@ void remus6_eva_any_target(void)
     }
 }
 
-void remus6_eva_bits_target(void);
-void remus6_eva_bits_target(void)
+void remus6_eva_bits_state_from_coordinates(void);
+void remus6_eva_bits_state_from_coordinates(void)
 {
     remus6_real position[3];
     all_bits(&position[0], 3);
@@ -2093,7 +2093,7 @@ void remus6_eva_bits_target(void)
     remus6_state x;
     bits_state(&x);
     remus6_real V_dot[6];
-    const remus6_status status = remus6_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const remus6_status status = remus6_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -2103,66 +2103,66 @@ void remus6_eva_bits_target(void)
     }
 }
 
-void remus6_eva_normal_attitude(void);
-void remus6_eva_normal_attitude(void)
+void remus6_eva_normal_generalized(void);
+void remus6_eva_normal_generalized(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_state x;
     normal_state(&x);
     remus6_real angles[3];
     reals(&angles[0], 3, 7.0);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_generalized out;
-    const remus6_status status = remus6_attitude(&stand, &x, angles, phi_ddot, &out);
+    remus6_generalized_result out;
+    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void remus6_eva_any_attitude(void);
-void remus6_eva_any_attitude(void)
+void remus6_eva_any_generalized(void);
+void remus6_eva_any_generalized(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_state x;
     any_state(&x);
     remus6_real angles[3];
     reals(&angles[0], 3, REMUS6_LARGEST);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_generalized out;
-    const remus6_status status = remus6_attitude(&stand, &x, angles, phi_ddot, &out);
+    remus6_generalized_result out;
+    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void remus6_eva_bits_attitude(void);
-void remus6_eva_bits_attitude(void)
+void remus6_eva_bits_generalized(void);
+void remus6_eva_bits_generalized(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_state x;
     bits_state(&x);
     remus6_real angles[3];
     all_bits(&angles[0], 3);
     remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_generalized out;
-    const remus6_status status = remus6_attitude(&stand, &x, angles, phi_ddot, &out);
+    remus6_generalized_result out;
+    const remus6_status status = remus6_generalized(&table, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_generalized(&out);
+        initialised_generalized_result(&out);
     }
 }
 
@@ -2171,13 +2171,13 @@ void remus6_eva_normal_prepare(void)
 {
     remus6_parameters parameters;
     normal_parameters(&parameters);
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
-    const remus6_status status = remus6_prepare(&parameters, &stand);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
+    const remus6_status status = remus6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -2186,13 +2186,13 @@ void remus6_eva_any_prepare(void)
 {
     remus6_parameters parameters;
     any_parameters(&parameters);
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
-    const remus6_status status = remus6_prepare(&parameters, &stand);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    const remus6_status status = remus6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -2201,21 +2201,21 @@ void remus6_eva_bits_prepare(void)
 {
     remus6_parameters parameters;
     bits_parameters(&parameters);
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
-    const remus6_status status = remus6_prepare(&parameters, &stand);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
+    const remus6_status status = remus6_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised_table(&stand);
+        initialised_table(&table);
     }
 }
 
 void remus6_eva_normal_mounts(void);
 void remus6_eva_normal_mounts(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, 10.0);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
     remus6_mount_table mounting;
     (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
     remus6_state x;
@@ -2224,21 +2224,21 @@ void remus6_eva_normal_mounts(void)
     reals(&V_dot[0], 6, 1.0e3);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, 1.0e4);
-    remus6_real loads[36];
-    const remus6_status status = remus6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    remus6_real mount_wrench[36];
+    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 36);
+        untouched(&mount_wrench[0], 36);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 36);
+        written(&mount_wrench[0], 36);
     }
 }
 
 void remus6_eva_any_mounts(void);
 void remus6_eva_any_mounts(void)
 {
-    remus6_table stand = remus6_default;
-    reals(&stand.stream[0], 3, REMUS6_LARGEST);
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
     remus6_mount_table mounting;
     (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
     remus6_state x;
@@ -2247,21 +2247,21 @@ void remus6_eva_any_mounts(void)
     reals(&V_dot[0], 6, REMUS6_LARGEST);
     remus6_real phi_ddot[REMUS6_N];
     reals(&phi_ddot[0], 6, REMUS6_LARGEST);
-    remus6_real loads[36];
-    const remus6_status status = remus6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    remus6_real mount_wrench[36];
+    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 36);
+        untouched(&mount_wrench[0], 36);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 36);
+        written(&mount_wrench[0], 36);
     }
 }
 
 void remus6_eva_bits_mounts(void);
 void remus6_eva_bits_mounts(void)
 {
-    remus6_table stand = remus6_default;
-    all_bits(&stand.stream[0], 3);
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
     remus6_mount_table mounting;
     (void)remus6_prepare_mounts(&remus6_default_parameters, &mounting);
     remus6_state x;
@@ -2270,13 +2270,13 @@ void remus6_eva_bits_mounts(void)
     all_bits(&V_dot[0], 6);
     remus6_real phi_ddot[REMUS6_N];
     all_bits(&phi_ddot[0], 6);
-    remus6_real loads[36];
-    const remus6_status status = remus6_mounts(&stand, &mounting, &x, V_dot, phi_ddot, loads);
+    remus6_real mount_wrench[36];
+    const remus6_status status = remus6_mounts(&table, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 36);
+        untouched(&mount_wrench[0], 36);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&loads[0], 36);
+        initialised(&mount_wrench[0], 36);
     }
 }
 

@@ -197,15 +197,15 @@ static void remus6_hash_members(const remus6_state *x, uint32_t seen[REMUS6_RECO
 }
 
 REMUS6_CODE
-remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *stand, const remus6_state *x)
+remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *table, const remus6_state *x)
 {
     remus6_page page;
     uint32_t table;
-    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+    if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return REMUS6_BAD_ARGUMENT;
     }
     remus6_record_begin(&page, NULL);
-    remus6_record_put_table(&page, stand);
+    remus6_record_put_table(&page, table);
     table = page.check;
     remus6_record_begin(&page, log);
     remus6_record_put_bytes(&page, remus6_record_magic, sizeof remus6_record_magic);
@@ -229,7 +229,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *st
         remus6_record_put(&page, 0, 4);
     } else {
         remus6_record_put(&page, REMUS6_RECORD_TABLE_BYTES, 4);
-        remus6_record_put_table(&page, stand);
+        remus6_record_put_table(&page, table);
     }
     remus6_record_end(&page);
     remus6_hash_members(x, log->seen);
@@ -239,7 +239,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *st
 
 /* Flags of what changed since the last step: members of the state, dt and order, stream. The log takes them as its last. */
 REMUS6_CODE
-static unsigned remus6_notice_changes(remus6_recorder *log, const remus6_table *stand, const remus6_state *x,
+static unsigned remus6_notice_changes(remus6_recorder *log, const remus6_table *table, const remus6_state *x,
                                   remus6_real dt, int order)
 {
     const remus6_record_word step = remus6_record_bits(dt);
@@ -253,7 +253,7 @@ static unsigned remus6_notice_changes(remus6_recorder *log, const remus6_table *
         flags |= REMUS6_RECORD_SETTINGS;
     }
     for (int i = 0; i < 3; ++i) {
-        const remus6_record_word now = remus6_record_bits(stand->stream[i]);
+        const remus6_record_word now = remus6_record_bits(table->stream[i]);
         flags |= (log->fresh || now != log->stream[i]) ? REMUS6_RECORD_STREAM : 0u;
         log->stream[i] = now;
     }
@@ -314,19 +314,19 @@ static void remus6_record_result(remus6_page *page, remus6_recorder *log,
 }
 
 REMUS6_CODE
-remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *stand, remus6_state *x,
+remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                    const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                    remus6_real dt, int order)
 {
     remus6_page page;
     remus6_status status;
     unsigned flags = 0;
-    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
         || log->write == NULL) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
         flags |= (locked[s] != 0) ? REMUS6_RECORD_LOCKS : 0u;
     }
-    flags |= remus6_notice_changes(log, stand, x, dt, order);
+    flags |= remus6_notice_changes(log, table, x, dt, order);
     remus6_record_head(&page, log, x, flags);
     remus6_record_put_reals(&page, tau, REMUS6_N);
     if (flags & REMUS6_RECORD_LOCKS) {
@@ -338,24 +338,24 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *sta
             remus6_record_put(&page, mask, 1);
         }
     }
-    status = remus6_step(stand, x, tau, locked, dt, order, x);
+    status = remus6_step(table, x, tau, locked, dt, order, x);
     remus6_record_result(&page, log, x, status);
     return status;
 }
 
 REMUS6_CODE
-remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *stand, remus6_state *x,
+remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                           const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order)
 {
     remus6_page page;
     remus6_status status;
     unsigned flags = REMUS6_RECORD_DRIVEN;
-    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return REMUS6_BAD_ARGUMENT; }
-    flags |= remus6_notice_changes(log, stand, x, dt, order);
+    flags |= remus6_notice_changes(log, table, x, dt, order);
     remus6_record_head(&page, log, x, flags);
     remus6_record_put_reals(&page, phi_ddot, REMUS6_N);
-    status = remus6_step_driven(stand, x, phi_ddot, dt, order, x);
+    status = remus6_step_driven(table, x, phi_ddot, dt, order, x);
     remus6_record_result(&page, log, x, status);
     return status;
 }

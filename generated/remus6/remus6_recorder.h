@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define REMUS6_RECORDER_FORMAT 1u           /* of the log */
-#define REMUS6_RECORDER_SOURCE 0xb93b4a80u  /* of the texts of remus6.h and remus6.c: FNV-1a */
+#define REMUS6_RECORDER_SOURCE 0x0f0882bdu  /* of the texts of remus6.h and remus6.c: FNV-1a */
 #define REMUS6_RECORDER_TABLE  0x98d9cff9u  /* hash of the default table */
 #define REMUS6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
 #define REMUS6_RECORD_MEMBERS  5  /* of a state */
@@ -69,10 +69,10 @@ typedef struct remus6_recorder {
 
 /* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
  *   log    its write and context are set; in and out
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state before the next step
  * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
-remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *stand, const remus6_state *x);
+remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *table, const remus6_state *x);
 
 /* recorder_step: step, and a record of it.
  *   log  a log that was started
@@ -80,7 +80,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *st
  *   The others are those of step; also a step that is refused is logged.
  * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: REMUS6_RECORD_BYTES and less than 200 bytes more than step. */
-remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *stand, remus6_state *x,
+remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                    const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                    remus6_real dt, int order);
 
@@ -90,7 +90,7 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *sta
  *   The others are those of step_driven; also a step that is refused is logged.
  * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: REMUS6_RECORD_BYTES and less than 200 bytes more than step_driven. */
-remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *stand, remus6_state *x,
+remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                           const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order);
 
 #ifdef __cplusplus

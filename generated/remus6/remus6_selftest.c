@@ -77,8 +77,8 @@ static remus6_mount_table mounting;
 static union {
     struct { remus6_real V_dot[6]; } forward;
     struct { remus6_real F[6]; } wrench;
-    struct { remus6_equations out; } matrices;
-    struct { remus6_momenta out; } momentum;
+    struct { remus6_matrices_result out; } matrices;
+    struct { remus6_momentum_result out; } momentum;
     struct { remus6_real tau[REMUS6_N]; } torque;
     struct { remus6_real V_dot[6]; remus6_real phi_ddot[REMUS6_N]; } coupled;
     struct { remus6_state next; } step;
@@ -87,16 +87,16 @@ static union {
     struct { remus6_real phi; } phase_of_counts;
     struct { remus6_real phi_dot; } speed_of_counts;
     struct { remus6_encoder encoder; } accumulate;
-    struct { remus6_forward_slopes out; } forward_jacobian;
-    struct { remus6_coupled_slopes out; } coupled_jacobian;
+    struct { remus6_forward_jacobian_result out; } forward_jacobian;
+    struct { remus6_coupled_jacobian_result out; } coupled_jacobian;
     struct { remus6_inverse_result out; } inverse;
     struct { remus6_real phi_ddot[REMUS6_N]; } inverse_fast;
-    struct { remus6_reading out[REMUS6_SENSORS]; } measure;
+    struct { remus6_points_result out[REMUS6_SENSORS]; } points;
     struct { remus6_real attitude[4]; } quaternion;
-    struct { remus6_state x; remus6_real V_dot[6]; } target;
-    struct { remus6_generalized out; } attitude;
-    struct { remus6_table stand; } prepare;
-    struct { remus6_real loads[36]; } mounts;
+    struct { remus6_state x; remus6_real V_dot[6]; } state_from_coordinates;
+    struct { remus6_generalized_result out; } generalized;
+    struct { remus6_table table; } prepare;
+    struct { remus6_real mount_wrench[36]; } mounts;
     struct { remus6_mount_table mounting; } prepare_mounts;
     unsigned char bytes[1];
 } results;
@@ -175,7 +175,7 @@ static void untouched(tally *sum, const void *place, size_t size)
     }
 }
 
-static void take_equations(tally *sum, const remus6_equations *value)
+static void take_matrices_result(tally *sum, const remus6_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->K[i], 6);
@@ -195,7 +195,7 @@ static void take_equations(tally *sum, const remus6_equations *value)
     take_reals(sum, value->F, 6);
 }
 
-static void take_momenta(tally *sum, const remus6_momenta *value)
+static void take_momentum_result(tally *sum, const remus6_momentum_result *value)
 {
     take_reals(sum, value->Z, 6);
     take_reals(sum, value->Z0, 6);
@@ -219,7 +219,7 @@ static void take_encoder(tally *sum, const remus6_encoder *value)
     take_ints(sum, &value->moved, 1);
 }
 
-static void take_forward_slopes(tally *sum, const remus6_forward_slopes *value)
+static void take_forward_jacobian_result(tally *sum, const remus6_forward_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -235,7 +235,7 @@ static void take_forward_slopes(tally *sum, const remus6_forward_slopes *value)
     }
 }
 
-static void take_coupled_slopes(tally *sum, const remus6_coupled_slopes *value)
+static void take_coupled_jacobian_result(tally *sum, const remus6_coupled_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -274,7 +274,7 @@ static void take_inverse_result(tally *sum, const remus6_inverse_result *value)
     take_reals(sum, value->hardest, 6);
 }
 
-static void take_reading(tally *sum, const remus6_reading *value)
+static void take_points_result(tally *sum, const remus6_points_result *value)
 {
     take_reals(sum, value->position, 3);
     for (int i = 0; i < 3; ++i) {
@@ -285,7 +285,7 @@ static void take_reading(tally *sum, const remus6_reading *value)
     take_reals(sum, value->angular_acceleration, 3);
 }
 
-static void take_generalized(tally *sum, const remus6_generalized *value)
+static void take_generalized_result(tally *sum, const remus6_generalized_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->A[i], 6);
@@ -420,7 +420,7 @@ static void take_matrices_results(tally *sum, remus6_status status)
         untouched(sum, &results.matrices.out, sizeof results.matrices.out);
         return;
     }
-    take_equations(sum, &results.matrices.out);
+    take_matrices_result(sum, &results.matrices.out);
 }
 
 static remus6_status call_momentum(void)
@@ -434,7 +434,7 @@ static void take_momentum_results(tally *sum, remus6_status status)
         untouched(sum, &results.momentum.out, sizeof results.momentum.out);
         return;
     }
-    take_momenta(sum, &results.momentum.out);
+    take_momentum_result(sum, &results.momentum.out);
 }
 
 static remus6_status call_torque(void)
@@ -562,7 +562,7 @@ static void take_forward_jacobian_results(tally *sum, remus6_status status)
         untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
         return;
     }
-    take_forward_slopes(sum, &results.forward_jacobian.out);
+    take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
 static remus6_status call_coupled_jacobian(void)
@@ -576,7 +576,7 @@ static void take_coupled_jacobian_results(tally *sum, remus6_status status)
         untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
         return;
     }
-    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+    take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
 static remus6_status call_inverse(void)
@@ -608,19 +608,19 @@ static void take_inverse_fast_results(tally *sum, remus6_status status)
     take_reals(sum, results.inverse_fast.phi_ddot, REMUS6_N);
 }
 
-static remus6_status call_measure(void)
+static remus6_status call_points(void)
 {
-    return remus6_measure(&remus6_default, &in.x, in.V_dot, results.measure.out);
+    return remus6_points(&remus6_default, &in.x, in.V_dot, results.points.out);
 }
 
-static void take_measure_results(tally *sum, remus6_status status)
+static void take_points_results(tally *sum, remus6_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.measure.out, sizeof results.measure.out);
+        untouched(sum, &results.points.out, sizeof results.points.out);
         return;
     }
     for (int i = 0; i < REMUS6_SENSORS; ++i) {
-        take_reading(sum, &results.measure.out[i]);
+        take_points_result(sum, &results.points.out[i]);
     }
 }
 
@@ -638,61 +638,62 @@ static void take_quaternion_results(tally *sum, remus6_status status)
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
-static remus6_status call_target(void)
+static remus6_status call_state_from_coordinates(void)
 {
-    results.target.x = in.x;
-    return remus6_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x,
-        results.target.V_dot);
+    results.state_from_coordinates.x = in.x;
+    return remus6_state_from_coordinates(in.position, in.angles, in.q_dot, in.q_ddot,
+        &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_target_results(tally *sum, remus6_status status)
+static void take_state_from_coordinates_results(tally *sum, remus6_status status)
 {
-    take_state(sum, &results.target.x);
+    take_state(sum, &results.state_from_coordinates.x);
     if (status < 0) {
-        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
         return;
     }
-    take_reals(sum, results.target.V_dot, 6);
+    take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
-static remus6_status call_attitude(void)
+static remus6_status call_generalized(void)
 {
-    return remus6_attitude(&remus6_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+    return remus6_generalized(&remus6_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_attitude_results(tally *sum, remus6_status status)
+static void take_generalized_results(tally *sum, remus6_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
         return;
     }
-    take_generalized(sum, &results.attitude.out);
+    take_generalized_result(sum, &results.generalized.out);
 }
 
 static remus6_status call_prepare(void)
 {
-    results.prepare.stand = remus6_default;
-    return remus6_prepare(&parameters, &results.prepare.stand);
+    results.prepare.table = remus6_default;
+    return remus6_prepare(&parameters, &results.prepare.table);
 }
 
 static void take_prepare_results(tally *sum, remus6_status status)
 {
     (void)status;
-    take_table(sum, &results.prepare.stand);
+    take_table(sum, &results.prepare.table);
 }
 
 static remus6_status call_mounts(void)
 {
-    return remus6_mounts(&remus6_default, &mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+    return remus6_mounts(&remus6_default, &mounting, &in.x, in.V_dot, in.phi_ddot,
+        results.mounts.mount_wrench);
 }
 
 static void take_mounts_results(tally *sum, remus6_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
         return;
     }
-    take_reals(sum, results.mounts.loads, 36);
+    take_reals(sum, results.mounts.mount_wrench, 36);
 }
 
 static remus6_status call_prepare_mounts(void)
@@ -1014,7 +1015,7 @@ static const remus6_real numbers_inverse_fast[] =
         -0x1.0ebf7535f46b7p+25, 0x1.5b4442ac27891p+25,
 };
 
-static const remus6_real numbers_measure[] =
+static const remus6_real numbers_points[] =
 {
     -0x1.cfaa0f078d1d2p-1, 0x1.2b3958857aa3ep+0, 0x1.db7ade5efc7f4p-3, -0x1.ba0f02fb58002p-2,
         0x1.912b11fecedaep-1, -0x1.c99ecabcf13ap-2, -0x1.28b8e1e4663a1p-1, 0x1.1c1c20f7c4e6cp-3,
@@ -1040,7 +1041,7 @@ static const remus6_real numbers_quaternion[] =
     0x1.deb4a2fc0adb9p-1, -0x1.16501d07af652p-2, -0x1.98c207bb7a262p-3, 0x1.c2f86acd35134p-4,
 };
 
-static const remus6_real numbers_target[] =
+static const remus6_real numbers_state_from_coordinates[] =
 {
     -0x1.5944dp-2, 0x1.f3e8ep-2, 0x1.35894p-2, 0x1.d1c580c9de08fp-1, 0x1.987cd3fe2cc46p-5,
         -0x1.a458e2ae68224p-2, -0x1.3651b35238a8ap-5, 0x1.6692abcae7424p+0, -0x1.fd54e89ea9addp-1,
@@ -1063,7 +1064,7 @@ static const remus6_real numbers_target[] =
         -0x1.046708p+7, 0x1.7c0718p+7, -0x1.8e30bp+7,
 };
 
-static const remus6_real numbers_attitude[] =
+static const remus6_real numbers_generalized[] =
 {
     0x1.51fae45d6853p-1, -0x1.c1fb8ff509d0ap-4, 0x1.7c75b6483a306p-1, 0x0p+0, 0x0p+0, 0x0p+0,
         0x1.ca78feff694fap-6, 0x1.fbfc07e709aabp-1, 0x1.f2fd639430ecfp-4, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -1209,20 +1210,20 @@ static const function functions[FUNCTIONS] =
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 0, 0x63eed221u, 6 }, { 0, 0x4ea66c00u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xffce03eeu },
-    { "measure", sizeof results.measure,
-      call_measure, take_measure_results, numbers_measure,
+    { "points", sizeof results.points,
+      call_points, take_points_results, numbers_points,
       { { 0, 0x529ea787u, 32 }, { 0, 0xde8f82b2u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x46d707d2u },
     { "quaternion", sizeof results.quaternion,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0x13a20f40u, 4 }, { 0, 0x6d6e6ffdu, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xea132f50u },
-    { "target", sizeof results.target,
-      call_target, take_target_results, numbers_target,
+    { "state_from_coordinates", sizeof results.state_from_coordinates,
+      call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x4ff18024u, 31 }, { 0, 0x6f1d1552u, 31 }, { -2, 0x054a767bu, 25 } },
       0xe24ae2abu },
-    { "attitude", sizeof results.attitude,
-      call_attitude, take_attitude_results, numbers_attitude,
+    { "generalized", sizeof results.generalized,
+      call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0x2e9f5fdcu, 32 }, { 0, 0x54ab7219u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xc01e18bfu },
     { "prepare", sizeof results.prepare,

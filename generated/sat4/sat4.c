@@ -217,13 +217,13 @@ static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 SAT4_CODE
-static void sat4_start_sums(const sat4_table *stand, sat4_sums *restrict sum)
+static void sat4_start_sums(const sat4_table *table, sat4_sums *restrict sum)
 {
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
     sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
     sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
@@ -324,12 +324,12 @@ static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat
 
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 SAT4_CODE
-static void sat4_momentum_screw(const sat4_table *stand, const sat4_sums *sum, const sat4_real V[6],
+static void sat4_momentum_screw(const sat4_table *table, const sat4_sums *sum, const sat4_real V[6],
                                 sat4_real Z[restrict 6])
 {
-    Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
-    Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
-    Z[2] = stand->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    Z[2] = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
     Z[3] = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0] + sum->mu[1] * V[2]
         - sum->mu[2] * V[1];
     Z[4] = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1] + sum->mu[2] * V[0]
@@ -383,14 +383,14 @@ static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_
 
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 SAT4_CODE
-static sat4_status sat4_solve_carrier(const sat4_table *stand, const sat4_sums *sum, const sat4_real F[6],
+static sat4_status sat4_solve_carrier(const sat4_table *table, const sat4_sums *sum, const sat4_real F[6],
                                       sat4_real y[restrict 6])
 {
     sat4_status status;
     sat4_real rho[3];  /* mass centre from O1, in E1 */
-    rho[0] = stand->mass_inverse * sum->mu[0];
-    rho[1] = stand->mass_inverse * sum->mu[1];
-    rho[2] = stand->mass_inverse * sum->mu[2];
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
     sat4_real S[6];  /* inertia about the mass centre */
     sat4_real moment[3];  /* about the mass centre */
     sat4_real omega_dot[3];
@@ -405,9 +405,9 @@ static sat4_status sat4_solve_carrier(const sat4_table *stand, const sat4_sums *
     moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
     status = sat4_solve3(S, moment, omega_dot);
     if (status != SAT4_OK) { return status; }
-    y[0] = F[0] * stand->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
-    y[1] = F[1] * stand->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
-    y[2] = F[2] * stand->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
     return SAT4_OK;
 }
@@ -415,33 +415,33 @@ static sat4_status sat4_solve_carrier(const sat4_table *stand, const sat4_sums *
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 SAT4_CODE
-static sat4_status sat4_accelerate(const sat4_table *stand, const sat4_state *x,
+static sat4_status sat4_accelerate(const sat4_table *table, const sat4_state *x,
                                    const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
                                    const sat4_real phi_ddot[SAT4_N], sat4_real V_dot[restrict 6])
 {
     sat4_status status;
     sat4_sums sum;
-    sat4_start_sums(stand, &sum);
+    sat4_start_sums(table, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     sat4_real F[6];  /* wrench (7); then what K V* must equal */
     sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_subtract_rates(&sum, x->V, Z, F);
-    status = sat4_solve_carrier(stand, &sum, F, V_dot);
+    status = sat4_solve_carrier(table, &sum, F, V_dot);
     if (status != SAT4_OK) { return status; }
     return SAT4_OK;
 }
 
 /* (8) */
 SAT4_CODE
-sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6])
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -450,7 +450,7 @@ sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_accelerate(stand, x, sine, cosine, phi_ddot, result);
+    status = sat4_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != SAT4_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -459,7 +459,7 @@ sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat
 
 /* M = Phi K + K*, (9). */
 SAT4_CODE
-static void sat4_velocity_matrix(const sat4_real V[6], sat4_equations *restrict out)
+static void sat4_velocity_matrix(const sat4_real V[6], sat4_matrices_result *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -476,18 +476,18 @@ static void sat4_velocity_matrix(const sat4_real V[6], sat4_equations *restrict 
 
 /* (2), (6)-(9) */
 SAT4_CODE
-sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equations *out)
+sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_start_sums(stand, &sum);
+    sat4_start_sums(table, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     sat4_real F[6];
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
@@ -495,11 +495,11 @@ sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equ
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
     out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
     /* K (2) and its rate (6) */
-    out->K[0][0] = stand->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
+    out->K[0][0] = table->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
     out->K[0][3] = 0.0;          out->K[0][4] = sum.mu[2];    out->K[0][5] = -sum.mu[1];
-    out->K[1][0] = 0.0;          out->K[1][1] = stand->mass;  out->K[1][2] = 0.0;
+    out->K[1][0] = 0.0;          out->K[1][1] = table->mass;  out->K[1][2] = 0.0;
     out->K[1][3] = -sum.mu[2];   out->K[1][4] = 0.0;          out->K[1][5] = sum.mu[0];
-    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = stand->mass;
+    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = table->mass;
     out->K[2][3] = sum.mu[1];    out->K[2][4] = -sum.mu[0];   out->K[2][5] = 0.0;
     out->K[3][0] = 0.0;         out->K[3][1] = -sum.mu[2];  out->K[3][2] = sum.mu[1];
     out->K[3][3] = sum.J[0];    out->K[3][4] = sum.J[3];    out->K[3][5] = sum.J[4];
@@ -525,21 +525,21 @@ sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equ
     for (int s = 0; s < SAT4_N; ++s) {
         const sat4_real s_phi = sine[s];
         const sat4_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
-        rate[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-        rate[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-        rate[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-        rate[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-        rate[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-        rate[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        rate[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+        rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+        rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
         out->I[0][s] = column[0];
         out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
         out->I[1][s] = column[1];
@@ -561,9 +561,9 @@ sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equ
 
 /* (1), (2) */
 SAT4_CODE
-sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_momenta *out)
+sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_momentum_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     sat4_real C[9];  /* attitude */
@@ -572,27 +572,27 @@ sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_mom
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_start_sums(stand, &sum);
+    sat4_start_sums(table, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     sat4_real Z[6];  /* momentum screw (2) */
-    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < SAT4_N; ++s) {
         const sat4_real s_phi = sine[s];
         const sat4_real c_phi = cosine[s];
         /* I_s . V */
-        const sat4_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
-            * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
-            + (stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi) * x->V[2]
-            + (stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0]) * x->V[3]
-            + (stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1]) * x->V[4]
-            + (stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2]) * x->V[5];
-        spin += x->phi_dot[s] * (along + stand->flywheel[s].spin * x->phi_dot[s]);
+        const sat4_real along = (table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi)
+            * x->V[0] + (table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi) * x->V[1]
+            + (table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi) * x->V[2]
+            + (table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0]) * x->V[3]
+            + (table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1]) * x->V[4]
+            + (table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2]) * x->V[5];
+        spin += x->phi_dot[s] * (along + table->flywheel[s].spin * x->phi_dot[s]);
     }
     sat4_real energy = 0.5 * Z[3] * x->V[3] + 0.5 * Z[4] * x->V[4] + 0.5 * Z[5] * x->V[5]
         + 0.5 * Z[0] * x->V[0] + 0.5 * Z[1] * x->V[1] + 0.5 * Z[2] * x->V[2] + 0.5 * spin;
@@ -609,16 +609,17 @@ sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_mom
     out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
         - out->Z0[0] * x->position[1];
     out->energy = energy;
-    out->center_of_mass[0] = sum.mu[0] * stand->mass_inverse;
-    out->center_of_mass[1] = sum.mu[1] * stand->mass_inverse;
-    out->center_of_mass[2] = sum.mu[2] * stand->mass_inverse;
+    out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
     return SAT4_OK;
 }
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 SAT4_CODE
-static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c, const sat4_real swing[3],
-                        const sat4_real spun[6], sat4_coupling *restrict out)
+static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c,
+                        const sat4_real origin_acceleration[3], const sat4_real spun[6],
+                        sat4_coupling *restrict out)
 {
     const sat4_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const sat4_real two_s2 = 4.0 * c * s;
@@ -636,7 +637,8 @@ static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c, const sat
     const sat4_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
     const sat4_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
+        + out->I[2] * origin_acceleration[2];
 }
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
@@ -660,10 +662,10 @@ static void sat4_eliminate(const sat4_real I[6], sat4_real spin_inv, sat4_real r
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 SAT4_CODE
-sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
@@ -674,10 +676,10 @@ sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_real swing[3];  /* omega x v */
-    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
     sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
@@ -685,9 +687,9 @@ sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     sat4_coupling drive;
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
+        sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
         tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + table->flywheel[s].spin * phi_ddot[s]
             + drive.bias;
     }
     return SAT4_OK;
@@ -747,25 +749,25 @@ static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], s
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 SAT4_CODE
-static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const sat4_real sine[SAT4_N],
-                             const sat4_real cosine[SAT4_N], const sat4_real tau[SAT4_N],
-                             const int locked[SAT4_N], sat4_real V_dot[restrict 6],
-                             sat4_real phi_ddot[restrict SAT4_N])
+static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state *x,
+                                      const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
+                                      const sat4_real tau[SAT4_N], const int locked[SAT4_N],
+                                      sat4_real V_dot[restrict 6], sat4_real phi_ddot[restrict SAT4_N])
 {
     sat4_status status;
     sat4_sums sum;
-    sat4_start_sums(stand, &sum);
+    sat4_start_sums(table, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     sat4_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_subtract_rates(&sum, x->V, Z, F);
     sat4_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
     K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
     K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
@@ -773,10 +775,10 @@ static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     sat4_coupling drive[SAT4_N];
-    sat4_real swing[3];  /* omega x v */
-    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
     sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
@@ -784,11 +786,11 @@ static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     sat4_real rate[SAT4_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
-            rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
-            sat4_eliminate(drive[s].I, stand->flywheel[s].spin_inv, rate[s], &K, F);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            sat4_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = sat4_solve_schur(&K, F, V_dot);
@@ -798,7 +800,7 @@ static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const
         if (locked[s] == 0) {
             phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
                 + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * stand->flywheel[s].spin_inv;
+                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
         }
     }
     return SAT4_OK;
@@ -806,10 +808,10 @@ static sat4_status sat4_move(const sat4_table *stand, const sat4_state *x, const
 
 /* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
 SAT4_CODE
-sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N])
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
         || phi_ddot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
@@ -820,7 +822,7 @@ sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = sat4_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SAT4_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -874,7 +876,7 @@ static sat4_status sat4_finish(sat4_state *restrict x)
 
 /* rates of the state under drive torques. */
 SAT4_CODE
-static sat4_status sat4_rate(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+static sat4_status sat4_rate(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                              const int locked[SAT4_N], sat4_state *restrict rate)
 {
     sat4_status status;
@@ -882,7 +884,7 @@ static sat4_status sat4_rate(const sat4_table *stand, const sat4_state *x, const
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
+    status = sat4_solve_coupled(table, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != SAT4_OK) { return status; }
     sat4_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -904,10 +906,10 @@ static sat4_status sat4_rate(const sat4_table *stand, const sat4_state *x, const
 
 /* State a time step later, under drive torques and wrenches held constant. */
 SAT4_CODE
-sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || next == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
@@ -921,19 +923,19 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     sat4_state k;  /* rates of a stage */
     sat4_state y;  /* state of a stage; then the new state */
-    status = sat4_rate(stand, x, tau, locked, &k);
+    status = sat4_rate(table, x, tau, locked, &k);
     if (status != SAT4_OK) { return status; }
     const sat4_real half = 0.5 * dt;
     if (order == 2) {
         sat4_advance(x, &k, half, &y);
-        status = sat4_rate(stand, &y, tau, locked, &k);
+        status = sat4_rate(table, &y, tau, locked, &k);
         if (status != SAT4_OK) { return status; }
         sat4_advance(x, &k, dt, &y);
     } else {
         sat4_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         sat4_advance(x, &k, half, &y);
-        status = sat4_rate(stand, &y, tau, locked, &k);
+        status = sat4_rate(table, &y, tau, locked, &k);
         if (status != SAT4_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -951,7 +953,7 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         sat4_advance(x, &k, half, &y);
-        status = sat4_rate(stand, &y, tau, locked, &k);
+        status = sat4_rate(table, &y, tau, locked, &k);
         if (status != SAT4_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -969,7 +971,7 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         sat4_advance(x, &k, dt, &y);
-        status = sat4_rate(stand, &y, tau, locked, &k);
+        status = sat4_rate(table, &y, tau, locked, &k);
         if (status != SAT4_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -997,7 +999,7 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
 
 /* rates of the state under given flywheel accelerations. */
 SAT4_CODE
-static sat4_status sat4_rate_driven(const sat4_table *stand, const sat4_state *x,
+static sat4_status sat4_rate_driven(const sat4_table *table, const sat4_state *x,
                                     const sat4_real phi_ddot[SAT4_N], sat4_state *restrict rate)
 {
     sat4_status status;
@@ -1005,7 +1007,7 @@ static sat4_status sat4_rate_driven(const sat4_table *stand, const sat4_state *x
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
+    status = sat4_accelerate(table, x, sine, cosine, phi_ddot, rate->V);
     if (status != SAT4_OK) { return status; }
     sat4_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1028,10 +1030,10 @@ static sat4_status sat4_rate_driven(const sat4_table *stand, const sat4_state *x
 
 /* State a time step later, under given flywheel accelerations and wrenches held constant. */
 SAT4_CODE
-sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -1044,19 +1046,19 @@ sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     sat4_state k;  /* rates of a stage */
     sat4_state y;  /* state of a stage; then the new state */
-    status = sat4_rate_driven(stand, x, phi_ddot, &k);
+    status = sat4_rate_driven(table, x, phi_ddot, &k);
     if (status != SAT4_OK) { return status; }
     const sat4_real half = 0.5 * dt;
     if (order == 2) {
         sat4_advance(x, &k, half, &y);
-        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        status = sat4_rate_driven(table, &y, phi_ddot, &k);
         if (status != SAT4_OK) { return status; }
         sat4_advance(x, &k, dt, &y);
     } else {
         sat4_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         sat4_advance(x, &k, half, &y);
-        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        status = sat4_rate_driven(table, &y, phi_ddot, &k);
         if (status != SAT4_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1074,7 +1076,7 @@ sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         sat4_advance(x, &k, half, &y);
-        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        status = sat4_rate_driven(table, &y, phi_ddot, &k);
         if (status != SAT4_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1092,7 +1094,7 @@ sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         sat4_advance(x, &k, dt, &y);
-        status = sat4_rate_driven(stand, &y, phi_ddot, &k);
+        status = sat4_rate_driven(table, &y, phi_ddot, &k);
         if (status != SAT4_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -1214,7 +1216,8 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
 
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 SAT4_CODE
-static void sat4_twist_slope(const sat4_real Z[6], const sat4_equations *m, sat4_real slope[restrict 36])
+static void sat4_twist_slope(const sat4_real Z[6], const sat4_matrices_result *m,
+                             sat4_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1312,10 +1315,10 @@ static void sat4_row_slope(const sat4_row *row, const sat4_real weight[12], cons
 
 /* (8) */
 SAT4_CODE
-sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
-                                  const sat4_real phi_ddot[SAT4_N], sat4_forward_slopes *out)
+sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
+                                  const sat4_real phi_ddot[SAT4_N], sat4_forward_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -1324,9 +1327,9 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_start_sums(stand, &sum);
+    sat4_start_sums(table, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     sat4_real F[6];  /* what K V* must equal */
     sat4_real Z[6];  /* momentum screw (2) */
@@ -1335,16 +1338,16 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
     sat4_real y[6];
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_subtract_rates(&sum, x->V, Z, F);
-    status = sat4_solve_carrier(stand, &sum, F, V_result);
+    status = sat4_solve_carrier(table, &sum, F, V_result);
     if (status != SAT4_OK) { return status; }
-    sat4_equations m;
-    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    sat4_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
-    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
     m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
-    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
     m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
     m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
     m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
@@ -1371,7 +1374,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)sat4_solve_carrier(stand, &sum, rhs, y);
+        (void)sat4_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1393,8 +1396,8 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            sat4_row_slope(&stand->flywheel[s], change, x->V, V_result, rhs);
-            (void)sat4_solve_carrier(stand, &sum, rhs, y);
+            sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
+            (void)sat4_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1404,22 +1407,22 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            sat4_row_slope(&stand->flywheel[s], change, x->V, V_result, rhs);
-            (void)sat4_solve_carrier(stand, &sum, rhs, y);
+            sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
+            (void)sat4_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
         }
-        rhs[0] = stand->flywheel[s].mu_c[0] * s_phi - stand->flywheel[s].mu_s[0] * c_phi;
-        rhs[1] = stand->flywheel[s].mu_c[1] * s_phi - stand->flywheel[s].mu_s[1] * c_phi;
-        rhs[2] = stand->flywheel[s].mu_c[2] * s_phi - stand->flywheel[s].mu_s[2] * c_phi;
-        rhs[3] = -stand->flywheel[s].t_c[0] * c_phi - stand->flywheel[s].t_s[0] * s_phi
-            - stand->flywheel[s].t_0[0];
-        rhs[4] = -stand->flywheel[s].t_c[1] * c_phi - stand->flywheel[s].t_s[1] * s_phi
-            - stand->flywheel[s].t_0[1];
-        rhs[5] = -stand->flywheel[s].t_c[2] * c_phi - stand->flywheel[s].t_s[2] * s_phi
-            - stand->flywheel[s].t_0[2];
-        (void)sat4_solve_carrier(stand, &sum, rhs, y);
+        rhs[0] = table->flywheel[s].mu_c[0] * s_phi - table->flywheel[s].mu_s[0] * c_phi;
+        rhs[1] = table->flywheel[s].mu_c[1] * s_phi - table->flywheel[s].mu_s[1] * c_phi;
+        rhs[2] = table->flywheel[s].mu_c[2] * s_phi - table->flywheel[s].mu_s[2] * c_phi;
+        rhs[3] = -table->flywheel[s].t_c[0] * c_phi - table->flywheel[s].t_s[0] * s_phi
+            - table->flywheel[s].t_0[0];
+        rhs[4] = -table->flywheel[s].t_c[1] * c_phi - table->flywheel[s].t_s[1] * s_phi
+            - table->flywheel[s].t_0[1];
+        rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
+            - table->flywheel[s].t_0[2];
+        (void)sat4_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1429,10 +1432,10 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
 
 /* Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude. */
 SAT4_CODE
-sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
-                                  const int locked[SAT4_N], sat4_coupled_slopes *out)
+sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
+                                  const int locked[SAT4_N], sat4_coupled_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
@@ -1443,21 +1446,21 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = sat4_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
-    sat4_start_sums(stand, &sum);
+    sat4_start_sums(table, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     sat4_real Z[6];  /* momentum screw (2) */
-    sat4_momentum_screw(stand, &sum, x->V, Z);
-    sat4_equations m;
-    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    sat4_momentum_screw(table, &sum, x->V, Z);
+    sat4_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
-    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
     m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
-    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
     m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
     m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
     m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
@@ -1481,17 +1484,17 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
     sat4_real slope[36];  /* by V, row by row */
     sat4_twist_slope(Z, &m, slope);
     sat4_coupling drive[SAT4_N];
-    sat4_real swing[3];  /* omega x v */
-    swing[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
     sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     sat4_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
     K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
     K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
@@ -1504,9 +1507,9 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            sat4_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
+            sat4_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
     sat4_real drive_slope[SAT4_N][6];  /* of the bias torques by V */
@@ -1517,18 +1520,18 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
         const sat4_real c_phi = cosine[s];
         const sat4_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const sat4_real two_s2 = 4.0 * c_phi * s_phi;
-        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
-            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
-            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
-            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
-            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
-            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
-            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
+        J_p[0] = table->flywheel[s].J_2s[0] * two_c2 + table->flywheel[s].J_s[0] * c_phi
+            - table->flywheel[s].J_2c[0] * two_s2 - table->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = table->flywheel[s].J_2s[1] * two_c2 + table->flywheel[s].J_s[1] * c_phi
+            - table->flywheel[s].J_2c[1] * two_s2 - table->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = table->flywheel[s].J_2s[2] * two_c2 + table->flywheel[s].J_s[2] * c_phi
+            - table->flywheel[s].J_2c[2] * two_s2 - table->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = table->flywheel[s].J_2s[3] * two_c2 + table->flywheel[s].J_s[3] * c_phi
+            - table->flywheel[s].J_2c[3] * two_s2 - table->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = table->flywheel[s].J_2s[4] * two_c2 + table->flywheel[s].J_s[4] * c_phi
+            - table->flywheel[s].J_2c[4] * two_s2 - table->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = table->flywheel[s].J_2s[5] * two_c2 + table->flywheel[s].J_s[5] * c_phi
+            - table->flywheel[s].J_2c[5] * two_s2 - table->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
@@ -1548,7 +1551,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
         }
         for (int t = 0; t < SAT4_N; ++t) {
             if (locked[t] == 0) {
-                const sat4_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -1564,7 +1567,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -1585,43 +1588,44 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            sat4_row_slope(&stand->flywheel[s], change, x->V, V_result, rhs);
+            sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
             for (int t = 0; t < SAT4_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             sat4_real mu_pp[3];  /* d2 mu / dphi2 */
             sat4_real J_pp[6];  /* d2 J / dphi2 */
             sat4_real I_p[6];  /* dI / dphi */
-            mu_pp[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            mu_pp[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            mu_pp[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            J_pp[0] = -4.0 * stand->flywheel[s].J_2c[0] * c2 - 4.0 * stand->flywheel[s].J_2s[0] * s2
-                - stand->flywheel[s].J_c[0] * c_phi - stand->flywheel[s].J_s[0] * s_phi;
-            J_pp[1] = -4.0 * stand->flywheel[s].J_2c[1] * c2 - 4.0 * stand->flywheel[s].J_2s[1] * s2
-                - stand->flywheel[s].J_c[1] * c_phi - stand->flywheel[s].J_s[1] * s_phi;
-            J_pp[2] = -4.0 * stand->flywheel[s].J_2c[2] * c2 - 4.0 * stand->flywheel[s].J_2s[2] * s2
-                - stand->flywheel[s].J_c[2] * c_phi - stand->flywheel[s].J_s[2] * s_phi;
-            J_pp[3] = -4.0 * stand->flywheel[s].J_2c[3] * c2 - 4.0 * stand->flywheel[s].J_2s[3] * s2
-                - stand->flywheel[s].J_c[3] * c_phi - stand->flywheel[s].J_s[3] * s_phi;
-            J_pp[4] = -4.0 * stand->flywheel[s].J_2c[4] * c2 - 4.0 * stand->flywheel[s].J_2s[4] * s2
-                - stand->flywheel[s].J_c[4] * c_phi - stand->flywheel[s].J_s[4] * s_phi;
-            J_pp[5] = -4.0 * stand->flywheel[s].J_2c[5] * c2 - 4.0 * stand->flywheel[s].J_2s[5] * s2
-                - stand->flywheel[s].J_c[5] * c_phi - stand->flywheel[s].J_s[5] * s_phi;
-            I_p[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            I_p[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            I_p[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            I_p[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-            I_p[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-            I_p[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+            mu_pp[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            mu_pp[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            mu_pp[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            J_pp[0] = -4.0 * table->flywheel[s].J_2c[0] * c2 - 4.0 * table->flywheel[s].J_2s[0] * s2
+                - table->flywheel[s].J_c[0] * c_phi - table->flywheel[s].J_s[0] * s_phi;
+            J_pp[1] = -4.0 * table->flywheel[s].J_2c[1] * c2 - 4.0 * table->flywheel[s].J_2s[1] * s2
+                - table->flywheel[s].J_c[1] * c_phi - table->flywheel[s].J_s[1] * s_phi;
+            J_pp[2] = -4.0 * table->flywheel[s].J_2c[2] * c2 - 4.0 * table->flywheel[s].J_2s[2] * s2
+                - table->flywheel[s].J_c[2] * c_phi - table->flywheel[s].J_s[2] * s_phi;
+            J_pp[3] = -4.0 * table->flywheel[s].J_2c[3] * c2 - 4.0 * table->flywheel[s].J_2s[3] * s2
+                - table->flywheel[s].J_c[3] * c_phi - table->flywheel[s].J_s[3] * s_phi;
+            J_pp[4] = -4.0 * table->flywheel[s].J_2c[4] * c2 - 4.0 * table->flywheel[s].J_2s[4] * s2
+                - table->flywheel[s].J_c[4] * c_phi - table->flywheel[s].J_s[4] * s_phi;
+            J_pp[5] = -4.0 * table->flywheel[s].J_2c[5] * c2 - 4.0 * table->flywheel[s].J_2s[5] * s2
+                - table->flywheel[s].J_c[5] * c_phi - table->flywheel[s].J_s[5] * s_phi;
+            I_p[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            I_p[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            I_p[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+            I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+            I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
             drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
-                + (mu_pp[0] * swing[0] + mu_pp[1] * swing[1] + mu_pp[2] * swing[2]
+                + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
+                + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
             for (int t = 0; t < SAT4_N; ++t) {
                 if (locked[t] == 0) {
-                    const sat4_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1637,7 +1641,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1646,13 +1650,13 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            sat4_row_slope(&stand->flywheel[s], change, x->V, V_result, rhs);
+            sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
             for (int t = 0; t < SAT4_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             for (int t = 0; t < SAT4_N; ++t) {
                 if (locked[t] == 0) {
-                    const sat4_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1668,7 +1672,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1680,7 +1684,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
         drive_rhs[s] = 1.0;
         for (int t = 0; t < SAT4_N; ++t) {
             if (locked[t] == 0) {
-                const sat4_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -1696,7 +1700,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -1789,29 +1793,29 @@ static sat4_status sat4_factor(sat4_inverse_work *restrict work)
 
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SAT4_CODE
-static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, const sat4_real sine[SAT4_N],
+static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, const sat4_real sine[SAT4_N],
                                const sat4_real cosine[SAT4_N], const sat4_real V_dot[6],
                                sat4_inverse_work *restrict work)
 {
     sat4_status status;
     sat4_sums sum;
-    sat4_start_sums(stand, &sum);
+    sat4_start_sums(table, &sum);
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     sat4_real column[6];  /* I_s */
     for (int s = 0; s < SAT4_N; ++s) {
         const sat4_real s_phi = sine[s];
         const sat4_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
             work->I[i][s] = column[i];
         }
@@ -1820,13 +1824,13 @@ static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, con
     sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(stand, &sum, x->V, Z);
+    sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_subtract_rates(&sum, x->V, Z, F);
-    work->G[0][0] = stand->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
+    work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
     work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
-    work->G[1][0] = 0.0;          work->G[1][1] = stand->mass;  work->G[1][2] = 0.0;
+    work->G[1][0] = 0.0;          work->G[1][1] = table->mass;  work->G[1][2] = 0.0;
     work->G[1][3] = -sum.mu[2];   work->G[1][4] = 0.0;          work->G[1][5] = sum.mu[0];
-    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = stand->mass;
+    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = table->mass;
     work->G[2][3] = sum.mu[1];    work->G[2][4] = -sum.mu[0];   work->G[2][5] = 0.0;
     work->G[3][0] = 0.0;         work->G[3][1] = -sum.mu[2];  work->G[3][2] = sum.mu[1];
     work->G[3][3] = sum.J[0];    work->G[3][4] = sum.J[3];    work->G[3][5] = sum.J[4];
@@ -1844,7 +1848,7 @@ static sat4_status sat4_demand(const sat4_table *stand, const sat4_state *x, con
     status = sat4_factor(work);
     if (status != SAT4_OK) { return status; }
     for (int s = 0; s < SAT4_N; ++s) {
-        work->scale[s] = 1.0 / sat4_sqrt(stand->flywheel[s].spin);
+        work->scale[s] = 1.0 / sat4_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -2044,10 +2048,10 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
 
 /* (12) */
 SAT4_CODE
-sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out)
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
@@ -2072,7 +2076,7 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_demand(stand, x, sine, cosine, V_dot, &work);
+    status = sat4_demand(table, x, sine, cosine, V_dot, &work);
     if (status != SAT4_OK) { return status; }
     sat4_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2193,10 +2197,10 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
 
 /* (12) */
 SAT4_CODE
-sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || phi_ddot == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
@@ -2216,7 +2220,7 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    status = sat4_demand(stand, x, sine, cosine, V_dot, &work);
+    status = sat4_demand(table, x, sine, cosine, V_dot, &work);
     if (status != SAT4_OK) { return status; }
     /* normal equations: W^T W y = W^T r */
     sat4_real gram[4][4];
@@ -2276,7 +2280,7 @@ sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, cons
 /* reading of one sensor. */
 SAT4_CODE
 static void sat4_sense(const sat4_sensor *sensor, const sat4_real r[3], const sat4_real V[6],
-                       const sat4_real V_dot[6], const sat4_real C[9], sat4_reading *restrict out)
+                       const sat4_real V_dot[6], const sat4_real C[9], sat4_points_result *restrict out)
 {
     sat4_real velocity[3];  /* in E1 */
     sat4_real force[3];  /* acceleration less gravity, in E1 */
@@ -2326,10 +2330,10 @@ static void sat4_sense(const sat4_sensor *sensor, const sat4_real r[3], const sa
 
 /* What an accelerometer and a gyro read at each instrument and point. */
 SAT4_CODE
-sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
-                         sat4_reading out[SAT4_SENSORS])
+sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
+                        sat4_points_result out[SAT4_SENSORS])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || V_dot == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
@@ -2337,7 +2341,7 @@ sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat
     sat4_real C[9];  /* attitude */
     sat4_rotation(x->attitude, C);
     for (int k = 0; k < SAT4_SENSORS; ++k) {
-        sat4_sense(&stand->sensor[k], x->position, x->V, V_dot, C, &out[k]);
+        sat4_sense(&table->sensor[k], x->position, x->V, V_dot, C, &out[k]);
     }
     return SAT4_OK;
 }
@@ -2364,8 +2368,9 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4])
 
 /* (10) */
 SAT4_CODE
-sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], const sat4_real q_dot[6],
-                        const sat4_real q_ddot[6], sat4_state *x, sat4_real V_dot[6])
+sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_real angles[3],
+                                        const sat4_real q_dot[6], const sat4_real q_ddot[6], sat4_state *x,
+                                        sat4_real V_dot[6])
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
@@ -2418,7 +2423,7 @@ sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], 
 
 /* I0 = K A, J0 = K D + M A, (11). */
 SAT4_CODE
-static void sat4_products(const sat4_equations *m, sat4_generalized *restrict out)
+static void sat4_products(const sat4_matrices_result *m, sat4_generalized_result *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2437,15 +2442,15 @@ static void sat4_products(const sat4_equations *m, sat4_generalized *restrict ou
 
 /* (10), (11) */
 SAT4_CODE
-sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sat4_real angles[3],
-                          const sat4_real phi_ddot[SAT4_N], sat4_generalized *out)
+sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
+                             const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out)
 {
-    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || angles == NULL || phi_ddot == NULL
         || out == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status;
     sat4_state y;  /* the state with the attitude of the angles */
     sat4_real V_dot[6];
-    sat4_equations m;
+    sat4_matrices_result m;
     y = *x;
     status = sat4_quaternion(angles, y.attitude);
     if (status != SAT4_OK) { return status; }
@@ -2454,9 +2459,9 @@ sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sa
     sat4_real s_phi, c_phi;
     sat4_sincos(angles[2], &s_phi, &c_phi);
     const sat4_real singular = c_theta;  /* A has no inverse where this is 0 */
-    status = sat4_forward(stand, &y, phi_ddot, V_dot);
+    status = sat4_forward(table, &y, phi_ddot, V_dot);
     if (status != SAT4_OK) { return status; }
-    status = sat4_matrices(stand, &y, &m);
+    status = sat4_matrices(table, &y, &m);
     if (status != SAT4_OK) { return status; }
     if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return SAT4_SINGULAR_ATTITUDE; }
     sat4_real C[9];
@@ -2713,9 +2718,9 @@ static sat4_status sat4_check_parameters(const sat4_parameters *parameters)
 
 /* (2) */
 SAT4_CODE
-sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
+sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
 {
-    if (parameters == NULL || stand == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (parameters == NULL || table == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_parameters(parameters);
     if (status != SAT4_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2759,7 +2764,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        sat4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, stand->flywheel[s].t_0);
+        sat4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -2770,16 +2775,16 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        sat4_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_c, stand->flywheel[s].J_c,
-            stand->flywheel[s].t_c);
+        sat4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+            table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
         Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        sat4_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_s, stand->flywheel[s].J_s,
-            stand->flywheel[s].t_s);
+        sat4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+            table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -2787,7 +2792,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        sat4_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2c, t);
+        sat4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -2795,25 +2800,25 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand)
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        sat4_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2s, t);
-        stand->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
-        stand->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        sat4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
     }
-    stand->mass = mass;
-    stand->mass_inverse = 1.0 / mass;
-    stand->first_moment[0] = first_moment[0];
-    stand->first_moment[1] = first_moment[1];
-    stand->first_moment[2] = first_moment[2];
-    stand->inertia[0] = inertia[0];  stand->inertia[1] = inertia[1];  stand->inertia[2] = inertia[2];
-    stand->inertia[3] = inertia[3];  stand->inertia[4] = inertia[4];  stand->inertia[5] = inertia[5];
+    table->mass = mass;
+    table->mass_inverse = 1.0 / mass;
+    table->first_moment[0] = first_moment[0];
+    table->first_moment[1] = first_moment[1];
+    table->first_moment[2] = first_moment[2];
+    table->inertia[0] = inertia[0];  table->inertia[1] = inertia[1];  table->inertia[2] = inertia[2];
+    table->inertia[3] = inertia[3];  table->inertia[4] = inertia[4];  table->inertia[5] = inertia[5];
     /* poses of instruments and points */
     for (int k = 0; k < 1; ++k) {
         (void)sat4_place_point(&parameters->point[k], O, R);
-        stand->sensor[k].origin[0] = O[0];  stand->sensor[k].origin[1] = O[1];
-        stand->sensor[k].origin[2] = O[2];
-        stand->sensor[k].axes[0] = R[0];  stand->sensor[k].axes[1] = R[1];  stand->sensor[k].axes[2] = R[2];
-        stand->sensor[k].axes[3] = R[3];  stand->sensor[k].axes[4] = R[4];  stand->sensor[k].axes[5] = R[5];
-        stand->sensor[k].axes[6] = R[6];  stand->sensor[k].axes[7] = R[7];  stand->sensor[k].axes[8] = R[8];
+        table->sensor[k].origin[0] = O[0];  table->sensor[k].origin[1] = O[1];
+        table->sensor[k].origin[2] = O[2];
+        table->sensor[k].axes[0] = R[0];  table->sensor[k].axes[1] = R[1];  table->sensor[k].axes[2] = R[2];
+        table->sensor[k].axes[3] = R[3];  table->sensor[k].axes[4] = R[4];  table->sensor[k].axes[5] = R[5];
+        table->sensor[k].axes[6] = R[6];  table->sensor[k].axes[7] = R[7];  table->sensor[k].axes[8] = R[8];
     }
     return SAT4_OK;
 }
@@ -2898,10 +2903,10 @@ static void sat4_mount_wrench(const sat4_mount *mount, sat4_real s, sat4_real c,
 /* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
 SAT4_CODE
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
-                        const sat4_real phi_ddot[SAT4_N], sat4_real loads[24])
+                        const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24])
 {
     if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
-        || loads == NULL) { return SAT4_BAD_ARGUMENT; }
+        || mount_wrench == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
@@ -2918,7 +2923,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
         sat4_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V, V_dot,
             W);
         for (int j = 0; j < 6; ++j) {
-            loads[s * 6 + j] = W[j];
+            mount_wrench[s * 6 + j] = W[j];
         }
     }
     return SAT4_OK;

@@ -132,32 +132,32 @@ typedef struct sat4_table {
 } sat4_table;
 
 /* The matrices of (8). */
-typedef struct sat4_equations {
+typedef struct sat4_matrices_result {
     sat4_real K[6][6];       /* kg, kg m, kg m2; mass matrix (2) */
     sat4_real K_dot[6][6];   /* per s; its rate (6) */
     sat4_real M[6][6];       /* per s; velocity matrix (9) */
     sat4_real I[6][SAT4_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
     sat4_real J[6][SAT4_N];  /* per s; its velocity part (9) */
     sat4_real F[6];          /* N, N m; total external wrench (7) */
-} sat4_equations;
+} sat4_matrices_result;
 
 /* Momentum, energy and mass centre. */
-typedef struct sat4_momenta {
+typedef struct sat4_momentum_result {
     sat4_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
     sat4_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
     sat4_real energy;             /* J; kinetic */
     sat4_real center_of_mass[3];  /* m; of all bodies, in E1 */
-} sat4_momenta;
+} sat4_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
-typedef struct sat4_generalized {
+typedef struct sat4_generalized_result {
     sat4_real A[6][6];    /* V = A q' (10) */
     sat4_real D[6][6];    /* 1/s; A' along the motion (10) */
     sat4_real I0[6][6];   /* K A (11) */
     sat4_real J0[6][6];   /* K D + M A (11) */
     sat4_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
     sat4_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
-} sat4_generalized;
+} sat4_generalized_result;
 
 /* One flywheel and how it sits: for mounts only. */
 typedef struct sat4_mount {
@@ -174,14 +174,14 @@ typedef struct sat4_mount_table {
 } sat4_mount_table;
 
 /* Motion at an instrument or a point. */
-typedef struct sat4_reading {
+typedef struct sat4_points_result {
     sat4_real position[3];              /* m; in E0 */
     sat4_real C[3][3];                  /* own axes to E0 */
     sat4_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes: a gyro reads the last
                                          * three */
     sat4_real specific_force[3];        /* m/s2; acceleration less gravity, in own axes: an accelerometer */
     sat4_real angular_acceleration[3];  /* rad/s2; in own axes */
-} sat4_reading;
+} sat4_points_result;
 
 /* An encoder whose counter wraps. Kept by accumulate. */
 typedef struct sat4_encoder {
@@ -212,7 +212,7 @@ typedef struct sat4_inverse_result {
 } sat4_inverse_result;
 
 /* Derivatives of coupled. */
-typedef struct sat4_coupled_slopes {
+typedef struct sat4_coupled_jacobian_result {
     sat4_real V_dot_V[6][6];                     /* of V* by V: row i, column j */
     sat4_real V_dot_phi[6][SAT4_N];              /* of V* by the phases */
     sat4_real V_dot_phi_dot[6][SAT4_N];          /* by the speeds */
@@ -221,15 +221,15 @@ typedef struct sat4_coupled_slopes {
     sat4_real phi_ddot_phi[SAT4_N][SAT4_N];      /* of phi'' by the phases */
     sat4_real phi_ddot_phi_dot[SAT4_N][SAT4_N];  /* by the speeds */
     sat4_real phi_ddot_tau[SAT4_N][SAT4_N];      /* by the drive torques */
-} sat4_coupled_slopes;
+} sat4_coupled_jacobian_result;
 
 /* Derivatives of forward. */
-typedef struct sat4_forward_slopes {
+typedef struct sat4_forward_jacobian_result {
     sat4_real V_dot_V[6][6];              /* of V* by V: row i, column j */
     sat4_real V_dot_phi[6][SAT4_N];       /* of V* by the phases */
     sat4_real V_dot_phi_dot[6][SAT4_N];   /* by the speeds */
     sat4_real V_dot_phi_ddot[6][SAT4_N];  /* by the accelerations */
-} sat4_forward_slopes;
+} sat4_forward_jacobian_result;
 
 extern const sat4_parameters sat4_default_parameters;             /* of the stand file */
 extern const sat4_table sat4_default;                             /* what prepare makes of them */
@@ -239,46 +239,46 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
 
 /* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
  * phi'' + J phi'), (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1260 operations on reals, 3 of them divisions. */
-sat4_status sat4_forward(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1573 operations on reals, no division. */
-sat4_status sat4_matrices(const sat4_table *stand, const sat4_state *x, sat4_equations *out);
+sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1336 operations on reals, 1 of them a division. */
-sat4_status sat4_momentum(const sat4_table *stand, const sat4_state *x, sat4_momenta *out);
+sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 747 operations on reals, no division. */
-sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[4]       N m; drive torques, mount on flywheel
  *   locked[4]    not 0: a lock holds phi'' = 0, whatever its tau
@@ -287,11 +287,11 @@ sat4_status sat4_torque(const sat4_table *stand, const sat4_state *x, const sat4
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2036 operations on reals, 4 of them divisions. */
-sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
 
 /* step: state a time step later, under drive torques and wrenches held constant.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[4]     N m; drive torques, mount on flywheel
  *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -302,11 +302,11 @@ sat4_status sat4_coupled(const sat4_table *stand, const sat4_state *x, const sat
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 8760 operations on reals, 22 of them divisions. */
-sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
+sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
 /* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
@@ -316,7 +316,7 @@ sat4_status sat4_step(const sat4_table *stand, const sat4_state *x, const sat4_r
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 5656 operations on reals, 18 of them divisions. */
-sat4_status sat4_step_driven(const sat4_table *stand, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
+sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
 /* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
@@ -361,7 +361,7 @@ sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_rea
 sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
@@ -369,11 +369,11 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 5542 operations on reals, 57 of them divisions. */
-sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
-                                  const sat4_real phi_ddot[SAT4_N], sat4_forward_slopes *out);
+sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
+                                  const sat4_real phi_ddot[SAT4_N], sat4_forward_jacobian_result *out);
 
 /* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[4]     N m; drive torques, mount on flywheel
  *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -382,13 +382,13 @@ sat4_status sat4_forward_jacobian(const sat4_table *stand, const sat4_state *x,
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 12436 operations on reals, 76 of them divisions. */
-sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, const sat4_real tau[SAT4_N],
-                                  const int locked[SAT4_N], sat4_coupled_slopes *out);
+sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
+                                  const int locked[SAT4_N], sat4_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
  * is shared among the others, (12).
- *   stand     the prepared table
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
  *   options   weights, limits, damping; default_options has those of the stand
@@ -397,12 +397,12 @@ sat4_status sat4_coupled_jacobian(const sat4_table *stand, const sat4_state *x, 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
  * At most 33681 operations on reals, 997 of them divisions. */
-sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
 /* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
  * equations, (12).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
  *   options      weights and damping; near and limits are not read
@@ -413,18 +413,18 @@ sat4_status sat4_inverse(const sat4_table *stand, const sat4_state *x, const sat
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2328 operations on reals, 39 of them divisions. */
-sat4_status sat4_inverse_fast(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
+sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
-/* measure: what an accelerometer and a gyro read at each instrument and point.
- *   stand     the prepared table
+/* points: what an accelerometer and a gyro read at each instrument and point.
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: a reading each
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 335 operations on reals, 1 of them a division. */
-sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat4_real V_dot[6],
-                         sat4_reading out[SAT4_SENSORS]);
+sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
+                        sat4_points_result out[SAT4_SENSORS]);
 
 /* quaternion: attitude quaternion of three angles.
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
@@ -433,7 +433,8 @@ sat4_status sat4_measure(const sat4_table *stand, const sat4_state *x, const sat
  * At most 176 operations on reals, no division. */
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
 
-/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
+/* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
+ * + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
@@ -443,12 +444,13 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
  * At most 465 operations on reals, 1 of them a division. */
-sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], const sat4_real q_dot[6],
-                        const sat4_real q_ddot[6], sat4_state *x, sat4_real V_dot[6]);
+sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_real angles[3],
+                                        const sat4_real q_dot[6], const sat4_real q_ddot[6], sat4_state *x,
+                                        sat4_real V_dot[6]);
 
-/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+/* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude is not read, the angles take its place
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[4]  rad/s2; flywheel accelerations
@@ -456,12 +458,12 @@ sat4_status sat4_target(const sat4_real position[3], const sat4_real angles[3], 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
  * At most 4626 operations on reals, 5 of them divisions. */
-sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sat4_real angles[3],
-                          const sat4_real phi_ddot[SAT4_N], sat4_generalized *out);
+sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
+                             const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
  * RANGE also where a mass is negative or axes have no direction.
  * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
@@ -470,19 +472,19 @@ sat4_status sat4_attitude(const sat4_table *stand, const sat4_state *x, const sa
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 5763 operations on reals, 40 of them divisions. */
-sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *stand);
+sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   mounting     made once by prepare_mounts
- *   x            state; its attitude within 1e-3 of unit length
- *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
- *   phi_ddot[4]  rad/s2; flywheel accelerations
- *   loads[24]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
- *                at phi = 0; the fourth is tau
+ *   mounting          made once by prepare_mounts
+ *   x                 state; its attitude within 1e-3 of unit length
+ *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[4]       rad/s2; flywheel accelerations
+ *   mount_wrench[24]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
+ *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1357 operations on reals, no division. */
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
-                        const sat4_real phi_ddot[SAT4_N], sat4_real loads[24]);
+                        const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24]);
 
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings

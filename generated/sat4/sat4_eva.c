@@ -16,8 +16,8 @@
 #include "sat4.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
- * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
- * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+ * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
+ * correctly rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
 
 /*@ requires -10000000.0 <= x <= 10000000.0;
     assigns *sine, *cosine \from x;
@@ -166,7 +166,7 @@ static void untouched(const sat4_real *x, int count)
 static void normal_state(sat4_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    quaternion(x->attitude, 2.0);
+    reals(&x->attitude[0], 4, 1.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 4, 100.0);
     reals(&x->phi_dot[0], 4, 1.0e3);
@@ -175,7 +175,7 @@ static void normal_state(sat4_state *x)
 static void any_state(sat4_state *x)
 {
     reals(&x->position[0], 3, SAT4_LARGEST);
-    quaternion(x->attitude, SAT4_LARGEST);
+    reals(&x->attitude[0], 4, SAT4_LARGEST);
     reals(&x->V[0], 6, SAT4_LARGEST);
     reals(&x->phi[0], 4, SAT4_LARGEST);
     reals(&x->phi_dot[0], 4, SAT4_LARGEST);
@@ -295,7 +295,7 @@ static void bits_parameters(sat4_parameters *x)
     }
 }
 
-static void untouched_equations(const sat4_equations *x)
+static void untouched_matrices_result(const sat4_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -305,7 +305,7 @@ static void untouched_equations(const sat4_equations *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_equations(const sat4_equations *x)
+static void written_matrices_result(const sat4_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -315,7 +315,7 @@ static void written_equations(const sat4_equations *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_equations(const sat4_equations *x)
+static void initialised_matrices_result(const sat4_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -325,7 +325,7 @@ static void initialised_equations(const sat4_equations *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momenta(const sat4_momenta *x)
+static void untouched_momentum_result(const sat4_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -333,7 +333,7 @@ static void untouched_momenta(const sat4_momenta *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momenta(const sat4_momenta *x)
+static void written_momentum_result(const sat4_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -341,7 +341,7 @@ static void written_momenta(const sat4_momenta *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momenta(const sat4_momenta *x)
+static void initialised_momentum_result(const sat4_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -390,7 +390,7 @@ static void initialised_encoder(const sat4_encoder *x)
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_slopes(const sat4_forward_slopes *x)
+static void untouched_forward_jacobian_result(const sat4_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 24);
@@ -398,7 +398,7 @@ static void untouched_forward_slopes(const sat4_forward_slopes *x)
     untouched(&x->V_dot_phi_ddot[0][0], 24);
 }
 
-static void written_forward_slopes(const sat4_forward_slopes *x)
+static void written_forward_jacobian_result(const sat4_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 24);
@@ -406,7 +406,7 @@ static void written_forward_slopes(const sat4_forward_slopes *x)
     written(&x->V_dot_phi_ddot[0][0], 24);
 }
 
-static void initialised_forward_slopes(const sat4_forward_slopes *x)
+static void initialised_forward_jacobian_result(const sat4_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 24);
@@ -414,7 +414,7 @@ static void initialised_forward_slopes(const sat4_forward_slopes *x)
     initialised(&x->V_dot_phi_ddot[0][0], 24);
 }
 
-static void untouched_coupled_slopes(const sat4_coupled_slopes *x)
+static void untouched_coupled_jacobian_result(const sat4_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 24);
@@ -426,7 +426,7 @@ static void untouched_coupled_slopes(const sat4_coupled_slopes *x)
     untouched(&x->phi_ddot_tau[0][0], 16);
 }
 
-static void written_coupled_slopes(const sat4_coupled_slopes *x)
+static void written_coupled_jacobian_result(const sat4_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 24);
@@ -438,7 +438,7 @@ static void written_coupled_slopes(const sat4_coupled_slopes *x)
     written(&x->phi_ddot_tau[0][0], 16);
 }
 
-static void initialised_coupled_slopes(const sat4_coupled_slopes *x)
+static void initialised_coupled_jacobian_result(const sat4_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 24);
@@ -481,7 +481,7 @@ static void initialised_inverse_result(const sat4_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized(const sat4_generalized *x)
+static void untouched_generalized_result(const sat4_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -491,7 +491,7 @@ static void untouched_generalized(const sat4_generalized *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized(const sat4_generalized *x)
+static void written_generalized_result(const sat4_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -501,7 +501,7 @@ static void written_generalized(const sat4_generalized *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized(const sat4_generalized *x)
+static void initialised_generalized_result(const sat4_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -749,13 +749,13 @@ void sat4_eva_normal_matrices(void)
 {
     sat4_state x;
     normal_state(&x);
-    sat4_equations out;
+    sat4_matrices_result out;
     const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -764,13 +764,13 @@ void sat4_eva_any_matrices(void)
 {
     sat4_state x;
     any_state(&x);
-    sat4_equations out;
+    sat4_matrices_result out;
     const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -779,13 +779,13 @@ void sat4_eva_bits_matrices(void)
 {
     sat4_state x;
     bits_state(&x);
-    sat4_equations out;
+    sat4_matrices_result out;
     const sat4_status status = sat4_matrices(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_equations(&out);
+        initialised_matrices_result(&out);
     }
 }
 
@@ -794,13 +794,13 @@ void sat4_eva_normal_momentum(void)
 {
     sat4_state x;
     normal_state(&x);
-    sat4_momenta out;
+    sat4_momentum_result out;
     const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -809,13 +809,13 @@ void sat4_eva_any_momentum(void)
 {
     sat4_state x;
     any_state(&x);
-    sat4_momenta out;
+    sat4_momentum_result out;
     const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -824,13 +824,13 @@ void sat4_eva_bits_momentum(void)
 {
     sat4_state x;
     bits_state(&x);
-    sat4_momenta out;
+    sat4_momentum_result out;
     const sat4_status status = sat4_momentum(&sat4_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_momenta(&out);
+        initialised_momentum_result(&out);
     }
 }
 
@@ -1312,13 +1312,13 @@ void sat4_eva_normal_forward_jacobian(void)
     normal_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
-    sat4_forward_slopes out;
+    sat4_forward_jacobian_result out;
     const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1329,13 +1329,13 @@ void sat4_eva_any_forward_jacobian(void)
     any_state(&x);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, SAT4_LARGEST);
-    sat4_forward_slopes out;
+    sat4_forward_jacobian_result out;
     const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1346,13 +1346,13 @@ void sat4_eva_bits_forward_jacobian(void)
     bits_state(&x);
     sat4_real phi_ddot[SAT4_N];
     all_bits(&phi_ddot[0], 4);
-    sat4_forward_slopes out;
+    sat4_forward_jacobian_result out;
     const sat4_status status = sat4_forward_jacobian(&sat4_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_forward_slopes(&out);
+        initialised_forward_jacobian_result(&out);
     }
 }
 
@@ -1365,13 +1365,13 @@ void sat4_eva_normal_coupled_jacobian(void)
     reals(&tau[0], 4, 100.0);
     int locked[SAT4_N];
     integers(&locked[0], 4, 0, 1);
-    sat4_coupled_slopes out;
+    sat4_coupled_jacobian_result out;
     const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1384,13 +1384,13 @@ void sat4_eva_any_coupled_jacobian(void)
     reals(&tau[0], 4, SAT4_LARGEST);
     int locked[SAT4_N];
     integers(&locked[0], 4, INT_MIN, INT_MAX);
-    sat4_coupled_slopes out;
+    sat4_coupled_jacobian_result out;
     const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1403,13 +1403,13 @@ void sat4_eva_bits_coupled_jacobian(void)
     all_bits(&tau[0], 4);
     int locked[SAT4_N];
     integers(&locked[0], 4, INT_MIN, INT_MAX);
-    sat4_coupled_slopes out;
+    sat4_coupled_jacobian_result out;
     const sat4_status status = sat4_coupled_jacobian(&sat4_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_coupled_slopes(&out);
+        initialised_coupled_jacobian_result(&out);
     }
 }
 
@@ -1527,15 +1527,15 @@ void sat4_eva_bits_inverse_fast(void)
     }
 }
 
-void sat4_eva_normal_measure(void);
-void sat4_eva_normal_measure(void)
+void sat4_eva_normal_points(void);
+void sat4_eva_normal_points(void)
 {
     sat4_state x;
     normal_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, 1.0e3);
-    sat4_reading out[SAT4_SENSORS];
-    const sat4_status status = sat4_measure(&sat4_default, &x, V_dot, out);
+    sat4_points_result out[SAT4_SENSORS];
+    const sat4_status status = sat4_points(&sat4_default, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1552,15 +1552,15 @@ void sat4_eva_normal_measure(void)
     }
 }
 
-void sat4_eva_any_measure(void);
-void sat4_eva_any_measure(void)
+void sat4_eva_any_points(void);
+void sat4_eva_any_points(void)
 {
     sat4_state x;
     any_state(&x);
     sat4_real V_dot[6];
     reals(&V_dot[0], 6, SAT4_LARGEST);
-    sat4_reading out[SAT4_SENSORS];
-    const sat4_status status = sat4_measure(&sat4_default, &x, V_dot, out);
+    sat4_points_result out[SAT4_SENSORS];
+    const sat4_status status = sat4_points(&sat4_default, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1577,15 +1577,15 @@ void sat4_eva_any_measure(void)
     }
 }
 
-void sat4_eva_bits_measure(void);
-void sat4_eva_bits_measure(void)
+void sat4_eva_bits_points(void);
+void sat4_eva_bits_points(void)
 {
     sat4_state x;
     bits_state(&x);
     sat4_real V_dot[6];
     all_bits(&V_dot[0], 6);
-    sat4_reading out[SAT4_SENSORS];
-    const sat4_status status = sat4_measure(&sat4_default, &x, V_dot, out);
+    sat4_points_result out[SAT4_SENSORS];
+    const sat4_status status = sat4_points(&sat4_default, &x, V_dot, out);
     if (status < 0) {
         untouched(&out[0].position[0], 3);
         untouched(&out[0].C[0][0], 9);
@@ -1647,8 +1647,8 @@ void sat4_eva_bits_quaternion(void)
     }
 }
 
-void sat4_eva_normal_target(void);
-void sat4_eva_normal_target(void)
+void sat4_eva_normal_state_from_coordinates(void);
+void sat4_eva_normal_state_from_coordinates(void)
 {
     sat4_real position[3];
     reals(&position[0], 3, 100.0);
@@ -1661,7 +1661,7 @@ void sat4_eva_normal_target(void)
     sat4_state x;
     normal_state(&x);
     sat4_real V_dot[6];
-    const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const sat4_status status = sat4_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1671,8 +1671,8 @@ void sat4_eva_normal_target(void)
     }
 }
 
-void sat4_eva_any_target(void);
-void sat4_eva_any_target(void)
+void sat4_eva_any_state_from_coordinates(void);
+void sat4_eva_any_state_from_coordinates(void)
 {
     sat4_real position[3];
     reals(&position[0], 3, SAT4_LARGEST);
@@ -1685,7 +1685,7 @@ void sat4_eva_any_target(void)
     sat4_state x;
     any_state(&x);
     sat4_real V_dot[6];
-    const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const sat4_status status = sat4_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1695,8 +1695,8 @@ void sat4_eva_any_target(void)
     }
 }
 
-void sat4_eva_bits_target(void);
-void sat4_eva_bits_target(void)
+void sat4_eva_bits_state_from_coordinates(void);
+void sat4_eva_bits_state_from_coordinates(void)
 {
     sat4_real position[3];
     all_bits(&position[0], 3);
@@ -1709,7 +1709,7 @@ void sat4_eva_bits_target(void)
     sat4_state x;
     bits_state(&x);
     sat4_real V_dot[6];
-    const sat4_status status = sat4_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const sat4_status status = sat4_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1719,8 +1719,8 @@ void sat4_eva_bits_target(void)
     }
 }
 
-void sat4_eva_normal_attitude(void);
-void sat4_eva_normal_attitude(void)
+void sat4_eva_normal_generalized(void);
+void sat4_eva_normal_generalized(void)
 {
     sat4_state x;
     normal_state(&x);
@@ -1728,18 +1728,18 @@ void sat4_eva_normal_attitude(void)
     reals(&angles[0], 3, 7.0);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
-    sat4_generalized out;
-    const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
+    sat4_generalized_result out;
+    const sat4_status status = sat4_generalized(&sat4_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void sat4_eva_any_attitude(void);
-void sat4_eva_any_attitude(void)
+void sat4_eva_any_generalized(void);
+void sat4_eva_any_generalized(void)
 {
     sat4_state x;
     any_state(&x);
@@ -1747,18 +1747,18 @@ void sat4_eva_any_attitude(void)
     reals(&angles[0], 3, SAT4_LARGEST);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, SAT4_LARGEST);
-    sat4_generalized out;
-    const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
+    sat4_generalized_result out;
+    const sat4_status status = sat4_generalized(&sat4_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void sat4_eva_bits_attitude(void);
-void sat4_eva_bits_attitude(void)
+void sat4_eva_bits_generalized(void);
+void sat4_eva_bits_generalized(void)
 {
     sat4_state x;
     bits_state(&x);
@@ -1766,13 +1766,13 @@ void sat4_eva_bits_attitude(void)
     all_bits(&angles[0], 3);
     sat4_real phi_ddot[SAT4_N];
     all_bits(&phi_ddot[0], 4);
-    sat4_generalized out;
-    const sat4_status status = sat4_attitude(&sat4_default, &x, angles, phi_ddot, &out);
+    sat4_generalized_result out;
+    const sat4_status status = sat4_generalized(&sat4_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_generalized(&out);
+        initialised_generalized_result(&out);
     }
 }
 
@@ -1781,12 +1781,12 @@ void sat4_eva_normal_prepare(void)
 {
     sat4_parameters parameters;
     normal_parameters(&parameters);
-    sat4_table stand = sat4_default;
-    const sat4_status status = sat4_prepare(&parameters, &stand);
+    sat4_table table = sat4_default;
+    const sat4_status status = sat4_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1795,12 +1795,12 @@ void sat4_eva_any_prepare(void)
 {
     sat4_parameters parameters;
     any_parameters(&parameters);
-    sat4_table stand = sat4_default;
-    const sat4_status status = sat4_prepare(&parameters, &stand);
+    sat4_table table = sat4_default;
+    const sat4_status status = sat4_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1809,12 +1809,12 @@ void sat4_eva_bits_prepare(void)
 {
     sat4_parameters parameters;
     bits_parameters(&parameters);
-    sat4_table stand = sat4_default;
-    const sat4_status status = sat4_prepare(&parameters, &stand);
+    sat4_table table = sat4_default;
+    const sat4_status status = sat4_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised_table(&stand);
+        initialised_table(&table);
     }
 }
 
@@ -1829,13 +1829,13 @@ void sat4_eva_normal_mounts(void)
     reals(&V_dot[0], 6, 1.0e3);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, 1.0e4);
-    sat4_real loads[24];
-    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    sat4_real mount_wrench[24];
+    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 24);
+        untouched(&mount_wrench[0], 24);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 24);
+        written(&mount_wrench[0], 24);
     }
 }
 
@@ -1850,13 +1850,13 @@ void sat4_eva_any_mounts(void)
     reals(&V_dot[0], 6, SAT4_LARGEST);
     sat4_real phi_ddot[SAT4_N];
     reals(&phi_ddot[0], 4, SAT4_LARGEST);
-    sat4_real loads[24];
-    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    sat4_real mount_wrench[24];
+    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 24);
+        untouched(&mount_wrench[0], 24);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 24);
+        written(&mount_wrench[0], 24);
     }
 }
 
@@ -1871,13 +1871,13 @@ void sat4_eva_bits_mounts(void)
     all_bits(&V_dot[0], 6);
     sat4_real phi_ddot[SAT4_N];
     all_bits(&phi_ddot[0], 4);
-    sat4_real loads[24];
-    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, loads);
+    sat4_real mount_wrench[24];
+    const sat4_status status = sat4_mounts(&mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 24);
+        untouched(&mount_wrench[0], 24);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&loads[0], 24);
+        initialised(&mount_wrench[0], 24);
     }
 }
 

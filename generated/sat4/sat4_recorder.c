@@ -171,15 +171,15 @@ static void sat4_hash_members(const sat4_state *x, uint32_t seen[SAT4_RECORD_MEM
 }
 
 SAT4_CODE
-sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *stand, const sat4_state *x)
+sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, const sat4_state *x)
 {
     sat4_page page;
     uint32_t table;
-    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+    if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return SAT4_BAD_ARGUMENT;
     }
     sat4_record_begin(&page, NULL);
-    sat4_record_put_table(&page, stand);
+    sat4_record_put_table(&page, table);
     table = page.check;
     sat4_record_begin(&page, log);
     sat4_record_put_bytes(&page, sat4_record_magic, sizeof sat4_record_magic);
@@ -203,7 +203,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *stand, con
         sat4_record_put(&page, 0, 4);
     } else {
         sat4_record_put(&page, SAT4_RECORD_TABLE_BYTES, 4);
-        sat4_record_put_table(&page, stand);
+        sat4_record_put_table(&page, table);
     }
     sat4_record_end(&page);
     sat4_hash_members(x, log->seen);
@@ -278,14 +278,14 @@ static void sat4_record_result(sat4_page *page, sat4_recorder *log,
 }
 
 SAT4_CODE
-sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                int order)
 {
     sat4_page page;
     sat4_status status;
     unsigned flags = 0;
-    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
         || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
         flags |= (locked[s] != 0) ? SAT4_RECORD_LOCKS : 0u;
@@ -302,24 +302,24 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *stand, sat4
             sat4_record_put(&page, mask, 1);
         }
     }
-    status = sat4_step(stand, x, tau, locked, dt, order, x);
+    status = sat4_step(table, x, tau, locked, dt, order, x);
     sat4_record_result(&page, log, x, status);
     return status;
 }
 
 SAT4_CODE
-sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order)
 {
     sat4_page page;
     sat4_status status;
     unsigned flags = SAT4_RECORD_DRIVEN;
-    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
     flags |= sat4_notice_changes(log, x, dt, order);
     sat4_record_head(&page, log, x, flags);
     sat4_record_put_reals(&page, phi_ddot, SAT4_N);
-    status = sat4_step_driven(stand, x, phi_ddot, dt, order, x);
+    status = sat4_step_driven(table, x, phi_ddot, dt, order, x);
     sat4_record_result(&page, log, x, status);
     return status;
 }

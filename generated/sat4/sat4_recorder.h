@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 1u           /* of the log */
-#define SAT4_RECORDER_SOURCE 0x9f039f11u  /* of the texts of sat4.h and sat4.c: FNV-1a */
+#define SAT4_RECORDER_SOURCE 0xdc6806d6u  /* of the texts of sat4.h and sat4.c: FNV-1a */
 #define SAT4_RECORDER_TABLE  0xca9f3637u  /* hash of the default table */
 #define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
 #define SAT4_RECORD_MEMBERS  5  /* of a state */
@@ -68,10 +68,10 @@ typedef struct sat4_recorder {
 
 /* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
  *   log    its write and context are set; in and out
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state before the next step
  * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
-sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *stand, const sat4_state *x);
+sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, const sat4_state *x);
 
 /* recorder_step: step, and a record of it.
  *   log  a log that was started
@@ -79,7 +79,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *stand, con
  *   The others are those of step; also a step that is refused is logged.
  * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: SAT4_RECORD_BYTES and less than 200 bytes more than step. */
-sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                int order);
 
@@ -89,7 +89,7 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *stand, sat4
  *   The others are those of step_driven; also a step that is refused is logged.
  * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: SAT4_RECORD_BYTES and less than 200 bytes more than step_driven. */
-sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *stand, sat4_state *x,
+sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
 
 #ifdef __cplusplus

@@ -76,8 +76,8 @@ static sat4_mount_table mounting;
 
 static union {
     struct { sat4_real V_dot[6]; } forward;
-    struct { sat4_equations out; } matrices;
-    struct { sat4_momenta out; } momentum;
+    struct { sat4_matrices_result out; } matrices;
+    struct { sat4_momentum_result out; } momentum;
     struct { sat4_real tau[SAT4_N]; } torque;
     struct { sat4_real V_dot[6]; sat4_real phi_ddot[SAT4_N]; } coupled;
     struct { sat4_state next; } step;
@@ -86,16 +86,16 @@ static union {
     struct { sat4_real phi; } phase_of_counts;
     struct { sat4_real phi_dot; } speed_of_counts;
     struct { sat4_encoder encoder; } accumulate;
-    struct { sat4_forward_slopes out; } forward_jacobian;
-    struct { sat4_coupled_slopes out; } coupled_jacobian;
+    struct { sat4_forward_jacobian_result out; } forward_jacobian;
+    struct { sat4_coupled_jacobian_result out; } coupled_jacobian;
     struct { sat4_inverse_result out; } inverse;
     struct { sat4_real phi_ddot[SAT4_N]; } inverse_fast;
-    struct { sat4_reading out[SAT4_SENSORS]; } measure;
+    struct { sat4_points_result out[SAT4_SENSORS]; } points;
     struct { sat4_real attitude[4]; } quaternion;
-    struct { sat4_state x; sat4_real V_dot[6]; } target;
-    struct { sat4_generalized out; } attitude;
-    struct { sat4_table stand; } prepare;
-    struct { sat4_real loads[24]; } mounts;
+    struct { sat4_state x; sat4_real V_dot[6]; } state_from_coordinates;
+    struct { sat4_generalized_result out; } generalized;
+    struct { sat4_table table; } prepare;
+    struct { sat4_real mount_wrench[24]; } mounts;
     struct { sat4_mount_table mounting; } prepare_mounts;
     unsigned char bytes[1];
 } results;
@@ -174,7 +174,7 @@ static void untouched(tally *sum, const void *place, size_t size)
     }
 }
 
-static void take_equations(tally *sum, const sat4_equations *value)
+static void take_matrices_result(tally *sum, const sat4_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->K[i], 6);
@@ -194,7 +194,7 @@ static void take_equations(tally *sum, const sat4_equations *value)
     take_reals(sum, value->F, 6);
 }
 
-static void take_momenta(tally *sum, const sat4_momenta *value)
+static void take_momentum_result(tally *sum, const sat4_momentum_result *value)
 {
     take_reals(sum, value->Z, 6);
     take_reals(sum, value->Z0, 6);
@@ -218,7 +218,7 @@ static void take_encoder(tally *sum, const sat4_encoder *value)
     take_ints(sum, &value->moved, 1);
 }
 
-static void take_forward_slopes(tally *sum, const sat4_forward_slopes *value)
+static void take_forward_jacobian_result(tally *sum, const sat4_forward_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -234,7 +234,7 @@ static void take_forward_slopes(tally *sum, const sat4_forward_slopes *value)
     }
 }
 
-static void take_coupled_slopes(tally *sum, const sat4_coupled_slopes *value)
+static void take_coupled_jacobian_result(tally *sum, const sat4_coupled_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -273,7 +273,7 @@ static void take_inverse_result(tally *sum, const sat4_inverse_result *value)
     take_reals(sum, value->hardest, 6);
 }
 
-static void take_reading(tally *sum, const sat4_reading *value)
+static void take_points_result(tally *sum, const sat4_points_result *value)
 {
     take_reals(sum, value->position, 3);
     for (int i = 0; i < 3; ++i) {
@@ -284,7 +284,7 @@ static void take_reading(tally *sum, const sat4_reading *value)
     take_reals(sum, value->angular_acceleration, 3);
 }
 
-static void take_generalized(tally *sum, const sat4_generalized *value)
+static void take_generalized_result(tally *sum, const sat4_generalized_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->A[i], 6);
@@ -380,7 +380,7 @@ static void take_matrices_results(tally *sum, sat4_status status)
         untouched(sum, &results.matrices.out, sizeof results.matrices.out);
         return;
     }
-    take_equations(sum, &results.matrices.out);
+    take_matrices_result(sum, &results.matrices.out);
 }
 
 static sat4_status call_momentum(void)
@@ -394,7 +394,7 @@ static void take_momentum_results(tally *sum, sat4_status status)
         untouched(sum, &results.momentum.out, sizeof results.momentum.out);
         return;
     }
-    take_momenta(sum, &results.momentum.out);
+    take_momentum_result(sum, &results.momentum.out);
 }
 
 static sat4_status call_torque(void)
@@ -521,7 +521,7 @@ static void take_forward_jacobian_results(tally *sum, sat4_status status)
         untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
         return;
     }
-    take_forward_slopes(sum, &results.forward_jacobian.out);
+    take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
 static sat4_status call_coupled_jacobian(void)
@@ -535,7 +535,7 @@ static void take_coupled_jacobian_results(tally *sum, sat4_status status)
         untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
         return;
     }
-    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+    take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
 static sat4_status call_inverse(void)
@@ -567,19 +567,19 @@ static void take_inverse_fast_results(tally *sum, sat4_status status)
     take_reals(sum, results.inverse_fast.phi_ddot, SAT4_N);
 }
 
-static sat4_status call_measure(void)
+static sat4_status call_points(void)
 {
-    return sat4_measure(&sat4_default, &in.x, in.V_dot, results.measure.out);
+    return sat4_points(&sat4_default, &in.x, in.V_dot, results.points.out);
 }
 
-static void take_measure_results(tally *sum, sat4_status status)
+static void take_points_results(tally *sum, sat4_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.measure.out, sizeof results.measure.out);
+        untouched(sum, &results.points.out, sizeof results.points.out);
         return;
     }
     for (int i = 0; i < SAT4_SENSORS; ++i) {
-        take_reading(sum, &results.measure.out[i]);
+        take_points_result(sum, &results.points.out[i]);
     }
 }
 
@@ -597,60 +597,61 @@ static void take_quaternion_results(tally *sum, sat4_status status)
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
-static sat4_status call_target(void)
+static sat4_status call_state_from_coordinates(void)
 {
-    results.target.x = in.x;
-    return sat4_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x, results.target.V_dot);
+    results.state_from_coordinates.x = in.x;
+    return sat4_state_from_coordinates(in.position, in.angles, in.q_dot, in.q_ddot,
+        &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_target_results(tally *sum, sat4_status status)
+static void take_state_from_coordinates_results(tally *sum, sat4_status status)
 {
-    take_state(sum, &results.target.x);
+    take_state(sum, &results.state_from_coordinates.x);
     if (status < 0) {
-        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
         return;
     }
-    take_reals(sum, results.target.V_dot, 6);
+    take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
-static sat4_status call_attitude(void)
+static sat4_status call_generalized(void)
 {
-    return sat4_attitude(&sat4_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+    return sat4_generalized(&sat4_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_attitude_results(tally *sum, sat4_status status)
+static void take_generalized_results(tally *sum, sat4_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
         return;
     }
-    take_generalized(sum, &results.attitude.out);
+    take_generalized_result(sum, &results.generalized.out);
 }
 
 static sat4_status call_prepare(void)
 {
-    results.prepare.stand = sat4_default;
-    return sat4_prepare(&parameters, &results.prepare.stand);
+    results.prepare.table = sat4_default;
+    return sat4_prepare(&parameters, &results.prepare.table);
 }
 
 static void take_prepare_results(tally *sum, sat4_status status)
 {
     (void)status;
-    take_table(sum, &results.prepare.stand);
+    take_table(sum, &results.prepare.table);
 }
 
 static sat4_status call_mounts(void)
 {
-    return sat4_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+    return sat4_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.mount_wrench);
 }
 
 static void take_mounts_results(tally *sum, sat4_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
         return;
     }
-    take_reals(sum, results.mounts.loads, 24);
+    take_reals(sum, results.mounts.mount_wrench, 24);
 }
 
 static sat4_status call_prepare_mounts(void)
@@ -946,7 +947,7 @@ static const sat4_real numbers_inverse_fast[] =
     0x1.be9ecf9c5ca5cp+27, -0x1.be875c52b1ba6p+27, 0x1.be80ef71ec6a7p+27, -0x1.be844d9580e86p+27,
 };
 
-static const sat4_real numbers_measure[] =
+static const sat4_real numbers_points[] =
 {
     -0x1.ac22be1e126eep-1, 0x1.b015d9a907a4bp+0, 0x1.6edf94c8925acp-4, 0x1.73e03e191f0fcp-4,
         0x1.b4642fa1014ebp-1, -0x1.07b720737a69dp-1, -0x1.17622e6d4d739p-1, 0x1.e6a29d8df443cp-2,
@@ -968,7 +969,7 @@ static const sat4_real numbers_quaternion[] =
     0x1.d915e09ab5108p-1, -0x1.6193d7dd721a4p-4, 0x1.a1f4cfb3e2f8cp-3, -0x1.3f242baf00b94p-2,
 };
 
-static const sat4_real numbers_target[] =
+static const sat4_real numbers_state_from_coordinates[] =
 {
     0x1.e7f3ap-2, -0x1.100f98p-1, -0x1.ae09ap+0, 0x1.aa4a340f19d19p-1, 0x1.25fbc92e62904p-2,
         0x1.25c321255aaafp-3, 0x1.ce42528bd4593p-2, 0x1.88010a02f35bp-2, 0x1.edf30e4d09bfdp-1,
@@ -988,7 +989,7 @@ static const sat4_real numbers_target[] =
         -0x1.d0ae24p+43, -0x1.70a96cp+7, -0x1.49e8p+3, 0x1.70ed48p+6, -0x1.52138p+2,
 };
 
-static const sat4_real numbers_attitude[] =
+static const sat4_real numbers_generalized[] =
 {
     0x1.1a419f4e7869dp-1, 0x1.ab0b55883a79bp-1, 0x1.4d659bd0cbp-6, 0x0p+0, 0x0p+0, 0x0p+0,
         -0x1.56b505010e943p-1, 0x1.b5d91d5c2b14cp-2, 0x1.371361c707286p-1, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -1136,20 +1137,20 @@ static const function functions[FUNCTIONS] =
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 0, 0xe74cfe48u, 4 }, { 0, 0x76db4c37u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa1c15d0du },
-    { "measure", sizeof results.measure,
-      call_measure, take_measure_results, numbers_measure,
+    { "points", sizeof results.points,
+      call_points, take_points_results, numbers_points,
       { { 0, 0xb822e313u, 24 }, { 0, 0x784a950fu, 24 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa21f165fu },
     { "quaternion", sizeof results.quaternion,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0x2b4cc305u, 4 }, { 0, 0x7015cbd0u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x2d84727du },
-    { "target", sizeof results.target,
-      call_target, take_target_results, numbers_target,
+    { "state_from_coordinates", sizeof results.state_from_coordinates,
+      call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0xa7ba7446u, 27 }, { 0, 0xbd899780u, 27 }, { -2, 0x10c8be56u, 21 } },
       0x5440b662u },
-    { "attitude", sizeof results.attitude,
-      call_attitude, take_attitude_results, numbers_attitude,
+    { "generalized", sizeof results.generalized,
+      call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0x3b894d02u, 32 }, { 0, 0xdff42c2eu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa091c159u },
     { "prepare", sizeof results.prepare,

@@ -267,13 +267,13 @@ static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3]
 
 /* sums of carrier, instruments and the constant part of the flywheels, (2). */
 SHAKER2_CODE
-static void shaker2_start_sums(const shaker2_table *stand, shaker2_sums *restrict sum)
+static void shaker2_start_sums(const shaker2_table *table, shaker2_sums *restrict sum)
 {
-    sum->mu[0] = stand->first_moment[0];
-    sum->mu[1] = stand->first_moment[1];
-    sum->mu[2] = stand->first_moment[2];
-    sum->J[0] = stand->inertia[0];  sum->J[1] = stand->inertia[1];  sum->J[2] = stand->inertia[2];
-    sum->J[3] = stand->inertia[3];  sum->J[4] = stand->inertia[4];  sum->J[5] = stand->inertia[5];
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
     sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
     sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
@@ -426,27 +426,27 @@ static void shaker2_suspend(const shaker2_suspension *law, const shaker2_state *
 
 /* total external wrench of weight, suspension, from checked inputs, (7). */
 SHAKER2_CODE
-static void shaker2_external(const shaker2_table *stand, const shaker2_state *x, const shaker2_sums *sum,
+static void shaker2_external(const shaker2_table *table, const shaker2_state *x, const shaker2_sums *sum,
                              const shaker2_real C[9], const shaker2_real g[3], shaker2_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
     /* weight of every body: its line of action moves with the flywheels */
-    F[0] += g[0] * stand->mass;  F[1] += g[1] * stand->mass;  F[2] += g[2] * stand->mass;
+    F[0] += g[0] * table->mass;  F[1] += g[1] * table->mass;  F[2] += g[2] * table->mass;
     F[3] += g[2] * sum->mu[1] - g[1] * sum->mu[2];
     F[4] += g[0] * sum->mu[2] - g[2] * sum->mu[0];
     F[5] += g[1] * sum->mu[0] - g[0] * sum->mu[1];
-    shaker2_suspend(&stand->suspension, x, C, F);
+    shaker2_suspend(&table->suspension, x, C, F);
 }
 
 /* momentum screw Z = K V + sum I phi' of the sums, (2). */
 SHAKER2_CODE
-static void shaker2_momentum_screw(const shaker2_table *stand, const shaker2_sums *sum,
+static void shaker2_momentum_screw(const shaker2_table *table, const shaker2_sums *sum,
                                    const shaker2_real V[6], shaker2_real Z[restrict 6])
 {
-    Z[0] = stand->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
-    Z[1] = stand->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
-    Z[2] = stand->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    Z[2] = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
     Z[3] = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0] + sum->mu[1] * V[2]
         - sum->mu[2] * V[1];
     Z[4] = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1] + sum->mu[2] * V[0]
@@ -501,14 +501,14 @@ static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real
 
 /* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
 SHAKER2_CODE
-static shaker2_status shaker2_solve_carrier(const shaker2_table *stand, const shaker2_sums *sum,
+static shaker2_status shaker2_solve_carrier(const shaker2_table *table, const shaker2_sums *sum,
                                             const shaker2_real F[6], shaker2_real y[restrict 6])
 {
     shaker2_status status;
     shaker2_real rho[3];  /* mass centre from O1, in E1 */
-    rho[0] = stand->mass_inverse * sum->mu[0];
-    rho[1] = stand->mass_inverse * sum->mu[1];
-    rho[2] = stand->mass_inverse * sum->mu[2];
+    rho[0] = table->mass_inverse * sum->mu[0];
+    rho[1] = table->mass_inverse * sum->mu[1];
+    rho[2] = table->mass_inverse * sum->mu[2];
     shaker2_real S[6];  /* inertia about the mass centre */
     shaker2_real moment[3];  /* about the mass centre */
     shaker2_real omega_dot[3];
@@ -523,9 +523,9 @@ static shaker2_status shaker2_solve_carrier(const shaker2_table *stand, const sh
     moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
     status = shaker2_solve3(S, moment, omega_dot);
     if (status != SHAKER2_OK) { return status; }
-    y[0] = F[0] * stand->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
-    y[1] = F[1] * stand->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
-    y[2] = F[2] * stand->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
     return SHAKER2_OK;
 }
@@ -533,7 +533,7 @@ static shaker2_status shaker2_solve_carrier(const shaker2_table *stand, const sh
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
  * (8). */
 SHAKER2_CODE
-static shaker2_status shaker2_accelerate(const shaker2_table *stand, const shaker2_state *x,
+static shaker2_status shaker2_accelerate(const shaker2_table *table, const shaker2_state *x,
                                          const shaker2_real sine[SHAKER2_N],
                                          const shaker2_real cosine[SHAKER2_N],
                                          const shaker2_real phi_ddot[SHAKER2_N],
@@ -543,28 +543,28 @@ static shaker2_status shaker2_accelerate(const shaker2_table *stand, const shake
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     shaker2_real F[6];  /* wrench (7); then what K V* must equal */
     shaker2_real Z[6];  /* momentum screw (2) */
-    shaker2_external(stand, x, &sum, C, g, F);
-    shaker2_momentum_screw(stand, &sum, x->V, Z);
+    shaker2_external(table, x, &sum, C, g, F);
+    shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_subtract_rates(&sum, x->V, Z, F);
-    status = shaker2_solve_carrier(stand, &sum, F, V_dot);
+    status = shaker2_solve_carrier(table, &sum, F, V_dot);
     if (status != SHAKER2_OK) { return status; }
     return SHAKER2_OK;
 }
 
 /* (8) */
 SHAKER2_CODE
-shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6])
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -573,7 +573,7 @@ shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_accelerate(stand, x, sine, cosine, phi_ddot, result);
+    status = shaker2_accelerate(table, x, sine, cosine, phi_ddot, result);
     if (status != SHAKER2_OK) { return status; }
     V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
     V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
@@ -582,25 +582,25 @@ shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *
 
 /* (7) */
 SHAKER2_CODE
-shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x, shaker2_real F[6])
+shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x, shaker2_real F[6])
 {
-    if (stand == NULL || x == NULL || F == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || F == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real result[6];
-    shaker2_external(stand, x, &sum, C, g, result);
+    shaker2_external(table, x, &sum, C, g, result);
     F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
     F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
     return SHAKER2_OK;
@@ -608,7 +608,7 @@ shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x
 
 /* M = Phi K + K*, (9). */
 SHAKER2_CODE
-static void shaker2_velocity_matrix(const shaker2_real V[6], shaker2_equations *restrict out)
+static void shaker2_velocity_matrix(const shaker2_real V[6], shaker2_matrices_result *restrict out)
 {
     for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
         out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
@@ -625,33 +625,34 @@ static void shaker2_velocity_matrix(const shaker2_real V[6], shaker2_equations *
 
 /* (2), (6)-(9) */
 SHAKER2_CODE
-shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state *x, shaker2_equations *out)
+shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state *x,
+                                shaker2_matrices_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real F[6];
-    shaker2_external(stand, x, &sum, C, g, F);
+    shaker2_external(table, x, &sum, C, g, F);
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
     out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
     /* K (2) and its rate (6) */
-    out->K[0][0] = stand->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
+    out->K[0][0] = table->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
     out->K[0][3] = 0.0;          out->K[0][4] = sum.mu[2];    out->K[0][5] = -sum.mu[1];
-    out->K[1][0] = 0.0;          out->K[1][1] = stand->mass;  out->K[1][2] = 0.0;
+    out->K[1][0] = 0.0;          out->K[1][1] = table->mass;  out->K[1][2] = 0.0;
     out->K[1][3] = -sum.mu[2];   out->K[1][4] = 0.0;          out->K[1][5] = sum.mu[0];
-    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = stand->mass;
+    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = table->mass;
     out->K[2][3] = sum.mu[1];    out->K[2][4] = -sum.mu[0];   out->K[2][5] = 0.0;
     out->K[3][0] = 0.0;         out->K[3][1] = -sum.mu[2];  out->K[3][2] = sum.mu[1];
     out->K[3][3] = sum.J[0];    out->K[3][4] = sum.J[3];    out->K[3][5] = sum.J[4];
@@ -677,21 +678,21 @@ shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state 
     for (int s = 0; s < SHAKER2_N; ++s) {
         const shaker2_real s_phi = sine[s];
         const shaker2_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
-        rate[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-        rate[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-        rate[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-        rate[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-        rate[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-        rate[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        rate[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+        rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+        rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
         out->I[0][s] = column[0];
         out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
         out->I[1][s] = column[1];
@@ -713,9 +714,10 @@ shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state 
 
 /* (1), (2) */
 SHAKER2_CODE
-shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state *x, shaker2_momenta *out)
+shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state *x,
+                                shaker2_momentum_result *out)
 {
-    if (stand == NULL || x == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
@@ -724,27 +726,27 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real Z[6];  /* momentum screw (2) */
-    shaker2_momentum_screw(stand, &sum, x->V, Z);
+    shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
     for (int s = 0; s < SHAKER2_N; ++s) {
         const shaker2_real s_phi = sine[s];
         const shaker2_real c_phi = cosine[s];
         /* I_s . V */
-        const shaker2_real along = (stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi)
-            * x->V[0] + (stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi) * x->V[1]
-            + (stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi) * x->V[2]
-            + (stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0]) * x->V[3]
-            + (stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1]) * x->V[4]
-            + (stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2]) * x->V[5];
-        spin += x->phi_dot[s] * (along + stand->flywheel[s].spin * x->phi_dot[s]);
+        const shaker2_real along = (table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi)
+            * x->V[0] + (table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi) * x->V[1]
+            + (table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi) * x->V[2]
+            + (table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0]) * x->V[3]
+            + (table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1]) * x->V[4]
+            + (table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2]) * x->V[5];
+        spin += x->phi_dot[s] * (along + table->flywheel[s].spin * x->phi_dot[s]);
     }
     shaker2_real energy = 0.5 * Z[3] * x->V[3] + 0.5 * Z[4] * x->V[4] + 0.5 * Z[5] * x->V[5]
         + 0.5 * Z[0] * x->V[0] + 0.5 * Z[1] * x->V[1] + 0.5 * Z[2] * x->V[2] + 0.5 * spin;
@@ -761,16 +763,16 @@ shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state 
     out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
         - out->Z0[0] * x->position[1];
     out->energy = energy;
-    out->center_of_mass[0] = sum.mu[0] * stand->mass_inverse;
-    out->center_of_mass[1] = sum.mu[1] * stand->mass_inverse;
-    out->center_of_mass[2] = sum.mu[2] * stand->mass_inverse;
+    out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
     return SHAKER2_OK;
 }
 
 /* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
 SHAKER2_CODE
 static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real c,
-                           const shaker2_real swing[3], const shaker2_real spun[6],
+                           const shaker2_real origin_acceleration[3], const shaker2_real spun[6],
                            shaker2_coupling *restrict out)
 {
     const shaker2_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
@@ -795,7 +797,8 @@ static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real 
     const shaker2_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
         - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * swing[0] + out->I[1] * swing[1] + out->I[2] * swing[2];
+        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
+        + out->I[2] * origin_acceleration[2];
 }
 
 /* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
@@ -819,11 +822,11 @@ static void shaker2_eliminate(const shaker2_real I[6], shaker2_real spin_inv, sh
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 SHAKER2_CODE
-shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x,
                               const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
                               shaker2_real tau[SHAKER2_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
@@ -834,14 +837,14 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
     shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
@@ -849,9 +852,9 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_coupling drive;
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive);
+        shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
         tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + stand->flywheel[s].spin * phi_ddot[s]
+            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + table->flywheel[s].spin * phi_ddot[s]
             + drive.bias;
     }
     return SHAKER2_OK;
@@ -912,28 +915,30 @@ static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
 SHAKER2_CODE
-static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_state *x,
-                                   const shaker2_real sine[SHAKER2_N], const shaker2_real cosine[SHAKER2_N],
-                                   const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
-                                   shaker2_real V_dot[restrict 6], shaker2_real phi_ddot[restrict SHAKER2_N])
+static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const shaker2_state *x,
+                                            const shaker2_real sine[SHAKER2_N],
+                                            const shaker2_real cosine[SHAKER2_N],
+                                            const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
+                                            shaker2_real V_dot[restrict 6],
+                                            shaker2_real phi_ddot[restrict SHAKER2_N])
 {
     shaker2_status status;
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     shaker2_real Z[6];  /* momentum screw (2) */
-    shaker2_external(stand, x, &sum, C, g, F);
-    shaker2_momentum_screw(stand, &sum, x->V, Z);
+    shaker2_external(table, x, &sum, C, g, F);
+    shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_subtract_rates(&sum, x->V, Z, F);
     shaker2_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
     K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
     K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
@@ -941,10 +946,10 @@ static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_sta
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     shaker2_coupling drive[SHAKER2_N];
-    shaker2_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
     shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
@@ -952,11 +957,11 @@ static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_sta
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_real rate[SHAKER2_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         rate[s] = 0.0;
         if (locked[s] == 0) {
-            rate[s] = (tau[s] - drive[s].bias) * stand->flywheel[s].spin_inv;
-            shaker2_eliminate(drive[s].I, stand->flywheel[s].spin_inv, rate[s], &K, F);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            shaker2_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = shaker2_solve_schur(&K, F, V_dot);
@@ -966,7 +971,7 @@ static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_sta
         if (locked[s] == 0) {
             phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
                 + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * stand->flywheel[s].spin_inv;
+                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
         }
     }
     return SHAKER2_OK;
@@ -974,11 +979,11 @@ static shaker2_status shaker2_move(const shaker2_table *stand, const shaker2_sta
 
 /* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
 SHAKER2_CODE
-shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N])
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
         || phi_ddot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
@@ -989,7 +994,7 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = shaker2_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SHAKER2_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
@@ -1044,7 +1049,7 @@ static shaker2_status shaker2_finish(shaker2_state *restrict x)
 
 /* rates of the state under drive torques. */
 SHAKER2_CODE
-static shaker2_status shaker2_rate(const shaker2_table *stand, const shaker2_state *x,
+static shaker2_status shaker2_rate(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                    shaker2_state *restrict rate)
 {
@@ -1053,7 +1058,7 @@ static shaker2_status shaker2_rate(const shaker2_table *stand, const shaker2_sta
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_move(stand, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
+    status = shaker2_solve_coupled(table, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != SHAKER2_OK) { return status; }
     shaker2_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1075,11 +1080,11 @@ static shaker2_status shaker2_rate(const shaker2_table *stand, const shaker2_sta
 
 /* State a time step later, under drive torques and wrenches held constant. */
 SHAKER2_CODE
-shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
@@ -1093,19 +1098,19 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_state k;  /* rates of a stage */
     shaker2_state y;  /* state of a stage; then the new state */
-    status = shaker2_rate(stand, x, tau, locked, &k);
+    status = shaker2_rate(table, x, tau, locked, &k);
     if (status != SHAKER2_OK) { return status; }
     const shaker2_real half = 0.5 * dt;
     if (order == 2) {
         shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate(stand, &y, tau, locked, &k);
+        status = shaker2_rate(table, &y, tau, locked, &k);
         if (status != SHAKER2_OK) { return status; }
         shaker2_advance(x, &k, dt, &y);
     } else {
         shaker2_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate(stand, &y, tau, locked, &k);
+        status = shaker2_rate(table, &y, tau, locked, &k);
         if (status != SHAKER2_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1123,7 +1128,7 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate(stand, &y, tau, locked, &k);
+        status = shaker2_rate(table, &y, tau, locked, &k);
         if (status != SHAKER2_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1141,7 +1146,7 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         shaker2_advance(x, &k, dt, &y);
-        status = shaker2_rate(stand, &y, tau, locked, &k);
+        status = shaker2_rate(table, &y, tau, locked, &k);
         if (status != SHAKER2_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -1169,7 +1174,7 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
 
 /* rates of the state under given flywheel accelerations. */
 SHAKER2_CODE
-static shaker2_status shaker2_rate_driven(const shaker2_table *stand, const shaker2_state *x,
+static shaker2_status shaker2_rate_driven(const shaker2_table *table, const shaker2_state *x,
                                           const shaker2_real phi_ddot[SHAKER2_N],
                                           shaker2_state *restrict rate)
 {
@@ -1178,7 +1183,7 @@ static shaker2_status shaker2_rate_driven(const shaker2_table *stand, const shak
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_accelerate(stand, x, sine, cosine, phi_ddot, rate->V);
+    status = shaker2_accelerate(table, x, sine, cosine, phi_ddot, rate->V);
     if (status != SHAKER2_OK) { return status; }
     shaker2_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1201,11 +1206,11 @@ static shaker2_status shaker2_rate_driven(const shaker2_table *stand, const shak
 
 /* State a time step later, under given flywheel accelerations and wrenches held constant. */
 SHAKER2_CODE
-shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -1218,19 +1223,19 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_state k;  /* rates of a stage */
     shaker2_state y;  /* state of a stage; then the new state */
-    status = shaker2_rate_driven(stand, x, phi_ddot, &k);
+    status = shaker2_rate_driven(table, x, phi_ddot, &k);
     if (status != SHAKER2_OK) { return status; }
     const shaker2_real half = 0.5 * dt;
     if (order == 2) {
         shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate_driven(stand, &y, phi_ddot, &k);
+        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
         if (status != SHAKER2_OK) { return status; }
         shaker2_advance(x, &k, dt, &y);
     } else {
         shaker2_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
         total = k;
         shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate_driven(stand, &y, phi_ddot, &k);
+        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
         if (status != SHAKER2_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1248,7 +1253,7 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate_driven(stand, &y, phi_ddot, &k);
+        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
         if (status != SHAKER2_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += 2.0 * k.position[i];
@@ -1266,7 +1271,7 @@ shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_sta
             total.phi_dot[i] += 2.0 * k.phi_dot[i];
         }
         shaker2_advance(x, &k, dt, &y);
-        status = shaker2_rate_driven(stand, &y, phi_ddot, &k);
+        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
         if (status != SHAKER2_OK) { return status; }
         for (int i = 0; i < 3; ++i) {
             total.position[i] += k.position[i];
@@ -1389,8 +1394,8 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
 
 /* derivative of F - Phi Z - K* V by the twist, (8). */
 SHAKER2_CODE
-static void shaker2_twist_slope(const shaker2_table *stand, const shaker2_real Z[6],
-                                const shaker2_equations *m, shaker2_real slope[restrict 36])
+static void shaker2_twist_slope(const shaker2_table *table, const shaker2_real Z[6],
+                                const shaker2_matrices_result *m, shaker2_real slope[restrict 36])
 {
     slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
     slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
@@ -1411,7 +1416,7 @@ static void shaker2_twist_slope(const shaker2_table *stand, const shaker2_real Z
     }
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
-            slope[i * 6 + j] -= stand->suspension.damping[i][j];
+            slope[i * 6 + j] -= table->suspension.damping[i][j];
         }
     }
 }
@@ -1494,10 +1499,11 @@ static void shaker2_row_slope(const shaker2_row *row, const shaker2_real weight[
 
 /* (8) */
 SHAKER2_CODE
-shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker2_state *x,
-                                        const shaker2_real phi_ddot[SHAKER2_N], shaker2_forward_slopes *out)
+shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker2_state *x,
+                                        const shaker2_real phi_ddot[SHAKER2_N],
+                                        shaker2_forward_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -1505,31 +1511,31 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
     shaker2_real F[6];  /* what K V* must equal */
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_real V_result[6];  /* V_r* */
     shaker2_real rhs[6];
     shaker2_real y[6];
-    shaker2_external(stand, x, &sum, C, g, F);
-    shaker2_momentum_screw(stand, &sum, x->V, Z);
+    shaker2_external(table, x, &sum, C, g, F);
+    shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_subtract_rates(&sum, x->V, Z, F);
-    status = shaker2_solve_carrier(stand, &sum, F, V_result);
+    status = shaker2_solve_carrier(table, &sum, F, V_result);
     if (status != SHAKER2_OK) { return status; }
-    shaker2_equations m;
-    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    shaker2_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
-    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
     m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
-    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
     m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
     m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
     m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
@@ -1551,12 +1557,12 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     shaker2_velocity_matrix(x->V, &m);
     shaker2_real slope[36];  /* by V, row by row */
-    shaker2_twist_slope(stand, Z, &m, slope);
+    shaker2_twist_slope(table, Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)shaker2_solve_carrier(stand, &sum, rhs, y);
+        (void)shaker2_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1578,8 +1584,8 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            shaker2_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
-            (void)shaker2_solve_carrier(stand, &sum, rhs, y);
+            shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
+            (void)shaker2_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1589,22 +1595,22 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            shaker2_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
-            (void)shaker2_solve_carrier(stand, &sum, rhs, y);
+            shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
+            (void)shaker2_solve_carrier(table, &sum, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
         }
-        rhs[0] = stand->flywheel[s].mu_c[0] * s_phi - stand->flywheel[s].mu_s[0] * c_phi;
-        rhs[1] = stand->flywheel[s].mu_c[1] * s_phi - stand->flywheel[s].mu_s[1] * c_phi;
-        rhs[2] = stand->flywheel[s].mu_c[2] * s_phi - stand->flywheel[s].mu_s[2] * c_phi;
-        rhs[3] = -stand->flywheel[s].t_c[0] * c_phi - stand->flywheel[s].t_s[0] * s_phi
-            - stand->flywheel[s].t_0[0];
-        rhs[4] = -stand->flywheel[s].t_c[1] * c_phi - stand->flywheel[s].t_s[1] * s_phi
-            - stand->flywheel[s].t_0[1];
-        rhs[5] = -stand->flywheel[s].t_c[2] * c_phi - stand->flywheel[s].t_s[2] * s_phi
-            - stand->flywheel[s].t_0[2];
-        (void)shaker2_solve_carrier(stand, &sum, rhs, y);
+        rhs[0] = table->flywheel[s].mu_c[0] * s_phi - table->flywheel[s].mu_s[0] * c_phi;
+        rhs[1] = table->flywheel[s].mu_c[1] * s_phi - table->flywheel[s].mu_s[1] * c_phi;
+        rhs[2] = table->flywheel[s].mu_c[2] * s_phi - table->flywheel[s].mu_s[2] * c_phi;
+        rhs[3] = -table->flywheel[s].t_c[0] * c_phi - table->flywheel[s].t_s[0] * s_phi
+            - table->flywheel[s].t_0[0];
+        rhs[4] = -table->flywheel[s].t_c[1] * c_phi - table->flywheel[s].t_s[1] * s_phi
+            - table->flywheel[s].t_0[1];
+        rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
+            - table->flywheel[s].t_0[2];
+        (void)shaker2_solve_carrier(table, &sum, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1614,11 +1620,11 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
 
 /* Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude. */
 SHAKER2_CODE
-shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
-                                        shaker2_coupled_slopes *out)
+                                        shaker2_coupled_jacobian_result *out)
 {
-    if (stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (table == NULL || x == NULL || tau == NULL || locked == NULL
         || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
@@ -1629,25 +1635,25 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_move(stand, x, sine, cosine, tau, locked, V_result, phi_result);
+    status = shaker2_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
     }
     shaker2_real Z[6];  /* momentum screw (2) */
-    shaker2_momentum_screw(stand, &sum, x->V, Z);
-    shaker2_equations m;
-    m.K[0][0] = stand->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    shaker2_momentum_screw(table, &sum, x->V, Z);
+    shaker2_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
-    m.K[1][0] = 0.0;          m.K[1][1] = stand->mass;  m.K[1][2] = 0.0;
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
     m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
-    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = stand->mass;
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
     m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
     m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
     m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
@@ -1669,19 +1675,19 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     shaker2_velocity_matrix(x->V, &m);
     shaker2_real slope[36];  /* by V, row by row */
-    shaker2_twist_slope(stand, Z, &m, slope);
+    shaker2_twist_slope(table, Z, &m, slope);
     shaker2_coupling drive[SHAKER2_N];
-    shaker2_real swing[3];  /* acceleration of O1 at V* = 0, less gravity */
-    swing[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
-    swing[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
-    swing[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
     shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_schur K;  /* mass matrix with free flywheels eliminated */
-    K.A[0] = stand->mass;  K.A[1] = stand->mass;  K.A[2] = stand->mass;
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
     K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
     K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
@@ -1694,9 +1700,9 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_couple(&stand->flywheel[s], sine[s], cosine[s], swing, spun, &drive[s]);
+        shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            shaker2_eliminate(drive[s].I, stand->flywheel[s].spin_inv, 0.0, &K, rhs);
+            shaker2_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
     shaker2_real drive_slope[SHAKER2_N][6];  /* of the bias torques by V */
@@ -1707,18 +1713,18 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
         const shaker2_real c_phi = cosine[s];
         const shaker2_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
         const shaker2_real two_s2 = 4.0 * c_phi * s_phi;
-        J_p[0] = stand->flywheel[s].J_2s[0] * two_c2 + stand->flywheel[s].J_s[0] * c_phi
-            - stand->flywheel[s].J_2c[0] * two_s2 - stand->flywheel[s].J_c[0] * s_phi;
-        J_p[1] = stand->flywheel[s].J_2s[1] * two_c2 + stand->flywheel[s].J_s[1] * c_phi
-            - stand->flywheel[s].J_2c[1] * two_s2 - stand->flywheel[s].J_c[1] * s_phi;
-        J_p[2] = stand->flywheel[s].J_2s[2] * two_c2 + stand->flywheel[s].J_s[2] * c_phi
-            - stand->flywheel[s].J_2c[2] * two_s2 - stand->flywheel[s].J_c[2] * s_phi;
-        J_p[3] = stand->flywheel[s].J_2s[3] * two_c2 + stand->flywheel[s].J_s[3] * c_phi
-            - stand->flywheel[s].J_2c[3] * two_s2 - stand->flywheel[s].J_c[3] * s_phi;
-        J_p[4] = stand->flywheel[s].J_2s[4] * two_c2 + stand->flywheel[s].J_s[4] * c_phi
-            - stand->flywheel[s].J_2c[4] * two_s2 - stand->flywheel[s].J_c[4] * s_phi;
-        J_p[5] = stand->flywheel[s].J_2s[5] * two_c2 + stand->flywheel[s].J_s[5] * c_phi
-            - stand->flywheel[s].J_2c[5] * two_s2 - stand->flywheel[s].J_c[5] * s_phi;
+        J_p[0] = table->flywheel[s].J_2s[0] * two_c2 + table->flywheel[s].J_s[0] * c_phi
+            - table->flywheel[s].J_2c[0] * two_s2 - table->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = table->flywheel[s].J_2s[1] * two_c2 + table->flywheel[s].J_s[1] * c_phi
+            - table->flywheel[s].J_2c[1] * two_s2 - table->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = table->flywheel[s].J_2s[2] * two_c2 + table->flywheel[s].J_s[2] * c_phi
+            - table->flywheel[s].J_2c[2] * two_s2 - table->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = table->flywheel[s].J_2s[3] * two_c2 + table->flywheel[s].J_s[3] * c_phi
+            - table->flywheel[s].J_2c[3] * two_s2 - table->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = table->flywheel[s].J_2s[4] * two_c2 + table->flywheel[s].J_s[4] * c_phi
+            - table->flywheel[s].J_2c[4] * two_s2 - table->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = table->flywheel[s].J_2s[5] * two_c2 + table->flywheel[s].J_s[5] * c_phi
+            - table->flywheel[s].J_2c[5] * two_s2 - table->flywheel[s].J_c[5] * s_phi;
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
@@ -1738,7 +1744,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
         }
         for (int t = 0; t < SHAKER2_N; ++t) {
             if (locked[t] == 0) {
-                const shaker2_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -1754,7 +1760,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -1775,43 +1781,44 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
             change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
-            shaker2_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
             for (int t = 0; t < SHAKER2_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             shaker2_real mu_pp[3];  /* d2 mu / dphi2 */
             shaker2_real J_pp[6];  /* d2 J / dphi2 */
             shaker2_real I_p[6];  /* dI / dphi */
-            mu_pp[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            mu_pp[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            mu_pp[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            J_pp[0] = -4.0 * stand->flywheel[s].J_2c[0] * c2 - 4.0 * stand->flywheel[s].J_2s[0] * s2
-                - stand->flywheel[s].J_c[0] * c_phi - stand->flywheel[s].J_s[0] * s_phi;
-            J_pp[1] = -4.0 * stand->flywheel[s].J_2c[1] * c2 - 4.0 * stand->flywheel[s].J_2s[1] * s2
-                - stand->flywheel[s].J_c[1] * c_phi - stand->flywheel[s].J_s[1] * s_phi;
-            J_pp[2] = -4.0 * stand->flywheel[s].J_2c[2] * c2 - 4.0 * stand->flywheel[s].J_2s[2] * s2
-                - stand->flywheel[s].J_c[2] * c_phi - stand->flywheel[s].J_s[2] * s_phi;
-            J_pp[3] = -4.0 * stand->flywheel[s].J_2c[3] * c2 - 4.0 * stand->flywheel[s].J_2s[3] * s2
-                - stand->flywheel[s].J_c[3] * c_phi - stand->flywheel[s].J_s[3] * s_phi;
-            J_pp[4] = -4.0 * stand->flywheel[s].J_2c[4] * c2 - 4.0 * stand->flywheel[s].J_2s[4] * s2
-                - stand->flywheel[s].J_c[4] * c_phi - stand->flywheel[s].J_s[4] * s_phi;
-            J_pp[5] = -4.0 * stand->flywheel[s].J_2c[5] * c2 - 4.0 * stand->flywheel[s].J_2s[5] * s2
-                - stand->flywheel[s].J_c[5] * c_phi - stand->flywheel[s].J_s[5] * s_phi;
-            I_p[0] = -stand->flywheel[s].mu_c[0] * c_phi - stand->flywheel[s].mu_s[0] * s_phi;
-            I_p[1] = -stand->flywheel[s].mu_c[1] * c_phi - stand->flywheel[s].mu_s[1] * s_phi;
-            I_p[2] = -stand->flywheel[s].mu_c[2] * c_phi - stand->flywheel[s].mu_s[2] * s_phi;
-            I_p[3] = stand->flywheel[s].t_s[0] * c_phi - stand->flywheel[s].t_c[0] * s_phi;
-            I_p[4] = stand->flywheel[s].t_s[1] * c_phi - stand->flywheel[s].t_c[1] * s_phi;
-            I_p[5] = stand->flywheel[s].t_s[2] * c_phi - stand->flywheel[s].t_c[2] * s_phi;
+            mu_pp[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            mu_pp[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            mu_pp[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            J_pp[0] = -4.0 * table->flywheel[s].J_2c[0] * c2 - 4.0 * table->flywheel[s].J_2s[0] * s2
+                - table->flywheel[s].J_c[0] * c_phi - table->flywheel[s].J_s[0] * s_phi;
+            J_pp[1] = -4.0 * table->flywheel[s].J_2c[1] * c2 - 4.0 * table->flywheel[s].J_2s[1] * s2
+                - table->flywheel[s].J_c[1] * c_phi - table->flywheel[s].J_s[1] * s_phi;
+            J_pp[2] = -4.0 * table->flywheel[s].J_2c[2] * c2 - 4.0 * table->flywheel[s].J_2s[2] * s2
+                - table->flywheel[s].J_c[2] * c_phi - table->flywheel[s].J_s[2] * s_phi;
+            J_pp[3] = -4.0 * table->flywheel[s].J_2c[3] * c2 - 4.0 * table->flywheel[s].J_2s[3] * s2
+                - table->flywheel[s].J_c[3] * c_phi - table->flywheel[s].J_s[3] * s_phi;
+            J_pp[4] = -4.0 * table->flywheel[s].J_2c[4] * c2 - 4.0 * table->flywheel[s].J_2s[4] * s2
+                - table->flywheel[s].J_c[4] * c_phi - table->flywheel[s].J_s[4] * s_phi;
+            J_pp[5] = -4.0 * table->flywheel[s].J_2c[5] * c2 - 4.0 * table->flywheel[s].J_2s[5] * s2
+                - table->flywheel[s].J_c[5] * c_phi - table->flywheel[s].J_s[5] * s_phi;
+            I_p[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            I_p[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            I_p[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+            I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+            I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
             drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
                 + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
-                + (mu_pp[0] * swing[0] + mu_pp[1] * swing[1] + mu_pp[2] * swing[2]
+                + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
+                + mu_pp[2] * origin_acceleration[2]
                 - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
                 - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
                 - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
             for (int t = 0; t < SHAKER2_N; ++t) {
                 if (locked[t] == 0) {
-                    const shaker2_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1827,7 +1834,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1836,13 +1843,13 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
             change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
-            shaker2_row_slope(&stand->flywheel[s], change, x->V, V_result, g, rhs);
+            shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
             for (int t = 0; t < SHAKER2_N; ++t) {
                 drive_rhs[t] = 0.0;
             }
             for (int t = 0; t < SHAKER2_N; ++t) {
                 if (locked[t] == 0) {
-                    const shaker2_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                    const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
                         rhs[i] -= drive[t].I[i] * share;
                     }
@@ -1858,7 +1865,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
                         - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                         + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                        * stand->flywheel[t].spin_inv;
+                        * table->flywheel[t].spin_inv;
                 }
             }
         }
@@ -1870,7 +1877,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
         drive_rhs[s] = 1.0;
         for (int t = 0; t < SHAKER2_N; ++t) {
             if (locked[t] == 0) {
-                const shaker2_real share = drive_rhs[t] * stand->flywheel[t].spin_inv;
+                const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
                     rhs[i] -= drive[t].I[i] * share;
                 }
@@ -1886,7 +1893,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
                     - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
                     + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
-                    * stand->flywheel[t].spin_inv;
+                    * table->flywheel[t].spin_inv;
             }
         }
     }
@@ -1979,7 +1986,7 @@ static shaker2_status shaker2_factor(shaker2_inverse_work *restrict work)
 
 /* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
 SHAKER2_CODE
-static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_state *x,
+static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_state *x,
                                      const shaker2_real sine[SHAKER2_N],
                                      const shaker2_real cosine[SHAKER2_N], const shaker2_real V_dot[6],
                                      shaker2_inverse_work *restrict work)
@@ -1988,39 +1995,39 @@ static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_s
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(stand, &sum);
+    shaker2_start_sums(table, &sum);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&stand->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
     shaker2_real column[6];  /* I_s */
     for (int s = 0; s < SHAKER2_N; ++s) {
         const shaker2_real s_phi = sine[s];
         const shaker2_real c_phi = cosine[s];
-        column[0] = stand->flywheel[s].mu_s[0] * c_phi - stand->flywheel[s].mu_c[0] * s_phi;
-        column[1] = stand->flywheel[s].mu_s[1] * c_phi - stand->flywheel[s].mu_c[1] * s_phi;
-        column[2] = stand->flywheel[s].mu_s[2] * c_phi - stand->flywheel[s].mu_c[2] * s_phi;
-        column[3] = stand->flywheel[s].t_c[0] * c_phi + stand->flywheel[s].t_s[0] * s_phi
-            + stand->flywheel[s].t_0[0];
-        column[4] = stand->flywheel[s].t_c[1] * c_phi + stand->flywheel[s].t_s[1] * s_phi
-            + stand->flywheel[s].t_0[1];
-        column[5] = stand->flywheel[s].t_c[2] * c_phi + stand->flywheel[s].t_s[2] * s_phi
-            + stand->flywheel[s].t_0[2];
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
             work->I[i][s] = column[i];
         }
     }
     shaker2_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
     shaker2_real Z[6];  /* momentum screw (2) */
-    shaker2_external(stand, x, &sum, C, g, F);
-    shaker2_momentum_screw(stand, &sum, x->V, Z);
+    shaker2_external(table, x, &sum, C, g, F);
+    shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_subtract_rates(&sum, x->V, Z, F);
-    work->G[0][0] = stand->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
+    work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
     work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
-    work->G[1][0] = 0.0;          work->G[1][1] = stand->mass;  work->G[1][2] = 0.0;
+    work->G[1][0] = 0.0;          work->G[1][1] = table->mass;  work->G[1][2] = 0.0;
     work->G[1][3] = -sum.mu[2];   work->G[1][4] = 0.0;          work->G[1][5] = sum.mu[0];
-    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = stand->mass;
+    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = table->mass;
     work->G[2][3] = sum.mu[1];    work->G[2][4] = -sum.mu[0];   work->G[2][5] = 0.0;
     work->G[3][0] = 0.0;         work->G[3][1] = -sum.mu[2];  work->G[3][2] = sum.mu[1];
     work->G[3][3] = sum.J[0];    work->G[3][4] = sum.J[3];    work->G[3][5] = sum.J[4];
@@ -2038,7 +2045,7 @@ static shaker2_status shaker2_demand(const shaker2_table *stand, const shaker2_s
     status = shaker2_factor(work);
     if (status != SHAKER2_OK) { return status; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        work->scale[s] = 1.0 / shaker2_sqrt(stand->flywheel[s].spin);
+        work->scale[s] = 1.0 / shaker2_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
             work->W[i][s] = work->I[i][s] * work->scale[s];
         }
@@ -2240,11 +2247,11 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
 
 /* (12) */
 SHAKER2_CODE
-shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out)
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
@@ -2269,7 +2276,7 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_demand(stand, x, sine, cosine, V_dot, &work);
+    status = shaker2_demand(table, x, sine, cosine, V_dot, &work);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real wanted = 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -2391,11 +2398,11 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
 
 /* (12) */
 SHAKER2_CODE
-shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N])
 {
-    if (stand == NULL || x == NULL || V_dot == NULL || options == NULL
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || phi_ddot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
@@ -2415,7 +2422,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    status = shaker2_demand(stand, x, sine, cosine, V_dot, &work);
+    status = shaker2_demand(table, x, sine, cosine, V_dot, &work);
     if (status != SHAKER2_OK) { return status; }
     /* normal equations: W^T W y = W^T r */
     shaker2_real gram[2][2];
@@ -2494,9 +2501,9 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
 
 /* (10) */
 SHAKER2_CODE
-shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real angles[3],
-                              const shaker2_real q_dot[6], const shaker2_real q_ddot[6], shaker2_state *x,
-                              shaker2_real V_dot[6])
+shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], const shaker2_real angles[3],
+                                              const shaker2_real q_dot[6], const shaker2_real q_ddot[6],
+                                              shaker2_state *x, shaker2_real V_dot[6])
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
@@ -2549,7 +2556,7 @@ shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real
 
 /* I0 = K A, J0 = K D + M A, (11). */
 SHAKER2_CODE
-static void shaker2_products(const shaker2_equations *m, shaker2_generalized *restrict out)
+static void shaker2_products(const shaker2_matrices_result *m, shaker2_generalized_result *restrict out)
 {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -2568,16 +2575,16 @@ static void shaker2_products(const shaker2_equations *m, shaker2_generalized *re
 
 /* (10), (11) */
 SHAKER2_CODE
-shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state *x,
-                                const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
-                                shaker2_generalized *out)
+shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
+                                   const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
+                                   shaker2_generalized_result *out)
 {
-    if (stand == NULL || x == NULL || angles == NULL || phi_ddot == NULL
+    if (table == NULL || x == NULL || angles == NULL || phi_ddot == NULL
         || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status;
     shaker2_state y;  /* the state with the attitude of the angles */
     shaker2_real V_dot[6];
-    shaker2_equations m;
+    shaker2_matrices_result m;
     y = *x;
     status = shaker2_quaternion(angles, y.attitude);
     if (status != SHAKER2_OK) { return status; }
@@ -2586,9 +2593,9 @@ shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state 
     shaker2_real s_phi, c_phi;
     shaker2_sincos(angles[2], &s_phi, &c_phi);
     const shaker2_real singular = c_theta;  /* A has no inverse where this is 0 */
-    status = shaker2_forward(stand, &y, phi_ddot, V_dot);
+    status = shaker2_forward(table, &y, phi_ddot, V_dot);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_matrices(stand, &y, &m);
+    status = shaker2_matrices(table, &y, &m);
     if (status != SHAKER2_OK) { return status; }
     if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return SHAKER2_SINGULAR_ATTITUDE; }
     shaker2_real C[9];
@@ -2831,9 +2838,9 @@ static shaker2_status shaker2_check_parameters(const shaker2_parameters *paramet
 
 /* (2) */
 SHAKER2_CODE
-shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *stand)
+shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *table)
 {
-    if (parameters == NULL || stand == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (parameters == NULL || table == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_parameters(parameters);
     if (status != SHAKER2_OK) { return status; }
     /* all is good: from here on the table is written and nothing can fail */
@@ -2877,7 +2884,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        shaker2_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, stand->flywheel[s].t_0);
+        shaker2_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -2888,16 +2895,16 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        shaker2_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_c, stand->flywheel[s].J_c,
-            stand->flywheel[s].t_c);
+        shaker2_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+            table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
         Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        shaker2_carry(0.0, bh, Jh, O, R, stand->flywheel[s].mu_s, stand->flywheel[s].J_s,
-            stand->flywheel[s].t_s);
+        shaker2_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+            table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -2905,7 +2912,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        shaker2_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2c, t);
+        shaker2_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -2913,17 +2920,17 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        shaker2_carry(0.0, bh, Jh, O, R, mu, stand->flywheel[s].J_2s, t);
-        stand->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
-        stand->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        shaker2_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
     }
-    stand->mass = mass;
-    stand->mass_inverse = 1.0 / mass;
-    stand->first_moment[0] = first_moment[0];
-    stand->first_moment[1] = first_moment[1];
-    stand->first_moment[2] = first_moment[2];
-    stand->inertia[0] = inertia[0];  stand->inertia[1] = inertia[1];  stand->inertia[2] = inertia[2];
-    stand->inertia[3] = inertia[3];  stand->inertia[4] = inertia[4];  stand->inertia[5] = inertia[5];
+    table->mass = mass;
+    table->mass_inverse = 1.0 / mass;
+    table->first_moment[0] = first_moment[0];
+    table->first_moment[1] = first_moment[1];
+    table->first_moment[2] = first_moment[2];
+    table->inertia[0] = inertia[0];  table->inertia[1] = inertia[1];  table->inertia[2] = inertia[2];
+    table->inertia[3] = inertia[3];  table->inertia[4] = inertia[4];  table->inertia[5] = inertia[5];
     return SHAKER2_OK;
 }
 
@@ -3020,12 +3027,12 @@ static void shaker2_mount_wrench(const shaker2_mount *mount, shaker2_real s, sha
 
 /* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
 SHAKER2_CODE
-shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_table *mounting,
+shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_table *mounting,
                               const shaker2_state *x, const shaker2_real V_dot[6],
-                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real loads[12])
+                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real mount_wrench[12])
 {
-    if (stand == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
-        || loads == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
+        || mount_wrench == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
@@ -3035,7 +3042,7 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
     shaker2_real g[3];  /* gravity in E1 */
-    shaker2_rotate_back(C, stand->gravity, g);
+    shaker2_rotate_back(C, table->gravity, g);
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
@@ -3046,7 +3053,7 @@ shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_ta
         shaker2_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V,
             V_dot, g, W);
         for (int j = 0; j < 6; ++j) {
-            loads[s * 6 + j] = W[j];
+            mount_wrench[s * 6 + j] = W[j];
         }
     }
     return SHAKER2_OK;

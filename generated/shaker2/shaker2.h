@@ -125,32 +125,32 @@ typedef struct shaker2_table {
 } shaker2_table;
 
 /* The matrices of (8). */
-typedef struct shaker2_equations {
+typedef struct shaker2_matrices_result {
     shaker2_real K[6][6];          /* kg, kg m, kg m2; mass matrix (2) */
     shaker2_real K_dot[6][6];      /* per s; its rate (6) */
     shaker2_real M[6][6];          /* per s; velocity matrix (9) */
     shaker2_real I[6][SHAKER2_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
     shaker2_real J[6][SHAKER2_N];  /* per s; its velocity part (9) */
     shaker2_real F[6];             /* N, N m; total external wrench (7) */
-} shaker2_equations;
+} shaker2_matrices_result;
 
 /* Momentum, energy and mass centre. */
-typedef struct shaker2_momenta {
+typedef struct shaker2_momentum_result {
     shaker2_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
     shaker2_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
     shaker2_real energy;             /* J; kinetic */
     shaker2_real center_of_mass[3];  /* m; of all bodies, in E1 */
-} shaker2_momenta;
+} shaker2_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
-typedef struct shaker2_generalized {
+typedef struct shaker2_generalized_result {
     shaker2_real A[6][6];    /* V = A q' (10) */
     shaker2_real D[6][6];    /* 1/s; A' along the motion (10) */
     shaker2_real I0[6][6];   /* K A (11) */
     shaker2_real J0[6][6];   /* K D + M A (11) */
     shaker2_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
     shaker2_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
-} shaker2_generalized;
+} shaker2_generalized_result;
 
 /* One flywheel and how it sits: for mounts only. */
 typedef struct shaker2_mount {
@@ -195,7 +195,7 @@ typedef struct shaker2_inverse_result {
 } shaker2_inverse_result;
 
 /* Derivatives of coupled. */
-typedef struct shaker2_coupled_slopes {
+typedef struct shaker2_coupled_jacobian_result {
     shaker2_real V_dot_V[6][6];                           /* of V* by V: row i, column j */
     shaker2_real V_dot_phi[6][SHAKER2_N];                 /* of V* by the phases */
     shaker2_real V_dot_phi_dot[6][SHAKER2_N];             /* by the speeds */
@@ -204,15 +204,15 @@ typedef struct shaker2_coupled_slopes {
     shaker2_real phi_ddot_phi[SHAKER2_N][SHAKER2_N];      /* of phi'' by the phases */
     shaker2_real phi_ddot_phi_dot[SHAKER2_N][SHAKER2_N];  /* by the speeds */
     shaker2_real phi_ddot_tau[SHAKER2_N][SHAKER2_N];      /* by the drive torques */
-} shaker2_coupled_slopes;
+} shaker2_coupled_jacobian_result;
 
 /* Derivatives of forward. */
-typedef struct shaker2_forward_slopes {
+typedef struct shaker2_forward_jacobian_result {
     shaker2_real V_dot_V[6][6];                 /* of V* by V: row i, column j */
     shaker2_real V_dot_phi[6][SHAKER2_N];       /* of V* by the phases */
     shaker2_real V_dot_phi_dot[6][SHAKER2_N];   /* by the speeds */
     shaker2_real V_dot_phi_ddot[6][SHAKER2_N];  /* by the accelerations */
-} shaker2_forward_slopes;
+} shaker2_forward_jacobian_result;
 
 extern const shaker2_parameters shaker2_default_parameters;       /* of the stand file */
 extern const shaker2_table shaker2_default;                       /* what prepare makes of them */
@@ -222,55 +222,57 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
 
 /* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
  * phi'' + J phi'), (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1143 operations on reals, 6 of them divisions. */
-shaker2_status shaker2_forward(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
 /* wrench: total external wrench of all bodies at a state, (7).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 924 operations on reals, 3 of them divisions. */
-shaker2_status shaker2_wrench(const shaker2_table *stand, const shaker2_state *x, shaker2_real F[6]);
+shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x, shaker2_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 1302 operations on reals, 3 of them divisions. */
-shaker2_status shaker2_matrices(const shaker2_table *stand, const shaker2_state *x, shaker2_equations *out);
+shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state *x,
+                                shaker2_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 784 operations on reals, 1 of them a division. */
-shaker2_status shaker2_momentum(const shaker2_table *stand, const shaker2_state *x, shaker2_momenta *out);
+shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state *x,
+                                shaker2_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 496 operations on reals, 1 of them a division. */
-shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x,
                               const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
                               shaker2_real tau[SHAKER2_N]);
 
 /* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
  * eliminated first.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[2]       N m; drive torques, mount on flywheel
  *   locked[2]    not 0: a lock holds phi'' = 0, whatever its tau
@@ -279,12 +281,12 @@ shaker2_status shaker2_torque(const shaker2_table *stand, const shaker2_state *x
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1602 operations on reals, 7 of them divisions. */
-shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
 
 /* step: state a time step later, under drive torques and wrenches held constant.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[2]     N m; drive torques, mount on flywheel
  *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -295,12 +297,12 @@ shaker2_status shaker2_coupled(const shaker2_table *stand, const shaker2_state *
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 6938 operations on reals, 34 of them divisions. */
-shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
 
 /* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
@@ -310,7 +312,7 @@ shaker2_status shaker2_step(const shaker2_table *stand, const shaker2_state *x,
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 5102 operations on reals, 30 of them divisions. */
-shaker2_status shaker2_step_driven(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
 
@@ -356,7 +358,7 @@ shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt,
 shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
@@ -364,11 +366,12 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 3731 operations on reals, 42 of them divisions. */
-shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker2_state *x,
-                                        const shaker2_real phi_ddot[SHAKER2_N], shaker2_forward_slopes *out);
+shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker2_state *x,
+                                        const shaker2_real phi_ddot[SHAKER2_N],
+                                        shaker2_forward_jacobian_result *out);
 
 /* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
- *   stand      the prepared table
+ *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[2]     N m; drive torques, mount on flywheel
  *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau
@@ -377,14 +380,14 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *stand, const shaker
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 7389 operations on reals, 56 of them divisions. */
-shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
-                                        shaker2_coupled_slopes *out);
+                                        shaker2_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
  * is shared among the others, (12).
- *   stand     the prepared table
+ *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
  *   options   weights, limits, damping; default_options has those of the stand
@@ -393,13 +396,13 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *stand, const shaker
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
  * At most 26446 operations on reals, 850 of them divisions. */
-shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
 
 /* inverse_fast: flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal
  * equations, (12).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
  *   options      weights and damping; near and limits are not read
@@ -410,7 +413,7 @@ shaker2_status shaker2_inverse(const shaker2_table *stand, const shaker2_state *
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1826 operations on reals, 31 of them divisions. */
-shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_state *x,
+shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
 
@@ -421,7 +424,8 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *stand, const shaker2_st
  * At most 176 operations on reals, no division. */
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
 
-/* target: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q', (10).
+/* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
+ * + D q', (10).
  *   position[3]  m; of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
@@ -431,13 +435,13 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
  * At most 465 operations on reals, 1 of them a division. */
-shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real angles[3],
-                              const shaker2_real q_dot[6], const shaker2_real q_ddot[6], shaker2_state *x,
-                              shaker2_real V_dot[6]);
+shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], const shaker2_real angles[3],
+                                              const shaker2_real q_dot[6], const shaker2_real q_ddot[6],
+                                              shaker2_state *x, shaker2_real V_dot[6]);
 
-/* attitude: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
+/* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
- *   stand        the prepared table
+ *   table        the prepared table
  *   x            state; its attitude is not read, the angles take its place
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[2]  rad/s2; flywheel accelerations
@@ -445,13 +449,13 @@ shaker2_status shaker2_target(const shaker2_real position[3], const shaker2_real
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
  * At most 4238 operations on reals, 11 of them divisions. */
-shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state *x,
-                                const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
-                                shaker2_generalized *out);
+shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
+                                   const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
+                                   shaker2_generalized_result *out);
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   stand       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
+ *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
  * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
  * RANGE also where a mass is negative or axes have no direction.
  * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
@@ -460,21 +464,21 @@ shaker2_status shaker2_attitude(const shaker2_table *stand, const shaker2_state 
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2915 operations on reals, 20 of them divisions. */
-shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *stand);
+shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *table);
 
 /* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
- *   stand        the prepared table
- *   mounting     made once by prepare_mounts
- *   x            state; its attitude within 1e-3 of unit length
- *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
- *   phi_ddot[2]  rad/s2; flywheel accelerations
- *   loads[12]    out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes of Es
- *                at phi = 0; the fourth is tau
+ *   table             the prepared table
+ *   mounting          made once by prepare_mounts
+ *   x                 state; its attitude within 1e-3 of unit length
+ *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
+ *   phi_ddot[2]       rad/s2; flywheel accelerations
+ *   mount_wrench[12]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
+ *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 867 operations on reals, 1 of them a division. */
-shaker2_status shaker2_mounts(const shaker2_table *stand, const shaker2_mount_table *mounting,
+shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_table *mounting,
                               const shaker2_state *x, const shaker2_real V_dot[6],
-                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real loads[12]);
+                              const shaker2_real phi_ddot[SHAKER2_N], shaker2_real mount_wrench[12]);
 
 /* prepare_mounts: makes the table that mounts needs beside the stand's.
  *   parameters  masses, inertias, mountings

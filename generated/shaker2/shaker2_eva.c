@@ -16,8 +16,8 @@
 #include "shaker2.h"
 
 /* Routines that work on the bits of a real are beyond intervals. For the sets normal and any they are what is said here,
- * proved elsewhere (docs/mathematics.md of mahovik: sine and cosine to a unit in the last place, square root correctly
- * rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
+ * proved elsewhere (docs/results/arithmetic.md of mahovik: sine and cosine to a unit in the last place, square root
+ * correctly rounded, so Eva's own stands for it); for the others, and in drivers of their own, Eva reads their bodies. */
 
 /*@ requires -10000000.0 <= x <= 10000000.0;
     assigns *sine, *cosine \from x;
@@ -161,7 +161,7 @@ static void untouched(const shaker2_real *x, int count)
 static void normal_state(shaker2_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    quaternion(x->attitude, 2.0);
+    reals(&x->attitude[0], 4, 1.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 2, 100.0);
     reals(&x->phi_dot[0], 2, 1.0e3);
@@ -170,7 +170,7 @@ static void normal_state(shaker2_state *x)
 static void any_state(shaker2_state *x)
 {
     reals(&x->position[0], 3, SHAKER2_LARGEST);
-    quaternion(x->attitude, SHAKER2_LARGEST);
+    reals(&x->attitude[0], 4, SHAKER2_LARGEST);
     reals(&x->V[0], 6, SHAKER2_LARGEST);
     reals(&x->phi[0], 2, SHAKER2_LARGEST);
     reals(&x->phi_dot[0], 2, SHAKER2_LARGEST);
@@ -275,7 +275,7 @@ static void bits_parameters(shaker2_parameters *x)
     }
 }
 
-static void untouched_equations(const shaker2_equations *x)
+static void untouched_matrices_result(const shaker2_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
@@ -285,7 +285,7 @@ static void untouched_equations(const shaker2_equations *x)
     untouched(&x->F[0], 6);
 }
 
-static void written_equations(const shaker2_equations *x)
+static void written_matrices_result(const shaker2_matrices_result *x)
 {
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
@@ -295,7 +295,7 @@ static void written_equations(const shaker2_equations *x)
     written(&x->F[0], 6);
 }
 
-static void initialised_equations(const shaker2_equations *x)
+static void initialised_matrices_result(const shaker2_matrices_result *x)
 {
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
@@ -305,7 +305,7 @@ static void initialised_equations(const shaker2_equations *x)
     initialised(&x->F[0], 6);
 }
 
-static void untouched_momenta(const shaker2_momenta *x)
+static void untouched_momentum_result(const shaker2_momentum_result *x)
 {
     untouched(&x->Z[0], 6);
     untouched(&x->Z0[0], 6);
@@ -313,7 +313,7 @@ static void untouched_momenta(const shaker2_momenta *x)
     untouched(&x->center_of_mass[0], 3);
 }
 
-static void written_momenta(const shaker2_momenta *x)
+static void written_momentum_result(const shaker2_momentum_result *x)
 {
     written(&x->Z[0], 6);
     written(&x->Z0[0], 6);
@@ -321,7 +321,7 @@ static void written_momenta(const shaker2_momenta *x)
     written(&x->center_of_mass[0], 3);
 }
 
-static void initialised_momenta(const shaker2_momenta *x)
+static void initialised_momentum_result(const shaker2_momentum_result *x)
 {
     initialised(&x->Z[0], 6);
     initialised(&x->Z0[0], 6);
@@ -370,7 +370,7 @@ static void initialised_encoder(const shaker2_encoder *x)
     /*@ check \initialized(&x->moved); */
 }
 
-static void untouched_forward_slopes(const shaker2_forward_slopes *x)
+static void untouched_forward_jacobian_result(const shaker2_forward_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 12);
@@ -378,7 +378,7 @@ static void untouched_forward_slopes(const shaker2_forward_slopes *x)
     untouched(&x->V_dot_phi_ddot[0][0], 12);
 }
 
-static void written_forward_slopes(const shaker2_forward_slopes *x)
+static void written_forward_jacobian_result(const shaker2_forward_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 12);
@@ -386,7 +386,7 @@ static void written_forward_slopes(const shaker2_forward_slopes *x)
     written(&x->V_dot_phi_ddot[0][0], 12);
 }
 
-static void initialised_forward_slopes(const shaker2_forward_slopes *x)
+static void initialised_forward_jacobian_result(const shaker2_forward_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 12);
@@ -394,7 +394,7 @@ static void initialised_forward_slopes(const shaker2_forward_slopes *x)
     initialised(&x->V_dot_phi_ddot[0][0], 12);
 }
 
-static void untouched_coupled_slopes(const shaker2_coupled_slopes *x)
+static void untouched_coupled_jacobian_result(const shaker2_coupled_jacobian_result *x)
 {
     untouched(&x->V_dot_V[0][0], 36);
     untouched(&x->V_dot_phi[0][0], 12);
@@ -406,7 +406,7 @@ static void untouched_coupled_slopes(const shaker2_coupled_slopes *x)
     untouched(&x->phi_ddot_tau[0][0], 4);
 }
 
-static void written_coupled_slopes(const shaker2_coupled_slopes *x)
+static void written_coupled_jacobian_result(const shaker2_coupled_jacobian_result *x)
 {
     written(&x->V_dot_V[0][0], 36);
     written(&x->V_dot_phi[0][0], 12);
@@ -418,7 +418,7 @@ static void written_coupled_slopes(const shaker2_coupled_slopes *x)
     written(&x->phi_ddot_tau[0][0], 4);
 }
 
-static void initialised_coupled_slopes(const shaker2_coupled_slopes *x)
+static void initialised_coupled_jacobian_result(const shaker2_coupled_jacobian_result *x)
 {
     initialised(&x->V_dot_V[0][0], 36);
     initialised(&x->V_dot_phi[0][0], 12);
@@ -461,7 +461,7 @@ static void initialised_inverse_result(const shaker2_inverse_result *x)
     initialised(&x->hardest[0], 6);
 }
 
-static void untouched_generalized(const shaker2_generalized *x)
+static void untouched_generalized_result(const shaker2_generalized_result *x)
 {
     untouched(&x->A[0][0], 36);
     untouched(&x->D[0][0], 36);
@@ -471,7 +471,7 @@ static void untouched_generalized(const shaker2_generalized *x)
     untouched(&x->q_ddot[0], 6);
 }
 
-static void written_generalized(const shaker2_generalized *x)
+static void written_generalized_result(const shaker2_generalized_result *x)
 {
     written(&x->A[0][0], 36);
     written(&x->D[0][0], 36);
@@ -481,7 +481,7 @@ static void written_generalized(const shaker2_generalized *x)
     written(&x->q_ddot[0], 6);
 }
 
-static void initialised_generalized(const shaker2_generalized *x)
+static void initialised_generalized_result(const shaker2_generalized_result *x)
 {
     initialised(&x->A[0][0], 36);
     initialised(&x->D[0][0], 36);
@@ -706,13 +706,13 @@ void shaker2_eva_normal_matrices(void)
 {
     shaker2_state x;
     normal_state(&x);
-    shaker2_equations out;
+    shaker2_matrices_result out;
     const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -721,13 +721,13 @@ void shaker2_eva_any_matrices(void)
 {
     shaker2_state x;
     any_state(&x);
-    shaker2_equations out;
+    shaker2_matrices_result out;
     const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_equations(&out);
+        written_matrices_result(&out);
     }
 }
 
@@ -736,13 +736,13 @@ void shaker2_eva_bits_matrices(void)
 {
     shaker2_state x;
     bits_state(&x);
-    shaker2_equations out;
+    shaker2_matrices_result out;
     const shaker2_status status = shaker2_matrices(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched_equations(&out);
+        untouched_matrices_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_equations(&out);
+        initialised_matrices_result(&out);
     }
 }
 
@@ -751,13 +751,13 @@ void shaker2_eva_normal_momentum(void)
 {
     shaker2_state x;
     normal_state(&x);
-    shaker2_momenta out;
+    shaker2_momentum_result out;
     const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -766,13 +766,13 @@ void shaker2_eva_any_momentum(void)
 {
     shaker2_state x;
     any_state(&x);
-    shaker2_momenta out;
+    shaker2_momentum_result out;
     const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_momenta(&out);
+        written_momentum_result(&out);
     }
 }
 
@@ -781,13 +781,13 @@ void shaker2_eva_bits_momentum(void)
 {
     shaker2_state x;
     bits_state(&x);
-    shaker2_momenta out;
+    shaker2_momentum_result out;
     const shaker2_status status = shaker2_momentum(&shaker2_default, &x, &out);
     if (status < 0) {
-        untouched_momenta(&out);
+        untouched_momentum_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_momenta(&out);
+        initialised_momentum_result(&out);
     }
 }
 
@@ -1269,13 +1269,13 @@ void shaker2_eva_normal_forward_jacobian(void)
     normal_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, 1.0e4);
-    shaker2_forward_slopes out;
+    shaker2_forward_jacobian_result out;
     const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1286,13 +1286,13 @@ void shaker2_eva_any_forward_jacobian(void)
     any_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
-    shaker2_forward_slopes out;
+    shaker2_forward_jacobian_result out;
     const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_forward_slopes(&out);
+        written_forward_jacobian_result(&out);
     }
 }
 
@@ -1303,13 +1303,13 @@ void shaker2_eva_bits_forward_jacobian(void)
     bits_state(&x);
     shaker2_real phi_ddot[SHAKER2_N];
     all_bits(&phi_ddot[0], 2);
-    shaker2_forward_slopes out;
+    shaker2_forward_jacobian_result out;
     const shaker2_status status = shaker2_forward_jacobian(&shaker2_default, &x, phi_ddot, &out);
     if (status < 0) {
-        untouched_forward_slopes(&out);
+        untouched_forward_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_forward_slopes(&out);
+        initialised_forward_jacobian_result(&out);
     }
 }
 
@@ -1322,13 +1322,13 @@ void shaker2_eva_normal_coupled_jacobian(void)
     reals(&tau[0], 2, 100.0);
     int locked[SHAKER2_N];
     integers(&locked[0], 2, 0, 1);
-    shaker2_coupled_slopes out;
+    shaker2_coupled_jacobian_result out;
     const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1341,13 +1341,13 @@ void shaker2_eva_any_coupled_jacobian(void)
     reals(&tau[0], 2, SHAKER2_LARGEST);
     int locked[SHAKER2_N];
     integers(&locked[0], 2, INT_MIN, INT_MAX);
-    shaker2_coupled_slopes out;
+    shaker2_coupled_jacobian_result out;
     const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_coupled_slopes(&out);
+        written_coupled_jacobian_result(&out);
     }
 }
 
@@ -1360,13 +1360,13 @@ void shaker2_eva_bits_coupled_jacobian(void)
     all_bits(&tau[0], 2);
     int locked[SHAKER2_N];
     integers(&locked[0], 2, INT_MIN, INT_MAX);
-    shaker2_coupled_slopes out;
+    shaker2_coupled_jacobian_result out;
     const shaker2_status status = shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &out);
     if (status < 0) {
-        untouched_coupled_slopes(&out);
+        untouched_coupled_jacobian_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_coupled_slopes(&out);
+        initialised_coupled_jacobian_result(&out);
     }
 }
 
@@ -1529,8 +1529,8 @@ void shaker2_eva_bits_quaternion(void)
     }
 }
 
-void shaker2_eva_normal_target(void);
-void shaker2_eva_normal_target(void)
+void shaker2_eva_normal_state_from_coordinates(void);
+void shaker2_eva_normal_state_from_coordinates(void)
 {
     shaker2_real position[3];
     reals(&position[0], 3, 100.0);
@@ -1543,7 +1543,7 @@ void shaker2_eva_normal_target(void)
     shaker2_state x;
     normal_state(&x);
     shaker2_real V_dot[6];
-    const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const shaker2_status status = shaker2_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1553,8 +1553,8 @@ void shaker2_eva_normal_target(void)
     }
 }
 
-void shaker2_eva_any_target(void);
-void shaker2_eva_any_target(void)
+void shaker2_eva_any_state_from_coordinates(void);
+void shaker2_eva_any_state_from_coordinates(void)
 {
     shaker2_real position[3];
     reals(&position[0], 3, SHAKER2_LARGEST);
@@ -1567,7 +1567,7 @@ void shaker2_eva_any_target(void)
     shaker2_state x;
     any_state(&x);
     shaker2_real V_dot[6];
-    const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const shaker2_status status = shaker2_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1577,8 +1577,8 @@ void shaker2_eva_any_target(void)
     }
 }
 
-void shaker2_eva_bits_target(void);
-void shaker2_eva_bits_target(void)
+void shaker2_eva_bits_state_from_coordinates(void);
+void shaker2_eva_bits_state_from_coordinates(void)
 {
     shaker2_real position[3];
     all_bits(&position[0], 3);
@@ -1591,7 +1591,7 @@ void shaker2_eva_bits_target(void)
     shaker2_state x;
     bits_state(&x);
     shaker2_real V_dot[6];
-    const shaker2_status status = shaker2_target(position, angles, q_dot, q_ddot, &x, V_dot);
+    const shaker2_status status = shaker2_state_from_coordinates(position, angles, q_dot, q_ddot, &x, V_dot);
     if (status < 0) {
         untouched(&V_dot[0], 6);
     } else {
@@ -1601,8 +1601,8 @@ void shaker2_eva_bits_target(void)
     }
 }
 
-void shaker2_eva_normal_attitude(void);
-void shaker2_eva_normal_attitude(void)
+void shaker2_eva_normal_generalized(void);
+void shaker2_eva_normal_generalized(void)
 {
     shaker2_state x;
     normal_state(&x);
@@ -1610,18 +1610,18 @@ void shaker2_eva_normal_attitude(void)
     reals(&angles[0], 3, 7.0);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, 1.0e4);
-    shaker2_generalized out;
-    const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
+    shaker2_generalized_result out;
+    const shaker2_status status = shaker2_generalized(&shaker2_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void shaker2_eva_any_attitude(void);
-void shaker2_eva_any_attitude(void)
+void shaker2_eva_any_generalized(void);
+void shaker2_eva_any_generalized(void)
 {
     shaker2_state x;
     any_state(&x);
@@ -1629,18 +1629,18 @@ void shaker2_eva_any_attitude(void)
     reals(&angles[0], 3, SHAKER2_LARGEST);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
-    shaker2_generalized out;
-    const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
+    shaker2_generalized_result out;
+    const shaker2_status status = shaker2_generalized(&shaker2_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        written_generalized(&out);
+        written_generalized_result(&out);
     }
 }
 
-void shaker2_eva_bits_attitude(void);
-void shaker2_eva_bits_attitude(void)
+void shaker2_eva_bits_generalized(void);
+void shaker2_eva_bits_generalized(void)
 {
     shaker2_state x;
     bits_state(&x);
@@ -1648,13 +1648,13 @@ void shaker2_eva_bits_attitude(void)
     all_bits(&angles[0], 3);
     shaker2_real phi_ddot[SHAKER2_N];
     all_bits(&phi_ddot[0], 2);
-    shaker2_generalized out;
-    const shaker2_status status = shaker2_attitude(&shaker2_default, &x, angles, phi_ddot, &out);
+    shaker2_generalized_result out;
+    const shaker2_status status = shaker2_generalized(&shaker2_default, &x, angles, phi_ddot, &out);
     if (status < 0) {
-        untouched_generalized(&out);
+        untouched_generalized_result(&out);
     } else {
         Frama_C_show_each_returned(status);
-        initialised_generalized(&out);
+        initialised_generalized_result(&out);
     }
 }
 
@@ -1663,12 +1663,12 @@ void shaker2_eva_normal_prepare(void)
 {
     shaker2_parameters parameters;
     normal_parameters(&parameters);
-    shaker2_table stand = shaker2_default;
-    const shaker2_status status = shaker2_prepare(&parameters, &stand);
+    shaker2_table table = shaker2_default;
+    const shaker2_status status = shaker2_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1677,12 +1677,12 @@ void shaker2_eva_any_prepare(void)
 {
     shaker2_parameters parameters;
     any_parameters(&parameters);
-    shaker2_table stand = shaker2_default;
-    const shaker2_status status = shaker2_prepare(&parameters, &stand);
+    shaker2_table table = shaker2_default;
+    const shaker2_status status = shaker2_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        written_table(&stand);
+        written_table(&table);
     }
 }
 
@@ -1691,12 +1691,12 @@ void shaker2_eva_bits_prepare(void)
 {
     shaker2_parameters parameters;
     bits_parameters(&parameters);
-    shaker2_table stand = shaker2_default;
-    const shaker2_status status = shaker2_prepare(&parameters, &stand);
+    shaker2_table table = shaker2_default;
+    const shaker2_status status = shaker2_prepare(&parameters, &table);
     if (status < 0) {
     } else {
         Frama_C_show_each_returned(status);
-        initialised_table(&stand);
+        initialised_table(&table);
     }
 }
 
@@ -1711,13 +1711,13 @@ void shaker2_eva_normal_mounts(void)
     reals(&V_dot[0], 6, 1.0e3);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, 1.0e4);
-    shaker2_real loads[12];
-    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, loads);
+    shaker2_real mount_wrench[12];
+    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 12);
+        untouched(&mount_wrench[0], 12);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 12);
+        written(&mount_wrench[0], 12);
     }
 }
 
@@ -1732,13 +1732,13 @@ void shaker2_eva_any_mounts(void)
     reals(&V_dot[0], 6, SHAKER2_LARGEST);
     shaker2_real phi_ddot[SHAKER2_N];
     reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
-    shaker2_real loads[12];
-    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, loads);
+    shaker2_real mount_wrench[12];
+    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 12);
+        untouched(&mount_wrench[0], 12);
     } else {
         Frama_C_show_each_returned(status);
-        written(&loads[0], 12);
+        written(&mount_wrench[0], 12);
     }
 }
 
@@ -1753,13 +1753,13 @@ void shaker2_eva_bits_mounts(void)
     all_bits(&V_dot[0], 6);
     shaker2_real phi_ddot[SHAKER2_N];
     all_bits(&phi_ddot[0], 2);
-    shaker2_real loads[12];
-    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, loads);
+    shaker2_real mount_wrench[12];
+    const shaker2_status status = shaker2_mounts(&shaker2_default, &mounting, &x, V_dot, phi_ddot, mount_wrench);
     if (status < 0) {
-        untouched(&loads[0], 12);
+        untouched(&mount_wrench[0], 12);
     } else {
         Frama_C_show_each_returned(status);
-        initialised(&loads[0], 12);
+        initialised(&mount_wrench[0], 12);
     }
 }
 

@@ -176,16 +176,16 @@ static void shaker2_hash_members(const shaker2_state *x, uint32_t seen[SHAKER2_R
 }
 
 SHAKER2_CODE
-shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *stand,
+shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *table,
                                       const shaker2_state *x)
 {
     shaker2_page page;
     uint32_t table;
-    if (log == NULL || stand == NULL || x == NULL || log->write == NULL) {
+    if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return SHAKER2_BAD_ARGUMENT;
     }
     shaker2_record_begin(&page, NULL);
-    shaker2_record_put_table(&page, stand);
+    shaker2_record_put_table(&page, table);
     table = page.check;
     shaker2_record_begin(&page, log);
     shaker2_record_put_bytes(&page, shaker2_record_magic, sizeof shaker2_record_magic);
@@ -209,7 +209,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
         shaker2_record_put(&page, 0, 4);
     } else {
         shaker2_record_put(&page, SHAKER2_RECORD_TABLE_BYTES, 4);
-        shaker2_record_put_table(&page, stand);
+        shaker2_record_put_table(&page, table);
     }
     shaker2_record_end(&page);
     shaker2_hash_members(x, log->seen);
@@ -284,14 +284,14 @@ static void shaker2_record_result(shaker2_page *page, shaker2_recorder *log,
 }
 
 SHAKER2_CODE
-shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *stand, shaker2_state *x,
+shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *table, shaker2_state *x,
                                      const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                      shaker2_real dt, int order)
 {
     shaker2_page page;
     shaker2_status status;
     unsigned flags = 0;
-    if (log == NULL || stand == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
         || log->write == NULL) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
         flags |= (locked[s] != 0) ? SHAKER2_RECORD_LOCKS : 0u;
@@ -308,25 +308,25 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
             shaker2_record_put(&page, mask, 1);
         }
     }
-    status = shaker2_step(stand, x, tau, locked, dt, order, x);
+    status = shaker2_step(table, x, tau, locked, dt, order, x);
     shaker2_record_result(&page, log, x, status);
     return status;
 }
 
 SHAKER2_CODE
-shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *stand,
+shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *table,
                                             shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                             shaker2_real dt, int order)
 {
     shaker2_page page;
     shaker2_status status;
     unsigned flags = SHAKER2_RECORD_DRIVEN;
-    if (log == NULL || stand == NULL || x == NULL || phi_ddot == NULL
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL
         || log->write == NULL) { return SHAKER2_BAD_ARGUMENT; }
     flags |= shaker2_notice_changes(log, x, dt, order);
     shaker2_record_head(&page, log, x, flags);
     shaker2_record_put_reals(&page, phi_ddot, SHAKER2_N);
-    status = shaker2_step_driven(stand, x, phi_ddot, dt, order, x);
+    status = shaker2_step_driven(table, x, phi_ddot, dt, order, x);
     shaker2_record_result(&page, log, x, status);
     return status;
 }

@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define SHAKER2_RECORDER_FORMAT 1u           /* of the log */
-#define SHAKER2_RECORDER_SOURCE 0xb5c4175au  /* of the texts of shaker2.h and shaker2.c: FNV-1a */
+#define SHAKER2_RECORDER_SOURCE 0x1851abfbu  /* of the texts of shaker2.h and shaker2.c: FNV-1a */
 #define SHAKER2_RECORDER_TABLE  0x787eab23u  /* hash of the default table */
 #define SHAKER2_RECORD_BYTES    181  /* longest record of a step; most have 32 */
 #define SHAKER2_RECORD_MEMBERS  5  /* of a state */
@@ -68,10 +68,10 @@ typedef struct shaker2_recorder {
 
 /* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
  *   log    its write and context are set; in and out
- *   stand  the prepared table
+ *   table  the prepared table
  *   x      state before the next step
  * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
-shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *stand,
+shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *table,
                                       const shaker2_state *x);
 
 /* recorder_step: step, and a record of it.
@@ -80,7 +80,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
  *   The others are those of step; also a step that is refused is logged.
  * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: SHAKER2_RECORD_BYTES and less than 200 bytes more than step. */
-shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *stand, shaker2_state *x,
+shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *table, shaker2_state *x,
                                      const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                      shaker2_real dt, int order);
 
@@ -90,7 +90,7 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
  *   The others are those of step_driven; also a step that is refused is logged.
  * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
  * Stack: SHAKER2_RECORD_BYTES and less than 200 bytes more than step_driven. */
-shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *stand,
+shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *table,
                                             shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                             shaker2_real dt, int order);
 

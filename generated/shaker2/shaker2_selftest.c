@@ -77,8 +77,8 @@ static shaker2_mount_table mounting;
 static union {
     struct { shaker2_real V_dot[6]; } forward;
     struct { shaker2_real F[6]; } wrench;
-    struct { shaker2_equations out; } matrices;
-    struct { shaker2_momenta out; } momentum;
+    struct { shaker2_matrices_result out; } matrices;
+    struct { shaker2_momentum_result out; } momentum;
     struct { shaker2_real tau[SHAKER2_N]; } torque;
     struct { shaker2_real V_dot[6]; shaker2_real phi_ddot[SHAKER2_N]; } coupled;
     struct { shaker2_state next; } step;
@@ -87,15 +87,15 @@ static union {
     struct { shaker2_real phi; } phase_of_counts;
     struct { shaker2_real phi_dot; } speed_of_counts;
     struct { shaker2_encoder encoder; } accumulate;
-    struct { shaker2_forward_slopes out; } forward_jacobian;
-    struct { shaker2_coupled_slopes out; } coupled_jacobian;
+    struct { shaker2_forward_jacobian_result out; } forward_jacobian;
+    struct { shaker2_coupled_jacobian_result out; } coupled_jacobian;
     struct { shaker2_inverse_result out; } inverse;
     struct { shaker2_real phi_ddot[SHAKER2_N]; } inverse_fast;
     struct { shaker2_real attitude[4]; } quaternion;
-    struct { shaker2_state x; shaker2_real V_dot[6]; } target;
-    struct { shaker2_generalized out; } attitude;
-    struct { shaker2_table stand; } prepare;
-    struct { shaker2_real loads[12]; } mounts;
+    struct { shaker2_state x; shaker2_real V_dot[6]; } state_from_coordinates;
+    struct { shaker2_generalized_result out; } generalized;
+    struct { shaker2_table table; } prepare;
+    struct { shaker2_real mount_wrench[12]; } mounts;
     struct { shaker2_mount_table mounting; } prepare_mounts;
     unsigned char bytes[1];
 } results;
@@ -174,7 +174,7 @@ static void untouched(tally *sum, const void *place, size_t size)
     }
 }
 
-static void take_equations(tally *sum, const shaker2_equations *value)
+static void take_matrices_result(tally *sum, const shaker2_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->K[i], 6);
@@ -194,7 +194,7 @@ static void take_equations(tally *sum, const shaker2_equations *value)
     take_reals(sum, value->F, 6);
 }
 
-static void take_momenta(tally *sum, const shaker2_momenta *value)
+static void take_momentum_result(tally *sum, const shaker2_momentum_result *value)
 {
     take_reals(sum, value->Z, 6);
     take_reals(sum, value->Z0, 6);
@@ -218,7 +218,7 @@ static void take_encoder(tally *sum, const shaker2_encoder *value)
     take_ints(sum, &value->moved, 1);
 }
 
-static void take_forward_slopes(tally *sum, const shaker2_forward_slopes *value)
+static void take_forward_jacobian_result(tally *sum, const shaker2_forward_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -234,7 +234,7 @@ static void take_forward_slopes(tally *sum, const shaker2_forward_slopes *value)
     }
 }
 
-static void take_coupled_slopes(tally *sum, const shaker2_coupled_slopes *value)
+static void take_coupled_jacobian_result(tally *sum, const shaker2_coupled_jacobian_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->V_dot_V[i], 6);
@@ -273,7 +273,7 @@ static void take_inverse_result(tally *sum, const shaker2_inverse_result *value)
     take_reals(sum, value->hardest, 6);
 }
 
-static void take_generalized(tally *sum, const shaker2_generalized *value)
+static void take_generalized_result(tally *sum, const shaker2_generalized_result *value)
 {
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->A[i], 6);
@@ -388,7 +388,7 @@ static void take_matrices_results(tally *sum, shaker2_status status)
         untouched(sum, &results.matrices.out, sizeof results.matrices.out);
         return;
     }
-    take_equations(sum, &results.matrices.out);
+    take_matrices_result(sum, &results.matrices.out);
 }
 
 static shaker2_status call_momentum(void)
@@ -402,7 +402,7 @@ static void take_momentum_results(tally *sum, shaker2_status status)
         untouched(sum, &results.momentum.out, sizeof results.momentum.out);
         return;
     }
-    take_momenta(sum, &results.momentum.out);
+    take_momentum_result(sum, &results.momentum.out);
 }
 
 static shaker2_status call_torque(void)
@@ -530,7 +530,7 @@ static void take_forward_jacobian_results(tally *sum, shaker2_status status)
         untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
         return;
     }
-    take_forward_slopes(sum, &results.forward_jacobian.out);
+    take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
 static shaker2_status call_coupled_jacobian(void)
@@ -545,7 +545,7 @@ static void take_coupled_jacobian_results(tally *sum, shaker2_status status)
         untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
         return;
     }
-    take_coupled_slopes(sum, &results.coupled_jacobian.out);
+    take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
 static shaker2_status call_inverse(void)
@@ -591,61 +591,62 @@ static void take_quaternion_results(tally *sum, shaker2_status status)
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
-static shaker2_status call_target(void)
+static shaker2_status call_state_from_coordinates(void)
 {
-    results.target.x = in.x;
-    return shaker2_target(in.position, in.angles, in.q_dot, in.q_ddot, &results.target.x,
-        results.target.V_dot);
+    results.state_from_coordinates.x = in.x;
+    return shaker2_state_from_coordinates(in.position, in.angles, in.q_dot, in.q_ddot,
+        &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_target_results(tally *sum, shaker2_status status)
+static void take_state_from_coordinates_results(tally *sum, shaker2_status status)
 {
-    take_state(sum, &results.target.x);
+    take_state(sum, &results.state_from_coordinates.x);
     if (status < 0) {
-        untouched(sum, &results.target.V_dot, sizeof results.target.V_dot);
+        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
         return;
     }
-    take_reals(sum, results.target.V_dot, 6);
+    take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
-static shaker2_status call_attitude(void)
+static shaker2_status call_generalized(void)
 {
-    return shaker2_attitude(&shaker2_default, &in.x, in.angles, in.phi_ddot, &results.attitude.out);
+    return shaker2_generalized(&shaker2_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_attitude_results(tally *sum, shaker2_status status)
+static void take_generalized_results(tally *sum, shaker2_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.attitude.out, sizeof results.attitude.out);
+        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
         return;
     }
-    take_generalized(sum, &results.attitude.out);
+    take_generalized_result(sum, &results.generalized.out);
 }
 
 static shaker2_status call_prepare(void)
 {
-    results.prepare.stand = shaker2_default;
-    return shaker2_prepare(&parameters, &results.prepare.stand);
+    results.prepare.table = shaker2_default;
+    return shaker2_prepare(&parameters, &results.prepare.table);
 }
 
 static void take_prepare_results(tally *sum, shaker2_status status)
 {
     (void)status;
-    take_table(sum, &results.prepare.stand);
+    take_table(sum, &results.prepare.table);
 }
 
 static shaker2_status call_mounts(void)
 {
-    return shaker2_mounts(&shaker2_default, &mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.loads);
+    return shaker2_mounts(&shaker2_default, &mounting, &in.x, in.V_dot, in.phi_ddot,
+        results.mounts.mount_wrench);
 }
 
 static void take_mounts_results(tally *sum, shaker2_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.mounts.loads, sizeof results.mounts.loads);
+        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
         return;
     }
-    take_reals(sum, results.mounts.loads, 12);
+    take_reals(sum, results.mounts.mount_wrench, 12);
 }
 
 static shaker2_status call_prepare_mounts(void)
@@ -945,7 +946,7 @@ static const shaker2_real numbers_quaternion[] =
     0x1.c53149e93a79p-1, -0x1.cfa5f6b99ebbap-2, 0x1.b3406065d93ep-9, -0x1.b74968b2934c2p-4,
 };
 
-static const shaker2_real numbers_target[] =
+static const shaker2_real numbers_state_from_coordinates[] =
 {
     -0x1.92c438p+0, -0x1.944cep-2, -0x1.8683b4p+0, 0x1.ebce0603140ccp-1, 0x1.b39c8ecb8202p-4,
         0x1.7eeb8d7f5a874p-3, -0x1.68f38183b953ep-3, -0x1.05ad775e6ef9ap+0, 0x1.341fd1387e32p+0,
@@ -964,7 +965,7 @@ static const shaker2_real numbers_target[] =
         0x1.4d94ap-2, -0x1.c47ac4p+0, 0x1.1746e8p+43, 0x1.037d6p+42, 0x1.a1c0ecp+7, -0x1.cf6e3p+7,
 };
 
-static const shaker2_real numbers_attitude[] =
+static const shaker2_real numbers_generalized[] =
 {
     0x1.bc64e69193cfbp-1, -0x1.31fd7c00e94b3p-2, -0x1.963421a35bbd9p-2, 0x0p+0, 0x0p+0, 0x0p+0,
         0x1.837009d2ff50ap-2, 0x1.d49c2e0dce84cp-1, 0x1.1b740d7808e53p-3, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -1101,12 +1102,12 @@ static const function functions[FUNCTIONS] =
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0xd3caa542u, 4 }, { 0, 0x101ad736u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6c8a2c36u },
-    { "target", sizeof results.target,
-      call_target, take_target_results, numbers_target,
+    { "state_from_coordinates", sizeof results.state_from_coordinates,
+      call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x32f3d7e8u, 23 }, { 0, 0xdc4bf6dau, 23 }, { -2, 0xf4a4bf81u, 17 } },
       0xf1a5ba09u },
-    { "attitude", sizeof results.attitude,
-      call_attitude, take_attitude_results, numbers_attitude,
+    { "generalized", sizeof results.generalized,
+      call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0xd6d5f926u, 32 }, { 0, 0x1973a208u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa00d421cu },
     { "prepare", sizeof results.prepare,

@@ -7,26 +7,9 @@
     result = model.forward(model.state(phi_dot=100.0), phi_ddot={"w1": 5.0})
     result.V_dot
 
-Public is what `__all__` names; docs/python.md describes it. It is loaded when it is first asked for.
+Public is what `__all__` names; docs/python.md describes it. Each name is loaded when it is first asked for;
+its type stands in `__init__.pyi`.
 """
-
-TYPE_CHECKING = False  # type checkers take it for True; `typing` itself is half of a start
-
-if TYPE_CHECKING:
-    from mahovik.core.stand.model import Stand
-    from mahovik.errors import (
-        InputError,
-        MahovikError,
-        RefusedError,
-        StandError,
-        StateError,
-        ToolchainError,
-        UsageError,
-    )
-    from mahovik.out.api.model import Model, build
-    from mahovik.out.api.results import Result
-    from mahovik.out.api.stands import example, examples, load
-    from mahovik.out.api.states import States
 
 __version__ = "0.1.0"
 
@@ -52,7 +35,7 @@ __all__ = [
 _PLACES = {
     "Model": "out.api.model",
     "Result": "out.api.results",
-    "Stand": "core.stand.model",
+    "Stand": "out.api.stands",
     "States": "out.api.states",
     "build": "out.api.model",
     "example": "out.api.stands",
@@ -61,16 +44,14 @@ _PLACES = {
 }
 
 
-if not TYPE_CHECKING:  # a name that is not there is an error for type checkers
+def __getattr__(name: str) -> object:
+    if name not in __all__:
+        raise AttributeError(f"module 'mahovik' has no attribute {name!r}")
+    from importlib import import_module
 
-    def __getattr__(name: str) -> object:
-        if name not in __all__:
-            raise AttributeError(f"module 'mahovik' has no attribute {name!r}")
-        from importlib import import_module
-
-        found = getattr(import_module(f"mahovik.{_PLACES.get(name, 'errors')}"), name)
-        globals()[name] = found  # the next time without this
-        return found
+    found = getattr(import_module(f"mahovik.{_PLACES.get(name, 'errors')}"), name)
+    globals()[name] = found  # the next time without this
+    return found
 
 
 def __dir__() -> list[str]:

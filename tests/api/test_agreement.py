@@ -127,7 +127,7 @@ def test_generalized_and_slopes_are_those_of_the_c():
     coupled = m.coupled_jacobian(x, inputs["tau"], wrench=wrench)
     for j, state in enumerate(states):
         arguments = c.arguments(state)
-        for result, function in ((found, "attitude"), (forward, "forward_jacobian"), (coupled, "coupled_jacobian")):
+        for result, function in ((found, "generalized"), (forward, "forward_jacobian"), (coupled, "coupled_jacobian")):
             _, out = c.call(function, {**arguments, "angles": angles[j].tolist()})
             for key, value in out["out"].items():
                 assert np.array_equal(result[key][j], np.asarray(value)), key

@@ -78,7 +78,7 @@ def test_the_page_is_whole() -> None:
 
 def test_plots_are_svg() -> None:
     found = plots(results())
-    assert sorted(found) == [f"docs/benchmarks-{work}.svg" for work in ("coupled", "forward", "torque")]
+    assert sorted(found) == [f"docs/results/benchmarks-{work}.svg" for work in ("coupled", "forward", "torque")]
     for text in found.values():
         assert ET.fromstring(text).tag.endswith("svg")
-    assert "numpy reference" in found["docs/benchmarks-forward.svg"]
+    assert "numpy reference" in found["docs/results/benchmarks-forward.svg"]

@@ -7,13 +7,13 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from flight import flight
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.emit.log_format import MAGIC
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import build
 from mahovik.core.toolchain.board import run as run_program
-from mahovik.core.toolchain.flight import flight
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.stands import path
 from simulate.flights import Recorder

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from mahovik import stands as examples
 from mahovik.core.stand import Stand, load
-from mahovik.core.stand.physical import inertia_about_center
+from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.errors import UsageError
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.plan.residual.spatial import mount_axes

@@ -21,8 +21,16 @@ def by_the_table() -> sp.Expr:
     columns, weights = table.row(W), table.weights()
     mu_p, J_p = (part.xreplace(weights).xreplace(columns) for part in drive.phase_derivatives())
     twist = table.bind("V", carrier.V)
-    swing, spun = drive.swing(weight=False).xreplace(twist), drive.spin_products().xreplace(twist)
-    known = table.bind("mu_p", mu_p) | table.bind("J_p", J_p) | table.bind("swing", swing) | table.bind("spun", spun)
+    origin_acceleration, spun = (
+        drive.origin_acceleration(weight=False).xreplace(twist),
+        drive.spin_products().xreplace(twist),
+    )
+    known = (
+        table.bind("mu_p", mu_p)
+        | table.bind("J_p", J_p)
+        | table.bind("origin_acceleration", origin_acceleration)
+        | table.bind("spun", spun)
+    )
     bias = drive.bias_torque(buoyancy=False).xreplace(known)
     return table.columns(W).I.dot(drive.V_dot) + W.J[0, 0] * drive.phi_ddot + bias
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = (*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md")))
@@ -82,14 +79,3 @@ def cells(line: str) -> list[str]:
 def rows(page: Path, first: str) -> list[list[str]]:
     """Rows of all tables whose head begins with the cell `first`."""
     return [cells(line) for table in tables(page) if cells(table[0])[0] == first for line in table[2:]]
-
-
-def tool(name: str) -> ModuleType:
-    """A module of tools/, which is no package."""
-    spec = importlib.util.spec_from_file_location(name, ROOT / "tools" / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    sys.modules[name] = found  # where a dataclass looks for its module
-    spec.loader.exec_module(found)
-    return found

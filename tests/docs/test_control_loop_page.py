@@ -1,14 +1,15 @@
-"""docs/control-loop.md holds the tables that tools/control_loop.py writes; its estimates follow from its counts."""
+"""docs/results/control-loop.md: the tables of tools/control_loop.py; its estimates follow from its counts."""
 
 from __future__ import annotations
 
-from docs.pages import ROOT, rows, tool
+import control_loop as written
 
-PAGE = ROOT / "docs" / "control-loop.md"
+from docs.pages import ROOT, rows
+
+PAGE = ROOT / "docs" / "results" / "control-loop.md"
 
 
 def test_estimates_follow_from_counts() -> None:
-    written = tool("control_loop")
     boards = {f"{b.name} at {b.mhz} MHz": b for b in written.BOARDS}
     lines = rows(PAGE, "tick")
     assert len(lines) == 5 * len(boards)
@@ -32,7 +33,7 @@ def test_a_tick_is_no_more_than_its_stages() -> None:
     """And the fast inverse of eight flywheels stays within its budget."""
     stages = {line[0]: [int(n.replace(",", "")) for n in line[1:]] for line in rows(PAGE, "stage")}
     ticks = {(line[0], line[1][:9]): int(line[2].replace(",", "")) for line in rows(PAGE, "tick")}
-    parts = ("encoders", "measure", "servo", "inverse_fast", "torque", "step, order 2")
+    parts = ("encoders", "points", "servo", "inverse_fast", "torque", "step, order 2")
     for column, board in enumerate(("STM32H743", "STM32F407")):
         assert ticks["inverse_fast, step of order 2", board] <= sum(stages[p][column] for p in parts)
         assert stages["inverse_fast"][column] <= 20_000

@@ -1,12 +1,10 @@
-"""docs/design.md: its keys are those that the reader knows, its file is read, its table is that of the campaign."""
+"""docs/design.md: keys are the reader's, the file is read; docs/results/design.md has the campaign's table."""
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import sys
-from types import ModuleType
 
+import design_campaign as tool
 import pytest
 
 from docs.pages import ROOT, blocks, cells, tables
@@ -16,20 +14,6 @@ from mahovik.use.design import read
 from mahovik.use.design.freedom import PARTS
 
 PAGE = ROOT / "docs" / "design.md"
-TOOLS = ROOT / "tools"
-
-
-@pytest.fixture
-def tool(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """The tool, with the module of stands beside it."""
-    monkeypatch.syspath_prepend(str(TOOLS))
-    spec = importlib.util.spec_from_file_location("design_campaign_tool", TOOLS / "design_campaign.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, spec.name, found)
-    spec.loader.exec_module(found)
-    return found
 
 
 def keys(first: str) -> set[str]:
@@ -47,9 +31,9 @@ def test_the_file_is_read_and_all_keys_are_told() -> None:
     assert keys("other key") | {"schema", "free"} == set(read.TOP)
 
 
-def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
+def test_the_table_has_the_rows_of_the_campaign() -> None:
     """Eight of ten and more, within what was asked and the time."""
-    text = PAGE.read_text(encoding="utf-8").split(tool.BEGIN)[1].split(tool.END)[0]
+    text = tool.BLOCK.text()
     rows = [cells(line) for line in text.splitlines() if re.match(r"\| \w.*\| \d", line)]
     assert [(row[0], int(row[1]), float(row[2])) for row in rows] == [(r.name, r.N, r.quality) for r in tool.ROWS]
     for _, _, asked, found, _, median, worst, *seconds in rows:
@@ -60,7 +44,7 @@ def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
 
 
 @pytest.mark.slow
-def test_a_small_sample_of_the_campaign(tool: ModuleType) -> None:
+def test_a_small_sample_of_the_campaign() -> None:
     """One axis with two flywheels, exact."""
     found, seconds = tool.outcome(tool.ROWS[0], 31)
     assert found.status == "OK"

@@ -1,33 +1,24 @@
-"""docs/diagnosis.md holds what tools/explain_campaign.py --write says, fault by fault."""
+"""docs/results/diagnosis.md holds what tools/explain_campaign.py --write says, fault by fault."""
 
 from __future__ import annotations
 
-import importlib
-from types import ModuleType
-
-import pytest
+import explain_campaign as written
 
 from docs.pages import ROOT, cells
 from mahovik.proof.diagnose.faults import DICTIONARY
 
-PAGE = ROOT / "docs" / "diagnosis.md"
+PAGE = ROOT / "docs" / "results" / "diagnosis.md"
 
 
-@pytest.fixture(name="written")
-def tool(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(ROOT / "tools")
-    return importlib.import_module("explain_campaign")
-
-
-def parts(written: ModuleType) -> tuple[str, list[list[list[str]]]]:
+def parts() -> tuple[str, list[list[list[str]]]]:
     """The sentence, and the three tables as cells."""
-    text = PAGE.read_text(encoding="utf-8").partition(written.BEGIN)[2].partition(written.END)[0].strip()
+    text = written.BLOCK.text()
     words, *tables = text.split("\n\n")
     return words, [[cells(line) for line in table.splitlines()] for table in tables]
 
 
-def test_the_results_on_the_page(written: ModuleType) -> None:
-    words, (kinds, right, faults) = parts(written)
+def test_the_results_on_the_page() -> None:
+    words, (kinds, right, faults) = parts()
     assert "named first" in words.replace("\n", " ")
     assert [tuple(table[0]) for table in (kinds, right, faults)] == [
         written.KINDS_HEAD,
@@ -42,14 +33,14 @@ def test_the_results_on_the_page(written: ModuleType) -> None:
     assert [row[2] for row in right[2:]] == ["0"] * len(right[2:])
 
 
-def test_every_fault_is_on_the_page(written: ModuleType) -> None:
-    _, (_, _, faults) = parts(written)
+def test_every_fault_is_on_the_page() -> None:
+    _, (_, _, faults) = parts()
     listed = [(row[0], row[1], row[2]) for row in faults[2:]]
     assert listed == [(f.name.replace("|", "\\|"), f.equation, f.words().replace("|", "\\|")) for f in DICTIONARY]
     assert sum(int(row[3]) > 0 for row in faults[2:]) >= 30
 
 
-def test_the_summary(written: ModuleType) -> None:
+def test_the_summary() -> None:
     outcomes = [
         written.Outcome("K* missing", written.WHOLE, "alone"),
         written.Outcome("K* missing", written.ALONE, "equals"),
@@ -64,7 +55,7 @@ def test_the_summary(written: ModuleType) -> None:
     assert "| C | 1 | 1 |" in text
 
 
-def test_the_verdict(written: ModuleType) -> None:
+def test_the_verdict() -> None:
     from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
     from mahovik.proof.diagnose.predict import Part
 

@@ -44,5 +44,5 @@ def test_functions_of_the_c_are_in_its_header() -> None:
     for equation in EQUATIONS:
         for name in re.findall(r"`(\w+)`", row(section(equation))[3]):
             assert name == "K_dot" or f"bench8_{name}(" in HEADER, (equation, name)
-    for equation, name in (("(8)", "forward"), ("(12)", "inverse"), ("(1)", "momentum"), ("(11)", "attitude")):
+    for equation, name in (("(8)", "forward"), ("(12)", "inverse"), ("(1)", "momentum"), ("(11)", "generalized")):
         assert f"`{name}`" in row(section(equation))[3]

@@ -1,10 +1,10 @@
-"""docs/following.md holds the table that tools/following_campaign.py writes, and what must hold."""
+"""docs/results/following.md holds the table that tools/following_campaign.py writes, and what must hold."""
 
 from __future__ import annotations
 
 from docs.pages import ROOT, rows
 
-PAGE = ROOT / "docs" / "following.md"
+PAGE = ROOT / "docs" / "results" / "following.md"
 
 
 def per_cent(cell: str) -> float:

@@ -1,10 +1,12 @@
-"""README and docs/judges.md hold the tables that tools/judges_table.py writes; their numbers are the judges'."""
+"""README and docs/results/judges.md hold the tables of tools/judges_table.py; their numbers are the judges'."""
 
 from __future__ import annotations
 
 import re
 
-from docs.pages import ROOT, cells, tool
+import judges_table as written
+
+from docs.pages import ROOT, cells
 from mahovik.proof.verify.judges.compare import ALL, JUDGES, MOTION
 from mahovik.stands import names
 
@@ -22,19 +24,17 @@ def check_numbers(rows: list[list[str]]) -> None:
 
 
 def test_the_table_of_the_readme() -> None:
-    written, readme = tool("judges_table"), (ROOT / "README.md").read_text(encoding="utf-8")
-    text = readme.partition(written.BEGIN)[2].partition(written.END)[0]
+    text = written.BLOCK.text()
     head, _, *rows = lines_of(text)
     assert head[0] == "generated C against"
     assert [name.split()[0] for name in head[1:]] == list(ALL)
     assert [row[0] for row in rows] == list(written.WORDS)
     check_numbers(rows)
-    assert text.strip() + "\n" == written.table(head, rows) + "\n" + written.NOTE
-    assert written.with_table(readme, text.strip() + "\n") == readme
+    assert text.strip() + "\n" == written.campaign.table(head, rows) + "\n" + written.NOTE
 
 
 def test_the_page() -> None:
-    written, page = tool("judges_table"), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "results" / "judges.md").read_text(encoding="utf-8")
     for judge, part in zip(JUDGES, page.split("\n## ")[1:-1], strict=True):
         assert part.startswith(judge)
         head, _, *rows = lines_of(part)
@@ -44,7 +44,7 @@ def test_the_page() -> None:
 
 
 def test_basilisk_where_it_is_exact_and_where_not() -> None:
-    written, page = tool("judges_table"), (ROOT / "docs" / "judges.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "results" / "judges.md").read_text(encoding="utf-8")
     part = page.split("\n## ")[-1]
     assert part.startswith("basilisk")
     exact, _, off = part.partition("### Where its model is not exact")

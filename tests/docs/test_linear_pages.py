@@ -1,34 +1,33 @@
-"""docs/linear.md and docs/response.md hold what tools/linear_campaign.py --write says; their numbers are the code's."""
+"""docs/results/linear.md and response.md hold what tools/linear_campaign.py writes; their numbers are the code's."""
 
 from __future__ import annotations
 
+import linear_campaign as written
 import pytest
 
-from docs.pages import ROOT, cells, tool
+from docs.pages import ROOT, cells
 from mahovik.use.study.response.periodic import KINKED_TAIL, TAIL, UNSTABLE
 from mahovik.use.study.response.speeds import EXACT, MOST_TURNS
 
 
 def rows(name: str) -> tuple[str, list[list[str]]]:
     """What the tool wrote on a page, and the rows of its table."""
-    written, page = tool("linear_campaign"), (ROOT / "docs" / name).read_text(encoding="utf-8")
-    text = page.partition(written.BEGIN)[2].partition(written.END)[0].strip()
-    assert written.with_text(page, text) == page
+    text = written.BLOCKS[name].text()
     return text, [cells(line) for line in text.splitlines() if line.startswith("|")][2:]
 
 
 def test_linear_models_agree() -> None:
-    text, found = rows("linear.md")
+    text, found = rows("linear")
     assert "accepted is 1e-10" in text
-    assert [row[0] for row in found] == [str(N) for N in tool("linear_campaign").FLYWHEELS]
+    assert [row[0] for row in found] == [str(N) for N in written.FLYWHEELS]
     assert sum(int(row[1]) for row in found) == 200
     assert all(float(number) <= 1e-10 for row in found for number in row[2:])
 
 
 def test_steady_states_are_those_of_simulation() -> None:
-    text, found = rows("response.md")
+    text, found = rows("response")
     assert "accepted is 1e-06" in text
-    assert [row[0] for row in found] == [course.stand for course in tool("linear_campaign").COURSES]
+    assert [row[0] for row in found] == [course.stand for course in written.COURSES]
     assert all(float(row[4]) <= 1e-6 for row in found)
 
 

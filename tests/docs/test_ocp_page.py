@@ -1,4 +1,4 @@
-"""docs/planning-ocp.md: its table is that of tools/ocp_campaign.py, and bench8 is solved by the partition."""
+"""docs/results/optimal-control.md: the table of tools/ocp_campaign.py; bench8 is solved by the partition."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from docs.pages import ROOT, cells
 
 def rows() -> list[list[str]]:
     """Cells of the table."""
-    text = (ROOT / "docs" / "planning-ocp.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "results" / "optimal-control.md").read_text(encoding="utf-8")
     table = text.split("<!-- campaign: tools/ocp_campaign.py --write -->")[1].split("<!-- end of campaign -->")[0]
     lines = [line for line in table.splitlines() if line.startswith("| ")]
     return [cells(line) for line in lines[1:]]

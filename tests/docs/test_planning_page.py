@@ -2,43 +2,19 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import sys
 from types import ModuleType
 
+import plan_campaign as tool
 import pytest
+import refusal_campaign as refusals
 
-from docs.pages import ROOT, cells
-
-TOOLS = ROOT / "tools"
-
-
-def loaded(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """A tool, with the module of stands beside it."""
-    monkeypatch.syspath_prepend(str(TOOLS))
-    spec = importlib.util.spec_from_file_location(f"{name}_tool", TOOLS / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, spec.name, found)  # its data classes look for their module
-    spec.loader.exec_module(found)
-    return found
+from docs.pages import cells
 
 
-@pytest.fixture
-def tool(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    return loaded("plan_campaign", monkeypatch)
-
-
-@pytest.fixture
-def refusals(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    return loaded("refusal_campaign", monkeypatch)
-
-
-def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
+def test_the_table_has_the_rows_of_the_campaign() -> None:
     """In order; at most all stands are found; medians do not exceed the longest."""
-    text = tool.PAGE.read_text(encoding="utf-8").split(tool.BEGIN)[1].split(tool.END)[0]
+    text = tool.BLOCK.text()
     rows = [cells(line) for line in text.splitlines() if re.match(r"\| \d", line)]
     assert [(int(row[0]), row[1]) for row in rows] == [(row.N, row.name) for row in tool.ROWS]
     for _, _, found, median, longest, _ in rows:
@@ -48,9 +24,9 @@ def test_the_table_has_the_rows_of_the_campaign(tool: ModuleType) -> None:
     assert "verification, which refused 0." in " ".join(text.split())
 
 
-def test_every_kind_of_refusal_was_put_before_a_search(refusals: ModuleType) -> None:
+def test_every_kind_of_refusal_was_put_before_a_search() -> None:
     """All are refused, none is found."""
-    text = refusals.PAGE.read_text(encoding="utf-8").split(refusals.BEGIN)[1].split(refusals.END)[0]
+    text = refusals.BLOCK.text()
     rows = [cells(line) for line in text.splitlines() if line.startswith("| `")]
     assert [row[0].strip("`") for row in rows] == list(refusals.KINDS)
     for _, _, refused, found, _ in rows:
@@ -59,7 +35,7 @@ def test_every_kind_of_refusal_was_put_before_a_search(refusals: ModuleType) -> 
         assert found == "0"
 
 
-def test_stands_and_motions_are_the_same_for_the_same_seed(tool: ModuleType) -> None:
+def test_stands_and_motions_are_the_same_for_the_same_seed() -> None:
     """And differ with it; they are what the page says."""
     row = tool.ROWS[0]
     (stand, motion), (again, _), (other, _) = (row.problem(seed) for seed in (1, 1, 2))
@@ -73,7 +49,7 @@ def test_stands_and_motions_are_the_same_for_the_same_seed(tool: ModuleType) -> 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [0, 3], ids=["6 rock", "8 spin"])
-def test_a_small_sample_of_the_campaign(tool: ModuleType, number: int) -> None:
+def test_a_small_sample_of_the_campaign(number: int) -> None:
     """A stand of a row has a programme that the verification accepts."""
     found = tool.outcome(tool.ROWS[number], 31, 60.0, verify=True)
     assert (found.status, found.wrong) == ("OK", "")

@@ -1,4 +1,4 @@
-"""docs/rounding.md: what tools/rigorous.py writes, and the tolerances of `verify` stand well above its figures."""
+"""docs/results/rounding.md: written by tools/rigorous.py; the tolerances of `verify` stand well above its figures."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import ModuleType
 import pytest
 
 from docs.pages import ROOT, cells
-from mahovik.proof.rigorous import WANTS
+from mahovik.contract.functions import wants_of
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.rounding.limits import MARGIN, ULPS
 from mahovik.stands import names
@@ -32,7 +32,7 @@ def tool() -> ModuleType:
 
 def tables(real: str) -> list[list[Row]]:
     """The tables under the heading of an element type, as rows by the names of the head."""
-    page = (ROOT / "docs" / "rounding.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "results" / "rounding.md").read_text(encoding="utf-8")
     part = page.split(f"\n## {real.capitalize()}\n")[1].split("\n## ")[0]
     found: list[list[Row]] = []
     for paragraph in part.split("\n\n"):
@@ -78,14 +78,14 @@ def test_forward_is_right_to_fifty_ulp_on_every_example_stand(real: str) -> None
 def test_nothing_is_left_out(real: str) -> None:
     """Every quantity that has an enclosure, in both tables."""
     examples, stands, random = tables(real)
-    assert {want for want, _ in map(key, examples)} == set(WANTS)
+    assert {want for want, _ in map(key, examples)} == set(wants_of("rigorous"))
     assert list(map(key, examples)) == list(map(key, random))
     assert {want for want, _ in map(key, stands)} == set(tool().SHORT)
 
 
 def test_the_page_is_what_the_tool_writes() -> None:
     """Its words; the figures are the tool's alone."""
-    written, page = tool(), (ROOT / "docs" / "rounding.md").read_text(encoding="utf-8")
+    written, page = tool(), (ROOT / "docs" / "results" / "rounding.md").read_text(encoding="utf-8")
     head = written.INTRODUCTION.format(limit=f", or in double above {ULPS['double']:g} ulp")
     assert page.startswith(head)
     assert page.endswith(

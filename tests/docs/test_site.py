@@ -15,12 +15,17 @@ from report.browser.chromium import Opened, launched
 
 DOCS = ROOT / "docs"
 INDEX = DOCS / "index.md"
+RESULTS = DOCS / "results" / "index.md"
 
 
-def test_every_page_is_in_the_index_once() -> None:
-    listed = [target for target in links(INDEX) if target.endswith(".md")]
-    there = {page.relative_to(DOCS).as_posix() for page in DOCS.rglob("*.md")} - {"index.md"}
-    assert sorted(listed) == sorted(there)
+def listed(index: Path) -> list[Path]:
+    return [index.parent / target for target in links(index) if target.endswith(".md")]
+
+
+def test_every_page_is_in_one_index_once() -> None:
+    there = set(DOCS.rglob("*.md")) - {INDEX}
+    assert sorted([*listed(INDEX), *listed(RESULTS)]) == sorted(there)
+    assert {page.parent for page in listed(RESULTS)} == {RESULTS.parent}
 
 
 def test_headings_of_the_index() -> None:

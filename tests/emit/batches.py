@@ -90,7 +90,7 @@ class Batched:
     def _called(self, name, batch, inputs, n, table, statuses, fill=np.nan):
         passed, results = [], {}
         for a in batch.narrow.arguments:
-            if a.name == "stand":
+            if a.name == "table":
                 passed += [ctypes.c_char_p(table) if isinstance(table, bytes) else table]
                 passed += [ctypes.c_size_t(n)] if statuses is not None else []
             elif a.name == "locked":

@@ -12,7 +12,7 @@ from mahovik.core.toolchain import library as library_module
 from mahovik.core.toolchain.compiler import build_shared
 from mahovik.core.toolchain.library import Library
 
-QUANTITIES = ("forward", "matrices", "momentum", "attitude", "wrench")
+QUANTITIES = ("forward", "matrices", "momentum", "generalized", "wrench")
 """Public functions of a state; a stand without wrenches has no `wrench`."""
 
 
@@ -64,11 +64,11 @@ class Compiled:
 
     def table(self):
         """The compiled default table as plain data."""
-        return self.library.value(self.program.function("forward"), "stand")
+        return self.library.value(self.program.function("forward"), "table")
 
     def _taken(self, function, inputs, table):
         names = {a.name for a in self.program.function(function).arguments}
-        return {name: value for name, value in ({"stand": table} | inputs).items() if name in names}
+        return {name: value for name, value in ({"table": table} | inputs).items() if name in names}
 
 
 @cache

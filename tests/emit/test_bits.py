@@ -83,10 +83,10 @@ def test_the_compiled_tables_are_those_of_the_generator(name):
     assert bits(c.table()) == bits(c.values.table)
     prepare = c.program.function("prepare")
     status, outputs = c.library.run(
-        prepare, {"parameters": c.library.default("default_parameters"), "stand": c.table()}
+        prepare, {"parameters": c.library.default("default_parameters"), "table": c.table()}
     )
     assert status == 0
-    assert bits(outputs["stand"]) == bits(c.table())
+    assert bits(outputs["table"]) == bits(c.table())
 
 
 def test_float_follows_double():

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, stand, write
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.cpp import cpp_example, cpp_header, namespace
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.stand.random import BARE, random_stand
 from toolchain.tools import compile_c, require, run
 

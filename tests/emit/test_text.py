@@ -78,7 +78,7 @@ def test_every_function_is_static_or_a_contract_in_the_header(files):
         found = re.search(rf"{comment}\n[\w ]+ {function}\(", header, re.S)
         assert bool(static) != bool(found), function
     public = [f.removeprefix(f"{name}_") for static, f in defined if not static]
-    assert {"forward", "matrices", "momentum", "attitude", "quaternion", "prepare"} <= set(public)
+    assert {"forward", "matrices", "momentum", "generalized", "quaternion", "prepare"} <= set(public)
 
 
 def test_contracts_name_arguments_statuses_and_cost(files):

@@ -6,21 +6,22 @@ Kept away from what C leaves undefined: ints stay small, divisors of ints are no
 import math
 
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert as Converted
 from mahovik.core.program.expression import (
     Not,
+    and_,
     binary,
     bits_of,
-    both,
     compare,
-    either,
     integer,
+    or_,
     real,
     real_of_bits,
     select,
     word,
 )
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind
 
 REALS, WORDS, INTS = 5, 3, 3
@@ -91,7 +92,7 @@ class Trees:
         """A condition."""
         rng, less, pick = self.rng, max(depth - 1, 0), self.rng.random()
         if depth > 0 and pick < 0.3:
-            return rng.choice([both, either])(self.truth(less), self.truth(less))
+            return rng.choice([and_, or_])(self.truth(less), self.truth(less))
         if depth > 0 and pick < 0.4:
             return Not(self.truth(less))
         operator = rng.choice(["<", "<=", ">", ">="])

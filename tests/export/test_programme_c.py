@@ -167,5 +167,7 @@ def test_errors_and_cost_are_told() -> None:
     source, header = made.files["shaker2_programme.c"], made.files["shaker2_programme.h"]
     words = " ".join(source.replace("\n *", " ").split())
     assert all(" ".join(line.split()) in words for line in made.lines if not line.startswith("limit"))
-    assert f"At most {cost(made.made.courses[0].inner).total} operations on reals" in header
+    assert (
+        f"At most {cost(made.made.courses[0].inner, made.made.program.functions).total} operations on reals" in header
+    )
     assert f"{spin().span}  " in header

@@ -15,8 +15,8 @@ import numpy as np
 
 from faults.drivers import NULLS, nulls, routines
 from faults.emitted import Emitted, Host, Planted, files_of, first_error, stand_of, states_of
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.manifest import manifest
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.errors import ToolchainError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
@@ -149,9 +149,9 @@ def unphysical_tables(made: Emitted) -> str:
     backend = made.backend
     given = backend.arguments(states_of(made.host)[0][1]) | {"phi_ddot": [0.0] * len(stand_of(made.host).flywheels)}
     for axis in range(3):
-        table = backend.library.value(backend.program.function("forward"), "stand")
+        table = backend.library.value(backend.program.function("forward"), "table")
         table["inertia"] = [-1e3 if i == axis else 1e3 if i < 3 else 0.0 for i in range(6)]
-        inputs = given | {"stand": table}
+        inputs = given | {"table": table}
         names = {a.name for a in backend.program.function("forward").arguments}
         status, untouched = backend.library.probe(
             backend.program.function("forward"), {n: v for n, v in inputs.items() if n in names}
@@ -167,8 +167,8 @@ def singular_attitude(made: Emitted) -> str:
     given = backend.arguments(states_of(made.host)[0][1])
     for off in (0.0, 1e-9, -5e-7):
         status, untouched = backend.library.probe(
-            backend.program.function("attitude"),
-            {"stand": backend.library.default("default"), "x": given["x"], "angles": [0.3, np.pi / 2 + off, 0.1]}
+            backend.program.function("generalized"),
+            {"table": backend.library.default("default"), "x": given["x"], "angles": [0.3, np.pi / 2 + off, 0.1]}
             | {name: given[name] for name in ("phi_ddot", "wrench") if name in given},
         )
         if status != STATUS_VALUES["SINGULAR_ATTITUDE"] or not untouched:
@@ -191,7 +191,7 @@ def wrapping(made: Emitted) -> str:
 @check("time steps", "order of convergence of step, steps that cannot be refused", "`tests/lower/test_motion.py`")
 def time_steps(made: Emitted) -> str:
     backend = made.backend
-    given = {**backend.arguments(states_of(made.host)[0][1]), "stand": backend.library.default("default")}
+    given = {**backend.arguments(states_of(made.host)[0][1]), "table": backend.library.default("default")}
     given["locked"] = [0] * len(stand_of(made.host).flywheels)
     step = backend.program.function("step")
     for bad in ({"dt": 0.0}, {"dt": -1e-3}, {"order": 3}):
@@ -278,10 +278,10 @@ def listed(made: Emitted) -> str:
 @check("prepare", "the table that the C makes of its own parameters is its own table", "`tests/lower/test_prepare.py`")
 def prepared(made: Emitted) -> str:
     backend = made.backend
-    table = backend.library.value(backend.program.function("forward"), "stand")  # laws are no business of prepare
-    given = {"parameters": backend.library.default("default_parameters"), "stand": table}
+    table = backend.library.value(backend.program.function("forward"), "table")  # laws are no business of prepare
+    given = {"parameters": backend.library.default("default_parameters"), "table": table}
     status, out = backend.library.run(backend.program.function("prepare"), given)
-    different = [name for name in table if not same_bits(out["stand"][name], table[name])]
+    different = [name for name in table if not same_bits(out["table"][name], table[name])]
     return f"status {status}" if status else ", ".join(different)
 
 

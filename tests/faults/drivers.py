@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mahovik.core.program.function import STATUS_VALUES, Function, Program
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Struct
 
 NULLS = "nulls.c"

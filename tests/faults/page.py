@@ -1,4 +1,4 @@
-"""docs/planted-faults.md: the table of faults and what catches them."""
+"""docs/results/planted-faults.md: the table of faults and what catches them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from second.test_mutations import MUTATIONS
 from toolchain.test_eva import FAULTS as EVA
 
 SHOWN = Path(__file__).parent / "shown.json"
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "planted-faults.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "results" / "planted-faults.md"
 
 HEAD = """# Planted faults
 
@@ -63,7 +63,7 @@ def text(how: Mapping[str, Sequence[str]]) -> str:
     parts += [f"| {cell(name)} | {where} | {', '.join(found)} |\n" for name, (where, found) in DERIVED.items()]
     parts.append("\n## The second derivation\n\nCaught by the comparison with the reference, in ")
     parts.append("`tests/second/test_mutations.py`.\n\n| fault | planted in |\n|---|---|\n")
-    parts += [f"| {name} | `second/{module}.py` |\n" for name, (module, _, _) in MUTATIONS.items()]
+    parts += [f"| {name} | `proof/second/{module}.py` |\n" for name, (module, _, _) in MUTATIONS.items()]
     parts.append("\n## Seen by Frama-C Eva\n\nPlanted in the C of demo3, in `tests/toolchain/test_eva.py`.\n\n")
     parts.append("| fault | driver that sees it |\n|---|---|\n")
     parts += [f"| {name} | `{driver}` |\n" for name, (driver, _, _) in EVA.items()]

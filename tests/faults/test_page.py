@@ -1,4 +1,4 @@
-"""docs/planted-faults.md lists the faults that are planted, with their checks."""
+"""docs/results/planted-faults.md lists the faults that are planted, with their checks."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ import copy
 import math
 
 from emit.compiled import bits
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.toolchain.library import filled
 
 FILL = 4321.5

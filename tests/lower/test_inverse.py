@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear
 
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend
 
@@ -27,7 +27,7 @@ def ask(c: CBackend, seed: int = 1, **options) -> tuple[dict, int, dict]:
     count = len(c.layout.structure.flywheels)
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}
     x |= {"phi": list(rng.uniform(-3, 3, count)), "phi_dot": list(rng.normal(size=count) * 20)}
-    given = {"stand": c.library.default("default"), "x": x, "V_dot": list(rng.normal(size=6))}
+    given = {"table": c.library.default("default"), "x": x, "V_dot": list(rng.normal(size=6))}
     defaults = {"weight": [1.0] * count, "limit": [1e300] * count, "near": 1e-6, "damping": 0.0}
     given["options"] = defaults | options
     status, out = c.call("inverse", given)

@@ -10,8 +10,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.cost import cost
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand, random_state
 from mahovik.proof.second import Second
@@ -209,4 +209,5 @@ def test_not_a_number_is_refused(function: str) -> None:
 def test_coupled_costs_at_most_twice_forward() -> None:
     """At eight flywheels, by the operations of the program."""
     program = made("bench8").program
-    assert cost(program.function("coupled")).total <= 2 * cost(program.function("forward")).total
+    coupled, forward = (cost(program.function(name), program.functions) for name in ("coupled", "forward"))
+    assert coupled.total <= 2 * forward.total

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import State
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from mahovik.proof.reference import evaluate
@@ -44,7 +44,7 @@ def start(c: CBackend) -> dict:
 def inputs(c: CBackend, x: dict, **more) -> dict:
     """Arguments of step by name; torques and accelerations that differ."""
     count = len(x["phi"])
-    found = {"stand": c.library.default("default"), "x": x, "tau": [0.05 * (s + 1) for s in range(count)]}
+    found = {"table": c.library.default("default"), "x": x, "tau": [0.05 * (s + 1) for s in range(count)]}
     found |= {"locked": [0] * count, "phi_ddot": [3.0 * (s - 1) for s in range(count)]}
     found |= {"wrench": [0.0] * 6 * len(c.inputs), "dt": 1e-3, "order": 4}
     return found | more
@@ -212,7 +212,7 @@ def test_a_step_over_too_many_turns_is_refused_in_float(speed: float) -> None:
     """A phase that a float cannot hold to its digits is out of range, not a worse answer."""
     c = CBackend(random_stand(np.random.default_rng(3), 1, BARE, name="turns"), "float")
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [999.0], "phi_dot": [speed]}
-    given = {"stand": c.library.default("default"), "x": x, "phi_ddot": [0.0], "order": 4}
+    given = {"table": c.library.default("default"), "x": x, "phi_ddot": [0.0], "order": 4}
     assert c.call("step_driven", given | {"dt": 1.0})[0] == STATUS_VALUES["RANGE"]
     status, out = c.call("step_driven", given | {"dt": 1e-3})
     assert status == 0

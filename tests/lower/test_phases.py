@@ -13,8 +13,8 @@ import pytest
 from flint import arb, ctx
 
 from lower.refusals import FILL
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.phases import MAX_COUNTS
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend

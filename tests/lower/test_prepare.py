@@ -44,7 +44,7 @@ def scrambled(c):
 def inputs_of(c, parameters=None):
     """Arguments of prepare that begin with a scrambled table."""
     parameters = c.values.parameters if parameters is None else parameters
-    return {"parameters": parameters, "stand": scrambled(c)}
+    return {"parameters": parameters, "table": scrambled(c)}
 
 
 @pytest.fixture(scope="module", params=FEW)
@@ -57,8 +57,8 @@ def c(request):
 def test_default_parameters_give_the_default_table(name):
     c = compiled(name)
     inputs = inputs_of(c)
-    assert bits(inputs["stand"]) != bits(c.values.table)
-    assert bits(accepts(c, "prepare", inputs)["stand"]) == bits(c.values.table)
+    assert bits(inputs["table"]) != bits(c.values.table)
+    assert bits(accepts(c, "prepare", inputs)["table"]) == bits(c.values.table)
 
 
 @pytest.mark.parametrize("name", ("everything6", "hung5", "bare5"))
@@ -68,15 +68,15 @@ def test_parameters_of_another_stand_give_its_table(name):
     other = other_numbers(ours.stand, np.random.default_rng(6))
     g = generate_all(other)
     theirs = Compiled(other, g.layout, g.program, g.values, g.files)
-    inputs = {"parameters": theirs.values.parameters, "stand": scrambled(theirs)}
-    table = accepts(ours, "prepare", inputs)["stand"]
+    inputs = {"parameters": theirs.values.parameters, "table": scrambled(theirs)}
+    table = accepts(ours, "prepare", inputs)["table"]
     assert bits(table) == bits(theirs.table())
     rng = np.random.default_rng(7)
     for _ in range(3):
         given = theirs.inputs(random_state(theirs.stand, rng))
-        for function in ("forward", "matrices", "momentum", "attitude"):
+        for function in ("forward", "matrices", "momentum", "generalized"):
             want = accepts(theirs, function, given)
-            assert bits(accepts(ours, function, given | {"stand": table})) == bits(want)
+            assert bits(accepts(ours, function, given | {"table": table})) == bits(want)
             assert bits(accepts(ours, function, given)) != bits(want)
 
 
@@ -84,7 +84,7 @@ def test_a_heavier_flywheel_changes_its_row_and_the_sums_alone():
     c = compiled("bench8")
     parameters = copy.deepcopy(c.values.parameters)
     parameters["flywheel"][2]["body"]["mass"] += 0.5
-    table = accepts(c, "prepare", inputs_of(c, parameters))["stand"]
+    table = accepts(c, "prepare", inputs_of(c, parameters))["table"]
     default = c.table()
     assert table["mass"] == pytest.approx(default["mass"] + 0.5, rel=1e-15)
     assert [k for k in range(8) if bits(table["flywheel"][k]) != bits(default["flywheel"][k])] == [2]
@@ -105,7 +105,7 @@ def test_axes_of_any_length_give_the_same_table():
     wheel = parameters["flywheel"][0]
     wheel["axis"] = [x * 1000 for x in wheel["axis"]]
     wheel["zero"] = [x * 1e-3 + 4 * a for x, a in zip(wheel["zero"], wheel["axis"], strict=True)]
-    row = accepts(c, "prepare", inputs_of(c, parameters))["stand"]["flywheel"][0]
+    row = accepts(c, "prepare", inputs_of(c, parameters))["table"]["flywheel"][0]
     for name, value in c.table()["flywheel"][0].items():
         # 4000 axes and a thousandth of zero: 7 digits of zero are lost
         assert np.allclose(row[name], value, rtol=1e-8, atol=1e-8), name

@@ -33,14 +33,14 @@ def functions(c):
         if c.has(name):
             yield (
                 name,
-                [a.name for a in c.program.function(name).arguments if a.direction == "in" and a.name != "stand"],
+                [a.name for a in c.program.function(name).arguments if a.direction == "in" and a.name != "table"],
             )
 
 
 def places(c, function, taken, inputs):
-    """Paths of the numbers that a function reads; `attitude` takes angles instead of the quaternion."""
+    """Paths of the numbers that a function reads; `generalized` takes angles instead of the quaternion."""
     for path in numbers({name: inputs[name] for name in taken}):
-        if not (function == "attitude" and path[:2] == ("x", "attitude")):
+        if not (function == "generalized" and path[:2] == ("x", "attitude")):
             yield path
 
 
@@ -120,7 +120,7 @@ def test_quaternions_off_unit_length(c, length):
     inputs = ordinary(c)
     inputs["x"]["attitude"] = [length * q for q in inputs["x"]["attitude"]]
     for function, taken in functions(c):
-        if "x" in taken and function != "attitude":
+        if "x" in taken and function != "generalized":
             refuses(c, function, inputs, "RANGE")
 
 
@@ -131,7 +131,7 @@ def test_quaternions_near_unit_length_are_normalised(c, length):
     other = copy.deepcopy(inputs)
     other["x"]["attitude"] = [length * q for q in inputs["x"]["attitude"]]
     for function, taken in functions(c):
-        if "x" in taken and function != "attitude":
+        if "x" in taken and function != "generalized":
             want, got = (accepts(c, function, given) for given in (inputs, other))
             for path in numbers(want):
                 scale = np.abs(np.array(get(want, path[:-1]) if isinstance(path[-1], int) else get(want, path))).max()
@@ -154,9 +154,9 @@ def test_singular_attitudes(c):
             inputs = ordinary(c)
             inputs["angles"][1] = sign * middle + off
             if good:
-                accepts(c, "attitude", inputs)
+                accepts(c, "generalized", inputs)
             else:
-                refuses(c, "attitude", inputs, "SINGULAR_ATTITUDE")
+                refuses(c, "generalized", inputs, "SINGULAR_ATTITUDE")
             accepts(c, "quaternion", inputs)
 
 

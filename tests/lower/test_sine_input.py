@@ -12,7 +12,7 @@ import pytest
 
 from emit.compiled import bits
 from lower.refusals import FILL
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
 from mahovik.core.toolchain.library import filled
@@ -77,7 +77,7 @@ def test_compiled_and_interpreted_agree(function: str) -> None:
     c = backend("turned3")
     inputs = inputs_of(c)
     wanted = {a.name for a in c.program.function(f"{function}_at").arguments if a.direction != "out"}
-    given = {n: v for n, v in inputs.items() if n in wanted} | {"stand": c.generated.values.table}
+    given = {n: v for n, v in inputs.items() if n in wanted} | {"table": c.generated.values.table}
     assert bits(c.interpreter._run(f"{function}_at", given)[1]) == bits(run(c, f"{function}_at", inputs)[1])
 
 
@@ -90,7 +90,7 @@ def test_the_key_changes_no_bit_of_the_other_functions(name: str) -> None:
     for function in plain.program.functions:
         needed = {a.name for a in function.arguments if a.direction != "out"}
         if function.public and "x" in needed and needed <= set(inputs):
-            ours, theirs = (run(b, function.name, inputs | {"stand": b._table}) for b in (c, plain))
+            ours, theirs = (run(b, function.name, inputs | {"table": b._table}) for b in (c, plain))
             assert bits(ours) == bits(theirs), function.name
     assert not any(f.name.endswith("_at") for f in plain.program.functions)
 

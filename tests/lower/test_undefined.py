@@ -36,14 +36,14 @@ def test_nothing_is_read_before_it_is_written(name, monkeypatch):
     states = [random_state(c.stand, rng) for _ in range(3)]
     states += [extreme_state(c.stand, rng, kind) for kind in ("rest", "half_turn")]
     for state in states:
-        given = c.inputs(state) | {"stand": c.values.table}
+        given = c.inputs(state) | {"table": c.values.table}
         for function in filter(c.has, (*QUANTITIES, "quaternion")):
             inputs = {a.name: given[a.name] for a in c.program.function(function).arguments if a.direction == "in"}
             want, got = plain.run(function, inputs), strict.run(function, inputs)
             assert want[0] == got[0]
             if want[0] >= 0:
                 assert bits(want[1]) == bits(got[1]), function
-    inputs = {"parameters": c.values.parameters, "stand": c.values.table}
+    inputs = {"parameters": c.values.parameters, "table": c.values.table}
     assert bits(plain.run("prepare", inputs)[1]) == bits(strict.run("prepare", inputs)[1])
 
 

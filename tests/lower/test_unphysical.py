@@ -14,13 +14,14 @@ from numpy.typing import NDArray
 
 from emit.compiled import compiled
 from lower.refusals import refuses
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower import parameters as lowered
 from mahovik.core.lower.checks import within
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.thresholds import THRESHOLDS
-from mahovik.core.program.function import STATUS_VALUES, Program
+from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand import Stand, structure
@@ -212,7 +213,7 @@ def test_the_compiled_prepare_refuses_each_kind_in_any_body_and_writes_nothing(n
     good = c.values.parameters
     bodies: list[tuple[Any, ...]] = [("carrier",)]
     bodies += [(kind, k, "body") for kind in ("instrument", "flywheel") for k in range(len(good.get(kind, ())))]
-    inputs = {"stand": c.table()}
+    inputs = {"table": c.table()}
 
     def refused(path: tuple[Any, ...], value: Any, due: str = "NOT_POSITIVE_DEFINITE") -> None:
         refuses(c, "prepare", inputs | {"parameters": with_value(good, path, value)}, due)
@@ -243,7 +244,7 @@ def test_what_has_no_inverse_is_refused(real: str, tiny: float) -> None:
     parameters = copy.deepcopy(c.generated.values.parameters)
     parameters["flywheel"][0]["body"]["inertia"] = [tiny, tiny, tiny, 0.0, 0.0, 0.0]
     parameters["flywheel"][0]["body"]["center_of_mass"] = [0.0, 0.0, 0.0]
-    inputs = {"parameters": parameters, "stand": c.generated.values.table}
+    inputs = {"parameters": parameters, "table": c.generated.values.table}
     assert c.call("prepare", inputs)[0] == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]
     parameters = copy.deepcopy(c.generated.values.parameters)
     for body in (parameters["carrier"], *(w["body"] for w in parameters["flywheel"])):

@@ -10,13 +10,10 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.lower.limits import limits
-from mahovik.core.motion import load, loads, ranges, steady
+from mahovik.core.motion import load, loads, steady
 from mahovik.core.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
-from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import RegimeError
-from mahovik.use.simulate.case import MAX_STEP
 
 SHAKER = load_stand(stands.path("shaker2"))
 HEAD = "schema = 1\n"
@@ -198,13 +195,6 @@ def test_a_table_of_wrenches_out_of_range(tmp_path: Path) -> None:
     (tmp_path / "w.csv").write_text("t,Z\n0,0\n2,-3e9\n")
     (line,) = problems(HEAD + REST + '[wrench]\nleft = "w.csv"', tmp_path)
     assert 'wrench "left", Z: a force of -3e+09 N is out of range' in line
-
-
-def test_the_ranges_are_those_of_the_c() -> None:
-    c = {name: limit.value for name, limit in limits(DOUBLE).items()}
-    for name in ("MAX_SPEED", "MAX_ACCELERATION", "MAX_WRENCH", "MAX_PHASE"):
-        assert getattr(ranges, name) == c[name]
-    assert c["MAX_STEP"] == MAX_STEP
 
 
 @pytest.mark.parametrize("until", [0.1, 0.3, 0.7, 1.1, 2.3, 4.1, 1e-3, 123.457])

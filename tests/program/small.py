@@ -1,7 +1,8 @@
 """Small programs for tests: one function from a few lines, run by the interpreter."""
 
 from mahovik.core.program.build import Body
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Kind
 

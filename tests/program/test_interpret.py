@@ -7,24 +7,24 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.build import call
 from mahovik.core.program.expression import (
     Convert,
     Not,
     Status,
+    and_,
     bits_of,
-    both,
-    either,
     equal,
     integer,
     magnitude,
+    or_,
     real,
     real_of_bits,
     select,
     unequal,
     word,
 )
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, FLOAT, Field, Kind, Struct
 from program.small import argument, evaluate, function, program, run
@@ -129,8 +129,8 @@ def test_select_and_conditions(x):
     absolute = evaluate((R,), magnitude, x)
     assert str(absolute) == str(-x if x < 0 else x)  # -0 < 0 is false: -0 stays
     assert evaluate((R,), lambda a: select(a < 0, 1, 2), x) == (1 if x < 0 else 2)
-    assert evaluate((R,), lambda a: select(both(a >= -2, a <= 1), 1, 2), x) == (1 if -2 <= x <= 1 else 2)
-    assert evaluate((R,), lambda a: select(either(a < 0, a > 0), 1, 2), x) == (1 if x < 0 or x > 0 else 2)
+    assert evaluate((R,), lambda a: select(and_(a >= -2, a <= 1), 1, 2), x) == (1 if -2 <= x <= 1 else 2)
+    assert evaluate((R,), lambda a: select(or_(a < 0, a > 0), 1, 2), x) == (1 if x < 0 or x > 0 else 2)
     # NaN: !(a >= b) is not a < b
     assert evaluate((R,), lambda a: select(Not(a >= 0), 1, 2), x) == (2 if x >= 0 else 1)
 

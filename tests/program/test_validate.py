@@ -3,8 +3,9 @@
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, stand
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Const, Place, Variable, integer, real
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, When
 from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 from mahovik.core.program.validate import validate

@@ -2,9 +2,10 @@
 
 import pytest
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Not, Select, Status, both, equal, integer, real, unequal
-from mahovik.core.program.function import STATUS_VALUES, Function
+from mahovik.core.program.expression import Not, Select, Status, and_, equal, integer, real, unequal
+from mahovik.core.program.function import Function
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.refusal import without_returns
@@ -30,8 +31,8 @@ def within():
     """RANGE where a value is above its limit, NOT_FINITE where it is no number."""
 
     def write(body, values, count, limit):
-        with body.loop("i", count) as i, body.when(Not(both(values[i] >= -limit, values[i] <= limit))):
-            with body.when(both(values[i] >= real(-1e30), values[i] <= real(1e30))):
+        with body.loop("i", count) as i, body.when(Not(and_(values[i] >= -limit, values[i] <= limit))):
+            with body.when(and_(values[i] >= real(-1e30), values[i] <= real(1e30))):
                 body.ret(Status("RANGE"))
             body.ret(Status("NOT_FINITE"))
 
@@ -53,8 +54,9 @@ def kinked():
 def widened(narrow, varying, precision=DOUBLE):
     """Program of the wide form of the last of some functions, and its lanes."""
     wide = Wide(precision)
-    widener = Widener(wide)
-    made = widener.function(Inliner(without_returns(tuple(narrow)), RESERVED)[narrow[-1].name], varying)
+    inliner = Inliner(without_returns(tuple(narrow)), RESERVED)
+    widener = Widener(wide, inliner.__getitem__)
+    made = widener.function(inliner[narrow[-1].name], varying)
     found = program(*widener.functions, precision=precision)
     validate(found)
     return found, made, wide.lanes

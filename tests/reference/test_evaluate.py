@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.contract.functions import wants_of
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_stand
 from mahovik.errors import StateError
-from mahovik.proof.reference import WANTS, evaluate
+from mahovik.proof.reference import evaluate
 from physics.general import draw
 from physics.motions import motion, rate, rotation, second_rate
 
@@ -35,7 +36,7 @@ def test_each_want_gives_what_the_contract_names(want, flywheels):
 
 
 def test_every_want_is_spoken_for():
-    assert set(WANTS) == set(SHAPES) | {"points"}
+    assert set(wants_of("reference")) == set(SHAPES) | {"points"}
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from mahovik.core.stand import load
 from mahovik.errors import MahovikError
-from mahovik.proof.evidence.collect import Collected, collect
-from mahovik.proof.evidence.piece import Need, Outcome, Piece, Subject, Table, Tell, Verdict
+from mahovik.proof.evidence.collect import collect
+from mahovik.proof.evidence.piece import Collected, Need, Outcome, Piece, Subject, Table, Tell, Verdict
 from mahovik.stands import path
 
 DEMO3 = str(path("demo3"))

@@ -11,6 +11,7 @@ from flint import arb, ctx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mahovik.contract.functions import wants_of
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.errors import StateError
@@ -27,7 +28,7 @@ from rigorous.balls import flat, middles
 from strategies import stands, states
 
 SEEDS = st.integers(0, 2**32 - 1)
-WANTS = tuple(rigorous.WANTS)
+WANTS = wants_of("rigorous")
 
 
 def check_agreement(stand: Stand, state: State) -> None:

@@ -2,34 +2,19 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
 from dataclasses import replace
-from types import ModuleType
 
+import math_campaign as campaign
+import math_proof as proof
 import numpy as np
 import pytest
 from flint import arb
 
-from docs.pages import ROOT, cells
+from docs.pages import cells
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from toolchain.tools import require
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
-
-
-def tool(name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(name, ROOT / "tools" / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    found = importlib.util.module_from_spec(spec)
-    sys.modules[name] = found  # its dataclasses look their module up
-    spec.loader.exec_module(found)
-    return found
-
-
-proof = tool("math_proof")
-campaign = tool("math_campaign")
 
 
 @pytest.fixture(autouse=True)

@@ -1,27 +1,11 @@
 """The polynomials of the routines: derived again by tools/minimax.py, and within the error they claim."""
 
-import importlib.util
-import sys
-from pathlib import Path
-
+import minimax
 import mpmath as mp
 import pytest
 
 from mahovik.core.routines import arc_tangent
 from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
-
-TOOL = Path(__file__).parents[2] / "tools" / "minimax.py"
-
-
-def load_tool():
-    spec = importlib.util.spec_from_file_location("minimax", TOOL)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["minimax"] = module  # its dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
-
-
-minimax = load_tool()
 
 
 def used(name, precision):

@@ -2,11 +2,13 @@
 
 import numpy as np
 
+from mahovik.contract.functions import wants_of
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.second import WANTS
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.scales import scales
+
+WANTS = wants_of("second")
 
 NOT_THERE = ("I0", "J0")  # of `generalized`: matrices of (11), that the second derivation does not form
 

@@ -7,12 +7,15 @@ import numpy as np
 import pytest
 
 from mahovik import stands
+from mahovik.contract.functions import wants_of
 from mahovik.core.stand import load
 from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
 from mahovik.proof import reference
-from mahovik.proof.second import WANTS, Second, evaluate
+from mahovik.proof.second import Second, evaluate
 from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, expectations
+
+WANTS = wants_of("second")
 
 EXAMPLES = sorted(Path(stands.__file__).parent.glob("*.toml"))
 KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}

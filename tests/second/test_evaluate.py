@@ -6,11 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from mahovik.contract.functions import wants_of
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
-from mahovik.proof.second import WANTS, Second, evaluate
+from mahovik.proof.second import Second, evaluate
 from physics.general import draw
+
+WANTS = wants_of("second")
 
 
 @pytest.mark.parametrize("want", ["matrices", "mounts", "inverse", "forwards"])

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.contract.functions import WANTS
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
@@ -24,7 +25,7 @@ from mahovik.proof.diagnose.sheet import sheet
 from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.second import Second
-from mahovik.proof.verify.backends import WANTS, NumpyBackend
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.harness import askable
 from mahovik.proof.verify.states import Request
 from mahovik.stands import path

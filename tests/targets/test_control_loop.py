@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from control_loop import BENCH8, Counts, control_loop, read_counts
 
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import build, run
-from mahovik.core.toolchain.loop import BENCH8, Counts, control_loop, read_counts
 from mahovik.stands import path
 from targets.boards import target
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from flight import flight
 
 from mahovik.core.stand import load as load_stand
 from mahovik.core.toolchain.board import build, run
-from mahovik.core.toolchain.flight import flight
 from mahovik.stands import path
 from mahovik.use.simulate.flight_log import Start, load, records
 from mahovik.use.simulate.replay import CMachine, Outcome, replay

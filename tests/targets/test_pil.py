@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from pil import Run, processor_in_the_loop, read_run
 
 from export.programmes import stand
 from export.servos import exported
@@ -13,7 +14,6 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import build, run
 from mahovik.errors import UsageError
-from mahovik.out.export.pil import Run, processor_in_the_loop, read_run
 from mahovik.stands import path
 from targets.boards import target
 

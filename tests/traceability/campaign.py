@@ -55,12 +55,15 @@ INVERSE = (
     "tests/lower/test_inverse.py::test_weights_choose_among_flywheels",
     "tests/lower/test_inverse.py::test_bad_options_are_refused",
     *(f"tests/lower/test_inverse.py::test_others_give_what_a_limited_flywheel_cannot[{seed}-7]" for seed in range(4)),
-    *(f"tests/lower/test_target.py::test_the_cheap_inverse_agrees_with_the_careful_one[{count}]" for count in (5, 7)),
-    "tests/lower/test_target.py::test_damping_of_the_cheap_inverse_lowers_the_answer",
+    *(
+        f"tests/lower/test_coordinates.py::test_the_cheap_inverse_agrees_with_the_careful_one[{count}]"
+        for count in (5, 7)
+    ),
+    "tests/lower/test_coordinates.py::test_damping_of_the_cheap_inverse_lowers_the_answer",
 )
 TARGET = (
-    "tests/lower/test_target.py::test_target_inverts_the_generalized_form",
-    "tests/lower/test_target.py::test_a_singular_attitude_is_refused",
+    "tests/lower/test_coordinates.py::test_state_from_coordinates_inverts_the_generalized_form",
+    "tests/lower/test_coordinates.py::test_a_singular_attitude_is_refused",
 )
 JACOBIAN = (
     *(f"tests/lower/test_jacobian.py::test_derivatives_of_forward[everything 4-{seed}]" for seed in (1, 2)),
@@ -88,8 +91,8 @@ REFUSALS = tuple(
 BY_NAME = {
     "sincos": ROUTINES[:1], "sqrt": ROUTINES[1:2], "atan2": ROUTINES[2:], "unwound": MOTION,
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
-    "quaternion": TARGET, "target": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
-    "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "attitude": (*REFUSALS, *TARGET),
+    "quaternion": TARGET, "state_from_coordinates": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
+    "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),
     "coupled": MOTION, "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
 }  # fmt: skip
 BY_SUBJECT = {

@@ -109,9 +109,9 @@ SECOND: dict[str, tuple[Any, ...]] = {
 
 ROLES: dict[str, tuple[str, ...]] = {
     "drive torque": ("torque", "balance", "carry_twist", "mount_wrench", "mounts", "prepare_mounts"),
-    "whole system": ("coupled", "move", "eliminate", "solve_schur", "coupled_jacobian"),
+    "whole system": ("coupled", "solve_coupled", "eliminate", "solve_schur", "coupled_jacobian"),
     "motion in time": ("advance", "finish", "rate", "step", "rate_driven", "step_driven"),
-    "points": ("sense", "measure", "place_point"),
+    "points": ("sense", "points", "place_point"),
     "rotations and placement": (
         "rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel",
     ),

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from mahovik.core.program.call import Call
 from mahovik.core.program.expression import (
     Binary,
     BitCast,
-    Call,
     Compare,
     Const,
     Convert,
@@ -131,7 +131,7 @@ def _expression(e: Expr, site: _Site) -> Expr:
         case BitCast():
             return BitCast(_expression(e.operand, site), e.kind)
         case Call():
-            return Call(e.function, tuple(x if isinstance(x, Place) else _expression(x, site) for x in e.arguments))
+            return Call(e.signature, tuple(x if isinstance(x, Place) else _expression(x, site) for x in e.arguments))
     return e
 
 

@@ -1,4 +1,4 @@
-"""docs/traceability.md, from what the campaign found and from generated/ as it is."""
+"""docs/results/traceability.md, from what the campaign found and from generated/ as it is."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from traceability.lines import spans
 from traceability.mutants import MUTANTS, chosen
 
 FOUND = ROOT / "tests" / "traceability" / "found.json"
-PAGE = ROOT / "docs" / "traceability.md"
+PAGE = ROOT / "docs" / "results" / "traceability.md"
 
 HEAD = """# From equation to test
 
 Written by `make traceability` (the lines of C alone: `make traceability-page`). For each equation of
-[the model](model.md): who derives it, three times without a shared formula; which functions of the program have it;
+[the model](../model.md): who derives it, three times without a shared formula; which functions of the program have it;
 where these stand in the C of an example stand; how many mutants of each were made, and what noticed them.
 
 A mutant is one operation changed: a sign, a term dropped, a number times 1.5, a comparison turned round, a loop one
@@ -117,7 +117,7 @@ def functions(found: dict[str, dict[str, Any]]) -> str:
         place = "–"
         if name in where:
             stand, first, last = where[name]
-            place = f"[{stand}.c {first}-{last}](../generated/{stand}/{stand}.c)"
+            place = f"[{stand}.c {first}-{last}](../../generated/{stand}/{stand}.c)"
         quantities = f["quantities"][:5] + (["..."] if len(f["quantities"]) > 5 else [])
         tests = [f"`{t}`" if "::" in t else t for t in f["noticed"][:4]]
         tests += [f"{len(f['noticed']) - 4} more"] if len(f["noticed"]) > 4 else []

@@ -40,7 +40,7 @@ RAW = {name: stripped(load(path(name))) for name in ("bench8", "remus6", "sat4")
 }
 ITS = {name: with_its_wheels(stand) for name, stand in RAW.items()}
 QUICK, UNTIL = 5, 0.3
-"""States of a comparison, the first at rest; s of its motion, about a turn. docs/judges.md has more of both."""
+"""States of a comparison, the first at rest; s of its motion, about a turn. docs/results/judges.md has more of both."""
 SHORT = motion_of(UNTIL)
 OFFERED = {*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), SHORT}
 

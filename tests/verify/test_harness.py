@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.contract.functions import WANTS
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import Stand, State, load, rest_state
 from mahovik.errors import CheckError, StateError, ToolchainError, UsageError
@@ -22,7 +23,6 @@ from mahovik.proof.verify.compare import Row, difference, same_bits
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.evaluate import state_line
 from mahovik.proof.verify.harness import judge, verify_c
-from mahovik.proof.verify.program_backend import PROGRAM_WANTS
 from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
 from mahovik.proof.verify.states import read_line
 from mahovik.stands import path
@@ -171,7 +171,7 @@ def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> 
     assert any(row.verdict == "not compared" for row in found.rows)
     lines = worst_lines(found).splitlines()
     assert lines
-    assert {read_line(stand, line).want[0] for line in lines} <= set(PROGRAM_WANTS)
+    assert {read_line(stand, line).want[0] for line in lines} <= set(WANTS)
 
 
 def test_a_check_left_out_of_the_emitted_c_is_caught(tmp_path: Path) -> None:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from random_stands import WHAT_MATTERS, random_stands, verify_random
 
 from mahovik.core.stand import Stand, load
-from mahovik.proof.verify.campaign import WHAT_MATTERS, random_stands, verify_random
 from mahovik.proof.verify.report import conclusion
 from mahovik.stands import names, path
 

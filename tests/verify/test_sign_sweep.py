@@ -17,7 +17,7 @@ FUNCTIONS = (
     "damp",
     "own_wrench",
     "suspend",
-    "pull",
+    "add_leg",
     "external",
     "matrices",
     "velocity_matrix",

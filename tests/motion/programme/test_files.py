@@ -162,8 +162,8 @@ def test_fourier_of_a_finite_programme_is_refused() -> None:
     document = example(duration=1)
     del document["period"]
     found = problems(document)
-    assert "p.json: winding: goes with `period`: winding is turns a period" in found
-    assert "p.json: fourier: goes with `period`; a finite programme has `samples`" in found
+    assert "p.json: winding: not allowed with `duration`: winding is turns a period" in found
+    assert "p.json: fourier: not allowed with `duration`: a finite programme has `samples`" in found
 
 
 def test_files_are_written_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -105,7 +105,7 @@ def test_units_bounds_and_weights() -> None:
         ({"period": -0.1}, "m.json: period: -0.1 s is not above 0"),
         ({"period": "10 Hz"}, 'm.json: period: unit "Hz" does not fit, expected a time (s)'),
         ({"period": None}, "m.json: period: expected a time (s), found a NoneType"),
-        ({"duration": 1}, 'm.json: duration: goes not with type "periodic", which has `period`'),
+        ({"duration": 1}, 'm.json: duration: not allowed with type "periodic", which has `period`'),
         ({"units": {"linear": "mrad"}}, 'm.json: units, linear: unit "mrad" does not fit, expected a length (m)'),
         ({"units": {"lin": "mm"}}, 'm.json: units: unknown key "lin", did you mean "linear"?'),
         ({"mean": [0] * 5}, "m.json: mean: expected 6 numbers, found 5"),
@@ -126,7 +126,7 @@ def test_units_bounds_and_weights() -> None:
         ({"runup": 0}, "m.json: runup: 0 s is not above 0"),
         (
             {"bounds": {"deviation": {"linear": "1 mm"}}},
-            "m.json: bounds, deviation: goes with `runup`: it bounds the carrier on the way there and back",
+            "m.json: bounds, deviation: needs `runup`: it bounds the carrier on the way there and back",
         ),
         (
             {"runup": 1, "bounds": {"deviation": {"angular": 0}}},
@@ -143,7 +143,10 @@ def test_units_bounds_and_weights() -> None:
         ({"bounds": {"speed": -1}}, "m.json: bounds, speed: -1 is not above 0: a bound is a magnitude"),
         ({"bounds": {"acceleration": -1}}, "m.json: bounds, acceleration: -1 is not above 0: a bound is a magnitude"),
         ({"bounds": {"bias": 1}}, "m.json: bounds, bias: expected 6 numbers (m, rad), found 1"),
-        ({"bounds": {"start": {}}}, 'm.json: bounds, start: goes not with type "periodic", which begins where it ends'),
+        (
+            {"bounds": {"start": {}}},
+            'm.json: bounds, start: not allowed with type "periodic", which begins where it ends',
+        ),
         ({"objective": {"torque": -1}}, "m.json: objective, torque: -1 is negative, expected a weight"),
         (
             {"objective": {"power": 1}},
@@ -259,7 +262,7 @@ def test_keys_that_are_periodic_only() -> None:
     found = problems(finite(winding="rock", runup=1, period=1))
     assert [line.split(":")[1].strip() for line in found] == ["period", "winding", "runup"]
     assert problems({**FINITE, "harmonics": []}) == [
-        'm.json: harmonics: goes not with type "finite", which has `samples`'
+        'm.json: harmonics: not allowed with type "finite", which has `samples`'
     ]
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.motion.servo import Servo, Trim, load_servo, read_servo
-from mahovik.core.motion.servo.read import TRIM_KEYS
+from mahovik.core.motion.servo.read import TrimTable
 from mahovik.core.stand import load
 from mahovik.errors import ServoError
 
@@ -73,7 +73,7 @@ def test_the_servos_of_the_examples_are_good() -> None:
         ("torque_limit = -1", "torque_limit: -1 N m: expected above 0, at most 1e+09"),
         ("feedforward = 1", "feedforward: expected true or false, found 1"),
         ('encoder = "stnd"', 'encoder: unknown "stnd", did you mean "stand"?'),
-        ("trim = true", f"trim: expected a table with {', '.join(TRIM_KEYS)}, or false, found true"),
+        ("trim = true", f"trim: expected a table with {', '.join(TrimTable.model_fields)}, or false, found true"),
         ("trim = { harmonics = 99 }", "trim, harmonics: 99: expected 1 to 16"),
         ("trim = { gain = 2 }", "trim, gain: 2: expected above 0, at most 1"),
         ('trim = { coordinates = ["psy"] }', 'trim, coordinates: unknown "psy", did you mean "psi"?'),

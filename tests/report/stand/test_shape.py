@@ -7,7 +7,7 @@ from hypothesis import assume, given, settings
 from pytest import approx
 
 from mahovik.core.stand import load
-from mahovik.core.stand.physical import inertia_about_center
+from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.out.report.stand.shape import ellipsoid, shape_of
 from mahovik.stands import path
 from strategies import stands

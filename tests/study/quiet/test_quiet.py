@@ -257,11 +257,8 @@ def test_stands_that_have_nothing_free_are_refused(sat4: Stand) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("N", "suspended"), [(5, None), (7, 12.0)])
-def test_random_satellites(monkeypatch: pytest.MonkeyPatch, N: int, suspended: float | None) -> None:
+def test_random_satellites(N: int, suspended: float | None) -> None:
     """In the band as long as no flywheel may be slow: lower, and as simulated."""
-    from docs.pages import ROOT
-
-    monkeypatch.syspath_prepend(str(ROOT / "tools"))
     from quiet_stands import satellite, speeds_before
 
     stand = satellite(3, N, suspended)

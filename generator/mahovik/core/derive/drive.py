@@ -30,10 +30,10 @@ def literal_torque(w: Generic, V: sp.Matrix) -> sp.Matrix:
 def bias_torque(buoyancy: bool) -> sp.Expr:
     """Torque at V* = 0, phi'' = 0: mu' . (omega x v - g) - omega . J' omega / 2; the weight's moment is mu' . g.
 
-    `mu_p`, `J_p`, `displaced_p` are derivatives by the phase, `swing` = omega x v (less g where there is weight),
-    `spun` are `spin_products`. Displaced fluid pulls the other way: + displaced' . g.
+    `mu_p`, `J_p`, `displaced_p` are derivatives by the phase, `origin_acceleration` = omega x v (less g where there is
+    weight), `spun` are `spin_products`. Displaced fluid pulls the other way: + displaced' . g.
     """
-    bias = vector("mu_p").dot(vector("swing")) + vector("J_p", 6).dot(vector("spun", 6))
+    bias = vector("mu_p").dot(vector("origin_acceleration")) + vector("J_p", 6).dot(vector("spun", 6))
     return bias + vector("displaced_p").dot(vector("g")) if buoyancy else bias
 
 
@@ -49,7 +49,7 @@ def turned_spin() -> sp.Matrix:
     return symmetric("J_p") * vector("omega")
 
 
-def swing(weight: bool) -> sp.Matrix:
+def origin_acceleration(weight: bool) -> sp.Matrix:
     """omega x v - g: acceleration of O1 at V* = 0, as a pendulum feels it."""
     found = cross(vector("omega")) * vector("v")
     return found - vector("g") if weight else found

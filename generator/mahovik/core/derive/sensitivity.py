@@ -82,5 +82,5 @@ def quadratic_form(six: str) -> sp.Expr:
 
 
 def bias_by_phase() -> sp.Expr:
-    """Derivative of the bias torque by the phase: mu'' . swing - omega . J'' omega / 2."""
-    return vector("mu_pp").dot(vector("swing")) - quadratic_form("J_pp") / 2
+    """Derivative of the bias torque by the phase: mu'' . origin_acceleration - omega . J'' omega / 2."""
+    return vector("mu_pp").dot(vector("origin_acceleration")) - quadratic_form("J_pp") / 2

@@ -16,22 +16,23 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.batch import ALIKE, BATCHED
-from mahovik.core.program.arrays import ArrayFunction, Member, Order, Passed, member, members, record
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, Order, member, members, record
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
 LOOPED = (
-    "wrench", "matrices", "momentum", "step_driven", "inverse", "mounts", "measure", "forward_jacobian",
-    "coupled_jacobian", "quaternion", "attitude",
+    "wrench", "matrices", "momentum", "step_driven", "inverse", "mounts", "points", "forward_jacobian",
+    "coupled_jacobian", "quaternion", "generalized",
 )  # fmt: skip
 """Functions that have no batch, where the stand has them."""
 
 _ALIKE = (*ALIKE, "options", "mounting")
 """Arguments that are the same for all states."""
 
-TABLES = ("stand", "mounting")
+TABLES = ("table", "mounting")
 """Those that hold the numbers of a stand; all else is of its structure."""
 
 
@@ -51,7 +52,7 @@ def array_functions(generated: Generated) -> tuple[ArrayFunction, ...]:
 def tables(generated: Generated) -> dict[str, tuple[Member, ...]]:
     """The records of TABLES that the stand has."""
     layout = generated.layout
-    return {"stand": members(layout.table)} | ({"mounting": members(layout.mount_table)} if layout.flywheels else {})
+    return {"table": members(layout.table)} | ({"mounting": members(layout.mount_table)} if layout.flywheels else {})
 
 
 def array_source(stand: Stand, generated: Generated) -> dict[str, str]:
@@ -75,14 +76,14 @@ def _functions(generated: Generated) -> list[Function]:
     return [public[name] for name in (*BATCHED, *LOOPED) if name in public]
 
 
-def _passed(a: Argument, generated: Generated, wide: bool) -> Passed:
+def _passed(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
     if a.name in TABLES:
         fields: tuple[Member, ...] = ()  # see `tables`
     elif isinstance(a.type, Struct) and not a.shape:
         fields = members(a.type)
     else:
         fields = (member(a.name, a.type, a.shape, a.unit, a.purpose.partition("; may overlap")[0]),)
-    return Passed(a.name, a.direction, _order(a, generated, wide), fields)
+    return ArgumentLayout(a.name, a.direction, _order(a, generated, wide), fields)
 
 
 def _order(a: Argument, generated: Generated, wide: bool) -> Order:
@@ -148,7 +149,7 @@ class _Call:
         sizes = "".join(dimensions(self._names, a.shape))
         return f"{self._names.type(a.type)} {a.name}_j{sizes};"
 
-    def _moved(self, how: str, a: Argument, passed: Passed) -> list[str]:
+    def _moved(self, how: str, a: Argument, passed: ArgumentLayout) -> list[str]:
         """Lines that gather or scatter the components of one state."""
         if passed.order != "components":
             return []

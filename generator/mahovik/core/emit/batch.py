@@ -14,9 +14,10 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements, dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.batch import Batch, Batches, batches
-from mahovik.core.program.apart import apart
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import BitCast
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.statement import Declare, Loop, Statement, When
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.walk import expressions
@@ -44,7 +45,7 @@ class _Printer:
         self._program = made.program
         self._names = Names(self._program.name)
         self._statements = Statements(self._names, Expressions(self._names, self._program.precision))
-        self._apart = apart(self._program)
+        self._restrictable = restrictable(self._program)
         self._structs = _used_structs(self._program.functions)
         wide_table = made.widener.wide.of(generated.layout.table)
         assert isinstance(wide_table, Struct)
@@ -108,13 +109,13 @@ class _Printer:
             "lanes": self._made.lanes,
             "last": self._made.lanes - 1,
             "bytes": BYTES,
-            "tables": f"{head}const {table} table[], size_t n, {wide} stands[])",
+            "tables": f"{head}const {table} table[], size_t n, {wide} tables[])",
         }
 
     def _function(self, f: Function) -> dict[str, Any]:
         return {
             "comment": summary(f),
-            "prototype": prototype(f, self._names, self._apart),
+            "prototype": prototype(f, self._names, self._restrictable),
             "body": self._statements.block(f.body, "    "),
         }
 
@@ -131,7 +132,7 @@ class _Printer:
         for text, a in rows:
             purpose = a.purpose.partition("; may overlap")[0]  # true of one state alone
             meaning = "; ".join(part for part in (a.unit, purpose) if part)
-            if a.name == "stand":
+            if a.name == "table":
                 meaning = f"what {self._names.function('tables')} made" if batch.each else a.purpose
             direction = "out: " if a.direction != "in" else ""
             lead = f" *   {text:<{width}}  "
@@ -142,8 +143,8 @@ class _Printer:
 
     def _given(self, a: Argument, batch: Batch) -> str:
         """An argument with its size: x[29 n], tau[8 n], locked[8]."""
-        if a.name == "stand":
-            return f"stands[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.each else a.name
+        if a.name == "table":
+            return f"tables[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.each else a.name
         if isinstance(a.type, Struct):
             return f"{a.name}[{sum(int(f.shape[0]) for f in a.type.fields)} n]"
         if not a.shape:
@@ -166,10 +167,10 @@ class _Printer:
         """An argument of the batch: reals of all states, or what is the same for all."""
         real = self._names.type(Kind.REAL)
         const = "const " if a.direction == "in" else ""
-        if a.name == "stand":
+        if a.name == "table":
             if batch.each:
-                return f"const {self._names.prefix}_wide_table stands[]"
-            return f"const {self._names.type(a.type)} *stand"
+                return f"const {self._names.prefix}_wide_table tables[]"
+            return f"const {self._names.type(a.type)} *table"
         if not self._varies(a):
             sizes = "".join(dimensions(self._names, a.shape))
             return f"{const if sizes else ''}{self._names.type(a.type)} {a.name}{sizes}"
@@ -182,7 +183,7 @@ class _Printer:
     def _batch(self, batch: Batch) -> dict[str, Any]:
         names = self._names
         wide = self._made.widener.wide
-        state = [a for a in batch.narrow.arguments if self._varies(a) and a.name != "stand"]
+        state = [a for a in batch.narrow.arguments if self._varies(a) and a.name != "table"]
         declarations, loads, stores = [], [], []
         for a in state:
             sizes = "".join(dimensions(names, a.shape))
@@ -196,7 +197,7 @@ class _Printer:
                     stores.append(f"{names.function('store')}(wide_{place}, {where}, {at}, {rows});")
         passed = [self._passed(a, batch) for a in batch.narrow.arguments]
         call = f"{names.function(batch.wide.name)}({', '.join([*passed, '&refused'])});"
-        given = {a.name: "stands" if a.name == "stand" and batch.each else a.name for a in batch.narrow.arguments}
+        given = {a.name: "tables" if a.name == "table" and batch.each else a.name for a in batch.narrow.arguments}
         first, *others = given.values()
         handed = ", ".join([first, "n", f"(size_t)b * {self._made.lanes}", *others, "status"])
         block = f"any |= {names.function(self._name(batch))}_block({handed});"
@@ -216,8 +217,8 @@ class _Printer:
         }
 
     def _passed(self, a: Argument, batch: Batch) -> str:
-        if a.name == "stand":
-            return f"&stands[first / {self._made.lanes}]" if batch.each else "stand"
+        if a.name == "table":
+            return f"&tables[first / {self._made.lanes}]" if batch.each else "table"
         if not self._varies(a):
             return a.name
         return f"&wide_{a.name}" if isinstance(a.type, Struct) else f"wide_{a.name}"

@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik import __version__
+from mahovik.contract.status import BITS, REFUSALS
 from mahovik.core.emit.declaration import contract
 from mahovik.core.emit.generate import Generated, internal
 from mahovik.core.emit.layout import hanging, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.status import statuses
 from mahovik.core.emit.templates import template
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -52,8 +54,8 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
         flywheels=bool(generated.layout.flywheels),
         ints=any(a.shape and _kind(a, names) == "int" for f in program.functions if f.public for a in f.arguments),
         statuses=[(c.removeprefix(names.constant("")), *more) for c, *more in statuses(names, generated.layout)],
-        refusals=[name for name, value in STATUS_VALUES.items() if value < 0],
-        bits=[name for name, value in STATUS_VALUES.items() if value > 0],
+        refusals=REFUSALS,
+        bits=BITS,
         counts=[(_count(c), names.constant(c.name), c.comment) for c in program.counts],
         structs=[
             (_struct(s), names.type(s), s.purpose)
@@ -61,7 +63,7 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
             if not internal(generated.layout, s) and s.name != "state"
         ],
         tables=[(name, of, names.function(c)) for name, (c, of) in _TABLES.items() if name != absent],
-        functions=[_function(f, names) for f in program.functions if f.public],
+        functions=[_function(f, names, program) for f in program.functions if f.public],
         members=[(f.name, "; ".join(p for p in (f.unit, f.comment) if p)) for f in generated.layout.state.fields],
     )
     return {f"{stand.name}.hpp": text}
@@ -72,14 +74,14 @@ def namespace(stand: Stand) -> str:
     return f"{stand.name}_" if stand.name in _NO_NAMESPACE else stand.name
 
 
-def _function(f: Function, names: Names) -> _Printed:
+def _function(f: Function, names: Names, program: Program) -> _Printed:
     """An inline function that only passes on: no copy, no exception."""
     result = "Status" if f.returns is Kind.STATUS else "Real"
     head = hanging(f"inline {result} {f.name}(", [_taken(a, names) for a in f.arguments], " noexcept")
     call = f"{names.function(f.name)}({', '.join(_passed(a) for a in f.arguments)})"
     returned = f"return status_of({call});" if f.returns is Kind.STATUS else f"return {call};"
     lines = [*head, "{", *wrapped(returned, "    "), "}"]
-    return _Printed(contract(f, names), lines)
+    return _Printed(contract(f, names, program), lines)
 
 
 def _taken(a: Argument, names: Names) -> str:
@@ -130,7 +132,7 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
     """A whole program in C++17 that calls `forward`, by its file name."""
     names = Names(generated.program.name)
     forward = generated.program.function("forward")
-    given = {"stand": "stand::default_table", "x": "x"}
+    given = {"table": "stand::default_table", "x": "x"}
     zeroed = [a for a in forward.arguments if a.direction == "in" and a.name not in given]
     text = template("cmake/example.cpp.j2").render(
         name=stand.name,

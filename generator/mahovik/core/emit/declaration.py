@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from mahovik.core.emit.layout import hanging, paragraph, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
+from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Struct
 
 
@@ -31,27 +34,27 @@ def _member(f: Field, names: Names) -> str:
     return f"{names.type(f.type)} {f.name}{''.join(dimensions(names, f.shape))};"
 
 
-def prototype(function: Function, names: Names, apart: frozenset[tuple[str, str]] = frozenset()) -> str:
+def prototype(function: Function, names: Names, restrictable: frozenset[tuple[str, str]] = frozenset()) -> str:
     """Storage, return type, name and arguments, wrapped under the opening parenthesis.
 
-    `apart`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
+    `restrictable`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
     """
     returns = names.type(function.returns) if function.returns is not None else "void"
     head = f"{'' if function.public else 'static '}{returns} {names.function(function.name)}("
-    arguments = [_argument(a, names, (function.name, a.name) in apart) for a in function.arguments] or ["void"]
+    arguments = [_argument(a, names, (function.name, a.name) in restrictable) for a in function.arguments] or ["void"]
     return "\n".join(hanging(head, arguments))
 
 
-def _argument(a: Argument, names: Names, apart: bool) -> str:
+def _argument(a: Argument, names: Names, restrictable: bool) -> str:
     const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
-    star = ("*restrict " if apart else "*") if a.variable.pointer else ""
+    star = ("*restrict " if restrictable else "*") if a.variable.pointer else ""
     sizes = "".join(dimensions(names, a.shape))
-    if apart and sizes:
+    if restrictable and sizes:
         sizes = f"[restrict {sizes.removeprefix('[')}"
     return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
 
 
-def contract(function: Function, names: Names) -> list[str]:
+def contract(function: Function, names: Names, program: Program) -> list[str]:
     """The comment above a public prototype: purpose, equation, arguments, statuses, cost."""
     lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
     width = max((len(_shaped(a)) for a in function.arguments), default=0)
@@ -70,9 +73,14 @@ def contract(function: Function, names: Names) -> list[str]:
         if any(a.direction != "in" for a in function.arguments):
             text += " Nothing is written when the status is negative."
         lines += paragraph(text, " * ", " * ")
-    lines += paragraph(counted(function), " * ", " * ")
+    lines += paragraph(counted(function, program), " * ", " * ")
     lines[-1] += " */"
     return lines
+
+
+def declared(functions: Iterable[Function], program: Program, names: Names) -> list[dict[str, object]]:
+    """Contract and prototype of each function, as the templates of headers take them."""
+    return [{"comment": contract(f, names, program), "prototype": prototype(f, names)} for f in functions]
 
 
 def null_check(function: Function, names: Names) -> list[str]:
@@ -108,9 +116,9 @@ def titled(function: Function) -> str:
     return purpose if purpose.endswith("?") else f"{purpose}."
 
 
-def counted(function: Function) -> str:
+def counted(function: Function, program: Program) -> str:
     """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
-    found = cost(function)
+    found = cost(function, program.functions)
     if not found.total:
         return "No operation on reals."
     divisions = {0: "no division", 1: "1 of them a division"}.get(

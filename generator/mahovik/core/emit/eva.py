@@ -14,7 +14,8 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
-from mahovik.core.program.function import Argument, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import Identities
 
@@ -26,7 +27,7 @@ ROUTINES = ("sincos", "sqrt", "atan2")
 _UNROLLED = 6
 """Turns of a loop that are followed one by one even where Eva does not see how many there are: at least an array's."""
 
-_MERGED = ("move", "check_inertia")
+_MERGED = ("solve_coupled", "check_inertia")
 """Functions with a status whose branches need not be kept apart; those without a status are merged as well."""
 
 CLAIMED = {
@@ -267,7 +268,7 @@ class _Writer:
             yield f"integers({first}, {number}, {low}, {high});"
         elif middle:
             yield f"about({first}, {self._first(middle, f.shape)}, {number});"
-        elif f.name == "attitude" and kind != BITS:
+        elif f.name == "generalized" and kind != BITS:
             size = self.real(2.0) if kind == NORMAL else self._names.constant("LARGEST")
             yield f"quaternion({place}, {size});"
         elif kind == BITS and not f.shape:

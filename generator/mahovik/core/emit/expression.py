@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from mahovik.core.emit.literal import real_literal, word_literal
 from mahovik.core.emit.names import Names
+from mahovik.core.program.call import Call
 from mahovik.core.program.expression import (
     Binary,
     BitCast,
-    Call,
     Compare,
     Const,
     Convert,
@@ -39,7 +39,7 @@ class Expressions:
         return self._print(e)[0]
 
     def place(self, place: Place) -> str:
-        """C text of a place that is read or written: `stand->flywheel[s].mu_c[0]`, `*energy`."""
+        """C text of a place that is read or written: `table->flywheel[s].mu_c[0]`, `*energy`."""
         root = place.root
         if root.pointer and not place.path:
             return f"*{root.name}"
@@ -149,11 +149,11 @@ class Expressions:
     def call(self, e: Call) -> str:
         """A call with its arguments."""
         arguments = []
-        for parameter, value in zip(e.function.arguments, e.arguments, strict=True):
+        for parameter, value in zip(e.signature.arguments, e.arguments, strict=True):
             scalar_result = parameter.variable.pointer and not isinstance(parameter.type, Struct)
             if scalar_result:
                 assert isinstance(value, Place)
                 arguments.append(self.address(value))
             else:
                 arguments.append(self.passed(value))
-        return f"{self._names.function(e.function.name)}({', '.join(arguments)})"
+        return f"{self._names.function(e.signature.name)}({', '.join(arguments)})"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik import __version__
-from mahovik.core.emit.declaration import contract, null_check, prototype, summary
+from mahovik.core.emit.declaration import declared, null_check, prototype, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
@@ -19,8 +19,8 @@ from mahovik.core.lower.fmu.program import lower_fmu
 from mahovik.core.lower.fmu.units import NONE
 from mahovik.core.lower.fmu.variables import Form, Variable
 from mahovik.core.lower.layout import Layout
-from mahovik.core.program.apart import apart
 from mahovik.core.program.function import Function
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -109,12 +109,11 @@ class _Printer:
         statements = Statements(self._names, Expressions(self._names, program.precision))
         if name.endswith(".h.j2"):
             public = [f for f in program.functions if f.public]
-            functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
-            return template(name).render(**self._known, functions=functions)
+            return template(name).render(**self._known, functions=declared(public, program, self._names))
 
         def printed(f: Function) -> dict[str, Any]:
             body = [*(null_check(f, self._names) if f.returns else []), *statements.block(f.body, "    ")]
-            return {"comment": summary(f), "prototype": prototype(f, self._names, apart(program)), "body": body}
+            return {"comment": summary(f), "prototype": prototype(f, self._names, restrictable(program)), "body": body}
 
         return template(name).render(**self._known, functions=[printed(f) for f in program.functions])
 
@@ -265,7 +264,7 @@ class _Printer:
         values = f"&model->value[{NAME}_AT_"
         V_dot, phi_ddot = "rates + 7", f"rates + 13 + {NAME}_N"
         common = {
-            "stand": "&model->table",
+            "table": "&model->table",
             "x": "&model->x",
             "locked": "locked",
             "wrench": f"{values}WRENCH]",
@@ -277,9 +276,9 @@ class _Printer:
         if self._layout.flywheels:
             if self._form.inputs == "acceleration":
                 outputs.append(("torque", given | {"tau": f"{values}TORQUE]"}))
-            outputs.append(("mounts", given | {"loads": f"{values}LOADS]"}))
+            outputs.append(("mounts", given | {"mount_wrench": f"{values}LOADS]"}))
         if self._layout.sensors:
-            outputs.append(("measure", given | {"out": "readings"}))
+            outputs.append(("points", given | {"out": "readings"}))
         rates = common | {"V_dot": V_dot}
         rates |= drive if self._rates() == "forward" else drive | {"phi_ddot": phi_ddot}
         step = common | drive | {"dt": "h", "order": "4", "next": "&model->x"}

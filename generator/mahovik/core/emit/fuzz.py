@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik import __version__
+from mahovik.contract.quantities import QUANTITIES
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.declaration import pointed
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.literal import real_literal
@@ -16,16 +18,17 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.places import STEP, Results, closed, length, loops
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
-from mahovik.core.lower import drawn
-from mahovik.core.lower.drawn import Input, Rule
-from mahovik.core.lower.limits import BOUND_OF, limits
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.lower import test_inputs
+from mahovik.core.lower.limits import limits
+from mahovik.core.lower.test_inputs import Input, Rule
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import Identities
 
 UNREAD = {
-    "attitude": "the attitude of its state",
-    "target": "what its state holds before",
+    "generalized": "the attitude of its state",
+    "state_from_coordinates": "what its state holds before",
     "inverse": "infinity, which is no limit at all",
     "inverse_fast": "near and limits",
     "inverse_fast_at": "near and limits",
@@ -50,8 +53,8 @@ class _Harness:
         self._results = Results(self._names)
         self._public = [f for f in program.functions if f.public]
         self._structs = {s.name: s for s in program.structs}
-        self._inputs = drawn.inputs(program)
-        self._plan = drawn.plan(program)
+        self._inputs = test_inputs.inputs(program)
+        self._plan = test_inputs.plan(program)
         self._limits = limits(program.precision)
 
     def text(self, identities: Identities) -> str:
@@ -100,8 +103,8 @@ class _Harness:
 
     def _largest(self, name: str) -> str:
         """The bound of an input as C has it."""
-        bound = BOUND_OF.get(name)
-        return self._names.constant(bound) if bound else self._real(1.0)
+        row = QUANTITIES.get(name)
+        return self._names.constant(row.bounds[0]) if row and row.bounds else self._real(1.0)
 
     # ---- drawing inputs ----
 
@@ -116,7 +119,7 @@ class _Harness:
             case Rule.ATTITUDE:
                 yield f"{STEP}draw_attitude(from, {place});"
             case Rule.TURNS:
-                yield f"{STEP}draw_turns(from, {place}, {_given(drawn.COSINE)}, {self._size(each.shape)});"
+                yield f"{STEP}draw_turns(from, {place}, {_given(test_inputs.COSINE)}, {self._size(each.shape)});"
             case Rule.INTEGER:
                 yield f"{STEP}{place} = draw_int(from, {each.lowest}, {each.span}u);"
             case Rule.ORDER:
@@ -221,7 +224,7 @@ class _Harness:
         if "inverse_options" in kinds:
             found.append("options")
         names = {a.name for a in self._inputs}
-        named = [a for a in f.arguments if a.direction != "out" and a.name in names and a.name != drawn.COSINE]
+        named = [a for a in f.arguments if a.direction != "out" and a.name in names and a.name != test_inputs.COSINE]
         return found + [a.name for a in sorted(named, key=lambda a: a.direction != "inout")]
 
     def _begin(self, f: Function, a: Argument) -> Iterator[str]:
@@ -267,7 +270,7 @@ class _Harness:
         """The recorder's step beside step itself."""
         taken = [a for a in f.arguments if a.name != "next"]
         given = [
-            ("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("stand", "x")
+            ("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("table", "x")
         ]
         before = self._names.function(f.name)
         after = self._names.function(f"recorder_{f.name}")

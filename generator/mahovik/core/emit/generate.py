@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import paragraph, wrapped
 from mahovik.core.emit.literal import real_literal
@@ -21,9 +21,9 @@ from mahovik.core.lower.limits import limits
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme.form import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
-from mahovik.core.program.apart import apart
 from mahovik.core.program.expression import BitCast
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import DOUBLE, FLOAT, Struct
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import identities
@@ -42,7 +42,7 @@ LANES = (1, 2, 4, 8)
 
 
 def host_lanes(flywheels: int) -> int:
-    """The number of lanes that suits a desk's processor: docs/lanes.md measures it. Firmware has 1."""
+    """The number of lanes that suits a desk's processor: docs/results/lanes.md measures it. Firmware has 1."""
     return 1 if flywheels < 2 else 2 if flywheels <= 4 else 4
 
 
@@ -93,13 +93,13 @@ class _Printer:
         self._names = Names(program.name)
         self._expressions = Expressions(self._names, program.precision)
         self._statements = Statements(self._names, self._expressions)
-        self._apart = apart(program)
+        self._restrictable = restrictable(program)
         self._identities = identities(stand)
 
     def header(self) -> str:
         """The header: the manual of the generated code."""
         public = [f for f in self._program.functions if f.public]
-        functions = [{"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in public]
+        functions = declared(public, self._program, self._names)
         structs = [struct_lines(s, self._names) for s in self._program.structs if not internal(self._layout, s)]
         return template("stand.h.j2").render(
             **self._common(),
@@ -186,7 +186,7 @@ class _Printer:
             comment = summary(f)
         return {
             "comment": comment,
-            "prototype": prototype(f, self._names, self._apart),
+            "prototype": prototype(f, self._names, self._restrictable),
             "body": [*null_check(f, self._names), *self._statements.block(f.body, "    ")],
         }
 

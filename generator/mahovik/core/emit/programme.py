@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import paragraph, wrapped
@@ -20,9 +20,9 @@ from mahovik.core.emit.templates import template
 from mahovik.core.lower.programme.clock import CLOCK
 from mahovik.core.lower.programme.play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
 from mahovik.core.lower.programme.program import Course, ProgrammeProgram
-from mahovik.core.program.apart import apart
 from mahovik.core.program.expression import BitCast
 from mahovik.core.program.function import Function
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Precision, Struct
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import identities
@@ -78,7 +78,7 @@ class _Printer:
         self._names = _Names(made.program.name)
         self._precision: Precision = made.program.precision
         self._statements = Statements(self._names, Expressions(self._names, self._precision))
-        self._apart = apart(made.program)
+        self._restrictable = restrictable(made.program)
 
     def header(self) -> str:
         """The header: the manual."""
@@ -90,9 +90,7 @@ class _Printer:
                 for c in self._made.courses
             ],
             clock=struct_lines(CLOCK, self._names),
-            functions=[
-                {"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in self._made.public
-            ],
+            functions=declared(self._made.public, self._made.program, self._names),
         )
 
     def source(self) -> str:
@@ -188,7 +186,7 @@ class _Printer:
 
     def _function(self, f: Function) -> dict[str, Any]:
         body = [*null_check(f, self._names), *self._statements.block(f.body, "    ")]
-        return {"comment": summary(f), "prototype": prototype(f, self._names, self._apart), "body": body}
+        return {"comment": summary(f), "prototype": prototype(f, self._names, self._restrictable), "body": body}
 
     def _wrapper(self, course: Course) -> dict[str, Any]:
         table = f"&{self._names.function(course.form.table.name)}_values"

@@ -12,8 +12,9 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.status import statuses
 from mahovik.core.emit.templates import template
+from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -45,7 +46,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
         declarations=[_zeroed(a, names) for a in zeroed],
         call=_call(forward, names),
-        functions=[_row(f) for f in program.functions if f.public],
+        functions=[_row(f, program) for f in program.functions if f.public],
         statuses=statuses(names, generated.layout),
     )
 
@@ -56,11 +57,11 @@ def _zeroed(a: Argument, names: Names) -> str:
 
 
 def _call(function: Function, names: Names) -> str:
-    sources = {"stand": f"&{names.function('default')}", "x": "&x"}
+    sources = {"table": f"&{names.function('default')}", "x": "&x"}
     arguments = ", ".join(sources.get(a.name, a.name) for a in function.arguments)
     return f"{names.function(function.name)}({arguments})"
 
 
-def _row(function: Function) -> dict[str, Any]:
+def _row(function: Function, program: Program) -> dict[str, Any]:
     purpose = titled(function).replace("|", "\\|")
-    return {"name": function.name, "purpose": purpose, "operations": cost(function).total}
+    return {"name": function.name, "purpose": purpose, "operations": cost(function, program.functions).total}

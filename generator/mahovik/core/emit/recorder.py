@@ -17,7 +17,8 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.layout import Layout
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -87,7 +88,7 @@ def _recorder() -> Argument:
 
 
 def _start(layout: Layout) -> Function:
-    arguments = (_recorder(), Argument("stand", layout.table), Argument("x", layout.state))
+    arguments = (_recorder(), Argument("table", layout.table), Argument("x", layout.state))
     return Function("recorder_start", "", arguments, (), returns=Kind.STATUS, public=True)
 
 

@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from mahovik import __version__
+from mahovik.contract.status import status_words
 from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.templates import template
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.program.types import Precision
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -45,7 +45,7 @@ def replay_test(
         {"type": names.type(layout.state), "name": title, "lines": _members(numbers, precision)}
         for title, numbers in (("before", before), ("after", after))
     ]
-    passed = {"stand": "&stand" if table is not None else f"&{names.function('default')}", "x": "&x", "next": "&x"}
+    passed = {"table": "&table" if table is not None else f"&{names.function('default')}", "x": "&x", "next": "&x"}
     for name, value in inputs.items():
         if not arguments[name].shape:
             passed[name] = _number(value, precision) if name == "dt" else str(value)
@@ -71,7 +71,7 @@ def replay_test(
         variables=variables,
         function=function,
         passed=[passed[a] for a in arguments],
-        status=names.constant(next(name for name, value in STATUS_VALUES.items() if value == status)),
+        status=names.constant(status_words(status)),
         members=list(after),
     )
 

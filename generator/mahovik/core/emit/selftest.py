@@ -13,10 +13,11 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.places import STEP, Results, closed, length, loops
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
-from mahovik.core.lower import drawn
-from mahovik.core.lower.drawn import Input, Rule
+from mahovik.core.lower import test_inputs
 from mahovik.core.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.lower.test_inputs import Input, Rule
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.stand.identity import Identities
 
@@ -40,7 +41,7 @@ class _SelfTest:
     def text(self, identities: Identities, lanes: int, fast: bool) -> str:
         """The whole file."""
         parts: dict[str, Any] = {
-            "members": [f"{self._declared(a.name, a.type, a.shape)};" for a in drawn.inputs(self._program)],
+            "members": [f"{self._declared(a.name, a.type, a.shape)};" for a in test_inputs.inputs(self._program)],
             "results": [(f.name, self._results(f)) for f in self._public],
             "takes": [self._results_of.struct(s) for s in self._results_of.structs(self._public)],
             "functions": [self._function(f) for f in self._public],
@@ -75,16 +76,16 @@ class _SelfTest:
             width=precision.width,
             cases=CASES,
             far=FAR,
-            seed=f"0x{drawn.SEED:x}u",
+            seed=f"0x{test_inputs.SEED:x}u",
             swept=SWEPT,
             listed=LISTED,
             sign_bit=precision.width - 1,
             bytes=precision.width // 8,
-            fast_every=drawn.FAST_EVERY,
-            fast_last=drawn.FAST_EVERY - 1,
-            fast_factor=self._real(drawn.FAST),
-            refused_every=drawn.REFUSED_EVERY,
-            refused_last=drawn.REFUSED_EVERY - 1,
+            fast_every=test_inputs.FAST_EVERY,
+            fast_last=test_inputs.FAST_EVERY - 1,
+            fast_factor=self._real(test_inputs.FAST),
+            refused_every=test_inputs.REFUSED_EVERY,
+            refused_last=test_inputs.REFUSED_EVERY - 1,
             one=self._real(1.0),
             two=self._real(2.0),
             half_range=self._real(2.0**23),
@@ -194,14 +195,14 @@ class _SelfTest:
             case Rule.ATTITUDE:
                 yield f"{STEP}draw_attitude(seed, {place}, refused);"
             case Rule.TURNS:
-                cosine = "in." + ".".join((*each.path[:-1], drawn.COSINE))
+                cosine = "in." + ".".join((*each.path[:-1], test_inputs.COSINE))
                 yield f"{STEP}draw_turns(seed, {place}, {cosine}, {length(self._names, each.shape[-1])});"
             case Rule.INTEGER:
                 yield f"{STEP}{place} = {each.lowest} + (int)(draw_word(seed) % {each.span}u);"
             case Rule.ORDER:
                 yield f"{STEP}{place} = (draw_word(seed) & 0x100u) != 0u ? 4 : 2;"
             case Rule.STEP:
-                yield f"{STEP}{place} = {hex_literal(drawn.STEP, self._program.precision)};"
+                yield f"{STEP}{place} = {hex_literal(test_inputs.STEP, self._program.precision)};"
             case Rule.FACTOR:
                 yield f"{STEP}{place} = {self._real(1.0)} + draw_real(seed, {self._real(each.largest)});"
             case Rule.REALS | Rule.FLAGS:
@@ -213,7 +214,7 @@ class _SelfTest:
                 if each.rule is Rule.FLAGS:
                     yield f"{inner}draw_flags(seed, {address}, {count});"
                 else:
-                    size = self._real(each.largest) + (" * fast" if each.name in drawn.FAST_INPUTS else "")
+                    size = self._real(each.largest) + (" * fast" if each.name in test_inputs.FAST_INPUTS else "")
                     yield f"{inner}draw_reals(seed, {address}, {count}, {size});"
                 yield from closed(len(loop), STEP)
 
@@ -221,7 +222,7 @@ class _SelfTest:
         """Lines that multiply masses and inertias of the parameters."""
         found: list[str] = []
         for f in struct.fields:
-            if not isinstance(f.type, Struct) and f.name not in drawn.SCALED:
+            if not isinstance(f.type, Struct) and f.name not in test_inputs.SCALED:
                 continue
             loop, element, inner = loops(
                 f"{place}.{f.name}", len(f.shape), [length(self._names, n) for n in f.shape], STEP * (depth + 1), depth
@@ -229,7 +230,7 @@ class _SelfTest:
             if isinstance(f.type, Struct):
                 body = self._scale(f.type, element, depth + len(loop))
             else:
-                body = [f"{inner}{element} = {element} * in.{drawn.MASS_FACTOR};"]
+                body = [f"{inner}{element} = {element} * in.{test_inputs.MASS_FACTOR};"]
             if body:
                 found += [*loop, *body, *closed(len(loop), STEP * (depth + 1))]
         return found
@@ -249,9 +250,9 @@ class _SelfTest:
             else:
                 lines.extend(wrapped(f".{name} = {self._literal(type_, shape, value)},", indent))
 
-        for a in drawn.inputs(self._program):
+        for a in test_inputs.inputs(self._program):
             visit(a.name, a.type, a.shape, case[a.name], STEP * 2)
-        visit(drawn.MASS_FACTOR, Kind.REAL, (), case[drawn.MASS_FACTOR], STEP * 2)
+        visit(test_inputs.MASS_FACTOR, Kind.REAL, (), case[test_inputs.MASS_FACTOR], STEP * 2)
         return lines
 
     def _literal(self, type_: Kind, shape: tuple[Any, ...], value: Any) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import paragraph, wrapped
@@ -20,9 +20,9 @@ from mahovik.core.emit.templates import template
 from mahovik.core.lower.servo import golden as expected
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.lower.servo.golden import Golden
-from mahovik.core.program.apart import apart
 from mahovik.core.program.expression import BitCast
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import identities
@@ -95,7 +95,7 @@ class _Printer:
         self._names = _Names(program.name)
         self._precision = program.precision
         self._statements = Statements(self._names, Expressions(self._names, self._precision))
-        self._apart = apart(program)
+        self._restrictable = restrictable(program)
         self._public = [f for f in program.functions if f.public]
 
     def header(self) -> str:
@@ -104,9 +104,7 @@ class _Printer:
             "servo.h.j2",
             counts=[(self._names.constant(c.name), int(c), c.comment) for c in self._program.counts[1:]],
             structs=[struct_lines(s, self._names) for s in self._program.structs],
-            functions=[
-                {"comment": contract(f, self._names), "prototype": prototype(f, self._names)} for f in self._public
-            ],
+            functions=declared(self._public, self._program, self._names),
         )
 
     def source(self) -> str:
@@ -191,7 +189,7 @@ class _Printer:
 
     def _function(self, f: Function) -> dict[str, Any]:
         body = [*null_check(f, self._names), *self._statements.block(f.body, "    ")]
-        return {"comment": summary(f), "prototype": prototype(f, self._names, self._apart), "body": body}
+        return {"comment": summary(f), "prototype": prototype(f, self._names, self._restrictable), "body": body}
 
     def _hex(self, value: Any) -> str:
         return hex_literal(float(value), self._precision)

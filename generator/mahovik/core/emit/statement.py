@@ -123,7 +123,7 @@ class Statements:
             case Copy(target, source, comment):
                 return self._line(f"{self._whole(target)} = {self._whole(source)};", indent, comment)
             case Do(call, comment):
-                ignored = "(void)" if call.function.returns is not None else ""
+                ignored = "(void)" if call.signature.returns is not None else ""
                 return self._line(f"{ignored}{self._expressions.call(call)};", indent, comment)
             case Return(value):
                 return self._line(f"return {text(value)};", indent, "")

@@ -4,24 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from mahovik.contract.status import STATUSES
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.thresholds import thresholds
-from mahovik.core.program.function import STATUS_VALUES
-
-_MEANING = {
-    "OK": "good",
-    "NEAR_SINGULAR": "least singular value below `near` of the largest",
-    "DAMPED": "damping was applied",
-    "LIMITED": "a limit was reached; the mask says whose",
-    "UNREACHABLE": "least squares: residual above {unreachable} of the demand",
-    "RANK_DEFICIENT": "fewer than min(6, N) singular values above {rank} of the largest",
-    "NOT_FINITE": "an input is NaN or infinite",
-    "RANGE": "out of range, {lengths}",
-    "NOT_POSITIVE_DEFINITE": "no mass, no spin inertia, or a pivot failed",
-    "SINGULAR_ATTITUDE": "attitude angles within 1e-6 of their singularity",
-    "BAD_ARGUMENT": "a null pointer, a count, an index, a step or an option",
-}
 
 
 def statuses(names: Names, layout: Layout) -> list[tuple[str, int, str]]:
@@ -32,7 +18,7 @@ def statuses(names: Names, layout: Layout) -> list[tuple[str, int, str]]:
         "rank": _power(decided.rank),
         "lengths": ", ".join(_lengths(layout)),
     }
-    return [(names.constant(n), v, _MEANING[n].format(**words)) for n, v in STATUS_VALUES.items()]
+    return [(names.constant(each.name), each.value, each.meaning.format(**words)) for each in STATUSES]
 
 
 def _lengths(layout: Layout) -> Iterator[str]:

@@ -15,8 +15,9 @@ from __future__ import annotations
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Place, both, equal, integer, magnitude, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Place, and_, equal, integer, magnitude, real, select
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -141,9 +142,9 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
     body.set(stopped, integer(-1))
     with body.loop("s", lib.layout.count) as s:
         moved = body.let("moved", (y[s] + step[s]) * w.scale[s])
-        beyond = both(equal(held[s], 0), magnitude(moved) > p.limit[s])
+        beyond = and_(equal(held[s], 0), magnitude(moved) > p.limit[s])
         # at its limit a flywheel that does not move may still be beyond it by the rounding of the product
-        with body.when(both(beyond, magnitude(step[s]) > 0)):
+        with body.when(and_(beyond, magnitude(step[s]) > 0)):
             room = body.let("room", p.limit[s] / w.scale[s] - select(moved < 0, -y[s], y[s]))
             part = body.let("part", room / magnitude(step[s]))
             with body.when(part < length):
@@ -179,7 +180,7 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
                 body.add(slope, w.W[i][s] * left[i])
                 body.add(size, w.W[i][s] * w.W[i][s])
             inward = body.let("inward", select(y[s] > 0, -slope, slope))
-            with body.when(both(inward > 0, inward * inward > best * size)):
+            with body.when(and_(inward > 0, inward * inward > best * size)):
                 body.set(best, inward * inward / size)
                 body.set(freed, s)
         with body.when(freed >= 0):

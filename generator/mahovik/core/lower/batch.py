@@ -14,7 +14,7 @@ from mahovik.core.program.widen import RESERVED, Widener
 BATCHED = ("forward", "coupled", "torque", "step")
 """Functions that have a batch, where the stand has them."""
 
-ALIKE = ("stand", "locked", "dt", "order")
+ALIKE = ("table", "locked", "dt", "order")
 """Arguments that are the same for all states."""
 
 
@@ -45,11 +45,11 @@ def batches(program: Program) -> Batches:
     entries = [f for f in program.functions if f.name in BATCHED]
     needed = reachable(tuple(replace(f, public=f in entries) for f in program.functions))
     inliner = Inliner(without_returns(tuple(program.function(f.name) for f in needed)), RESERVED)
-    widener = Widener(Wide(program.precision))
+    widener = Widener(Wide(program.precision), inliner.__getitem__)
     found = []
     for each in (False, True):
         for narrow in sorted(entries, key=lambda f: BATCHED.index(f.name)):
-            varying = [a.name for a in narrow.arguments if a.name not in ALIKE or (each and a.name == "stand")]
+            varying = [a.name for a in narrow.arguments if a.name not in ALIKE or (each and a.name == "table")]
             found.append(Batch(narrow, widener.function(inliner[narrow.name], varying), each))
     wide = Program(program.name, program.precision, (), (), widener.functions)
     return Batches(wide, tuple(found), widener)

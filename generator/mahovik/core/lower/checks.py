@@ -5,8 +5,9 @@ from __future__ import annotations
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, bits_of, both, real, unequal, word
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, bits_of, real, unequal, word
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -46,8 +47,8 @@ def within(lib: Library) -> Function:
     body = Body()
     with body.loop("i", count.place) as i:
         value = values.place[i]
-        with body.when(Not(both(value >= -limit.place, value <= limit.place))):
-            with body.when(both(value >= -largest, value <= largest)):
+        with body.when(Not(and_(value >= -limit.place, value <= limit.place))):
+            with body.when(and_(value >= -largest, value <= largest)):
                 body.ret(Status("RANGE"))
             body.ret(Status("NOT_FINITE"))
     body.ret(Status("OK"))
@@ -88,7 +89,7 @@ def check_turns(lib: Library) -> Function:
         lib.check(body, "within", given.place, lib.layout.count, real(2))
     with body.loop("s", lib.layout.count) as s:
         norm = body.let("norm2", sine.place[s] * sine.place[s] + cosine.place[s] * cosine.place[s])
-        unit = both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
+        unit = and_(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
         lib.guard(body, Not(unit), "RANGE")
     body.ret(Status("OK"))
     return Function(
@@ -120,7 +121,7 @@ def check_state(lib: Library) -> Function:
     check_within(lib, body, *parts)
     q = state.attitude
     norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-    unit = both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
+    unit = and_(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
     lib.guard(body, Not(unit), "RANGE")
     body.ret(Status("OK"))
     return Function(

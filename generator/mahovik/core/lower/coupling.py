@@ -16,8 +16,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 _DOUBLE = {"two_c2": "twice the cosine and sine of the double phase", "two_s2": ""}
@@ -53,9 +54,9 @@ def _couple(
 
 
 def _alike_arguments() -> tuple[Argument, ...]:
-    """What the carrier's motion does to all flywheels alike."""
+    """What all flywheels share: origin_acceleration = omega x v - g (3), spun: products of omega (6)."""
     return (
-        Argument("swing", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, less gravity"),
+        Argument("origin_acceleration", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, less gravity"),
         Argument("spun", Kind.REAL, (6,), unit="rad2/s2", purpose="products of omega"),
         Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1"),
     )
@@ -111,38 +112,47 @@ def couple_block(lib: Library) -> Function:
 
 @dataclass(frozen=True)
 class Carried:
-    """What the carrier's motion does to all flywheels alike: swing = omega x v - g (3), spun: products of omega (6)."""
+    """What all flywheels share: origin_acceleration = omega x v - g (3), spun: products of omega (6)."""
 
-    swing: Place
+    origin_acceleration: Place
     spun: Place
 
 
 def carried(lib: Library, body: Body, seen: Scene) -> Carried:
     """Both, into locals."""
-    swing = body.local(
-        "swing", (3,), comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v"
+    origin_acceleration = body.local(
+        "origin_acceleration",
+        (3,),
+        comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v",
     )
     bound = parts_of_twist(seen.V) | ({"g": seen.g} if seen.g is not None else {})
-    assign(body, list(swing), derived.swing(lib.layout.weight), bound)
+    assign(body, list(origin_acceleration), derived.origin_acceleration(lib.layout.weight), bound)
     spun = body.local("spun", (6,), comment="J . spun = -omega . J omega / 2 for any J")
     assign(body, list(spun), derived.spin_products(), bound)
-    return Carried(swing, spun)
+    return Carried(origin_acceleration, spun)
 
 
-def couple_flywheel(lib: Library, body: Body, stand: Place, s: Place, seen: Scene, by: Carried, out: Place) -> None:
+def couple_flywheel(lib: Library, body: Body, table: Place, s: Place, seen: Scene, by: Carried, out: Place) -> None:
     """I_s and the bias torque of flywheel s into `out`."""
-    row = lanes.row_of(lib, body, stand, s)
-    named = {"row": row, **turn_of(seen.turns, s), "swing": by.swing, "spun": by.spun, "g": seen.g, "out": out}
+    row = lanes.row_of(lib, body, table, s)
+    named = {
+        "row": row,
+        **turn_of(seen.turns, s),
+        "origin_acceleration": by.origin_acceleration,
+        "spun": by.spun,
+        "g": seen.g,
+        "out": out,
+    }
     body.call(lib["couple"], *lib.passed("couple", **named))
 
 
 def couple_blocks(
-    lib: Library, body: Body, stand: Place, b: Place, first: Expr, seen: Scene, by: Carried, out: Place
+    lib: Library, body: Body, table: Place, b: Place, first: Expr, seen: Scene, by: Carried, out: Place
 ) -> None:
     """Those of block b."""
     sine, cosine = seen.turns
-    named: dict[str, Any] = {"block": stand.block[b], "first": first, "sine": sine, "cosine": cosine}
-    named |= {"swing": by.swing, "spun": by.spun, "g": seen.g, "out": out}
+    named: dict[str, Any] = {"block": table.block[b], "first": first, "sine": sine, "cosine": cosine}
+    named |= {"origin_acceleration": by.origin_acceleration, "spun": by.spun, "g": seen.g, "out": out}
     body.call(lib["couple_block"], *lib.passed("couple_block", **named))
 
 

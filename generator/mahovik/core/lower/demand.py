@@ -18,8 +18,9 @@ from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Not, Place, Status, both, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, Status, and_, real
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -59,29 +60,29 @@ def factor(lib: Library) -> Function:
 def demand(lib: Library) -> Function:
     """Everything of (12) at a state: K factored, I, b, W, r."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
     turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
     work = Argument("work", layout.inverse_work, (), "out")
     w = work.place
     body = Body()
     lib.begin(body)
-    seen = scene(lib, body, stand.place, x.place, turns=places_of(turns))
+    seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
-    sum_up(lib, body, stand.place, x.place, seen, None)
+    sum_up(lib, body, table.place, x.place, seen, None)
     column = body.local("column", (6,), comment="I_s")
     with body.loop("s", layout.count) as s:
         turn = let_turn(body, seen.turns, s)
-        row = row_of(lib, body, stand.place, s)
+        row = row_of(lib, body, table.place, s)
         assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
         with body.loop("i", 6) as i:
             body.set(w.I[i][s], column[i])
     F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
-    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
-    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
-    K_rows: dict[str, Any] = carrier_binding(lib, stand.place, seen.sums)
+    K_rows: dict[str, Any] = carrier_binding(lib, table.place, seen.sums)
     fill(body, w.G, derived_carrier.mass_matrix(layout.added_mass), K_rows)
     body.note("b = F - K V*: what the flywheels must give")
     with body.loop("i", 6) as i:
@@ -92,7 +93,7 @@ def demand(lib: Library) -> Function:
         body.set(w.r[i], total)
     lib.check(body, "factor", w)
     with body.loop("s", layout.count) as s:
-        body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, stand.place, s, "spin")))
+        body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
         with body.loop("i", 6) as i:
             body.set(w.W[i][s], w.I[i][s] * w.scale[s])
     body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution")
@@ -109,7 +110,7 @@ def demand(lib: Library) -> Function:
     return Function(
         "demand",
         "What (12) asks of the flywheels at a state: I, b, and both scaled to W, r.",
-        (stand, x, *turns, V_dot, *wrench, work),
+        (table, x, *turns, V_dot, *wrench, work),
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,
@@ -120,7 +121,7 @@ def demand(lib: Library) -> Function:
 def check_demand(
     lib: Library,
     body: Body,
-    stand: Argument,
+    table: Argument,
     x: Argument,
     V_dot: Argument,
     options: Place,
@@ -129,7 +130,7 @@ def check_demand(
     turns: tuple[Argument, ...] = (),
 ) -> None:
     """Inputs of both variants, and of the options the weights and `shares`, numbers of 0 to 1."""
-    check_inputs(lib, body, stand, x, (), wrench, turns)
+    check_inputs(lib, body, table, x, (), wrench, turns)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_WEIGHT"].expression)
     given = body.local("shares", (len(shares),))
@@ -137,6 +138,6 @@ def check_demand(
         body.set(given[k], options.member(name))
     lib.check(body, "within", given, len(shares), lib.limits["LARGEST"].expression)
     for share in given:
-        lib.guard(body, Not(both(share >= 0, share <= 1)), "BAD_ARGUMENT")
+        lib.guard(body, Not(and_(share >= 0, share <= 1)), "BAD_ARGUMENT")
     with body.loop("s", lib.layout.count) as s:
         lib.guard(body, Not(options.weight[s] >= real(lib.thresholds.weight)), "BAD_ARGUMENT")

@@ -22,8 +22,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.schur import start_schur
 from mahovik.core.lower.wrenches import own_wrenches
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status, equal, integer, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -31,14 +32,14 @@ def torque(lib: Library, at: bool = False) -> Function:
     """tau for given V*, phi''; `at`: torque_at, of given sines and cosines of the phases."""
     layout = lib.layout
     arguments = _torque_arguments(lib, lib.given_turns() if at else ())
-    stand, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
+    table, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
     tau, wrench = arguments[-1], tuple(a for a in arguments if a.name == "wrench")
     body = Body()
-    check_inputs(lib, body, stand, x, (phi_ddot,), wrench, tuple(turns))
+    check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     if layout.sine_input:
         inputs = [*all_turns(lib, body, x.place, tuple(turns)), *places_of((V_dot, phi_ddot, *wrench))]
-        body.call(lib["balance"], stand.place, x.place, *inputs, tau.place)
+        body.call(lib["balance"], table.place, x.place, *inputs, tau.place)
     else:
         _balance(lib, body, arguments)
     body.ret(Status("OK"))
@@ -80,29 +81,29 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
     """tau of checked arguments."""
     layout = lib.layout
     place = {a.name: a.place for a in arguments}
-    stand, x = place["stand"], place["x"]
+    table, x = place["table"], place["x"]
     wrench = tuple(a for a in arguments if a.name == "wrench")
-    seen = scene(lib, body, stand, x, turns=tuple(place[n] for n in ("sine", "cosine") if n in place))
+    seen = scene(lib, body, table, x, turns=tuple(place[n] for n in ("sine", "cosine") if n in place))
     moving = relative_rate(body, x, place["V_dot"], seen.stream)
     if layout.own_turning:
         scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
         for element in scratch:
             body.set(element, real(0))
-        own_wrenches(lib, body, stand, x, seen.turns, seen.V, wrench, scratch, seen.own)
+        own_wrenches(lib, body, table, x, seen.turns, seen.V, wrench, scratch, seen.own)
     alike = carried(lib, body, seen)
     if layout.lanes > 1:
-        _balance_blocks(lib, body, stand, seen, alike, moving, place["phi_ddot"], place["tau"])
+        _balance_blocks(lib, body, table, seen, alike, moving, place["phi_ddot"], place["tau"])
         return
     coupling = body.local("drive", (), layout.coupling)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand, s, seen, alike, coupling)
-        spin = stand.flywheel[s].spin * place["phi_ddot"][s]
+        couple_flywheel(lib, body, table, s, seen, alike, coupling)
+        spin = table.flywheel[s].spin * place["phi_ddot"][s]
         total = along(list(coupling.I), moving) + spin + coupling.bias
         body.set(place["tau"][s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
 
 
 def _balance_blocks(
-    lib: Library, body: Body, stand: Place, seen: Scene, alike: Carried, V_dot: Place, phi_ddot: Place, tau: Place
+    lib: Library, body: Body, table: Place, seen: Scene, alike: Carried, V_dot: Place, phi_ddot: Place, tau: Place
 ) -> None:
     """tau of all flywheels, block by block."""
     layout = lib.layout
@@ -110,9 +111,9 @@ def _balance_blocks(
     accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
     total = body.local("total", (layout.room,))
     with lanes.blocks(lib, body) as (b, first):
-        couple_blocks(lib, body, stand, b, first, seen, alike, coupling)
+        couple_blocks(lib, body, table, b, first, seen, alike, coupling)
         with body.loop("k", layout.lane_count) as k:
-            spin = stand.block[b].spin[k] * accelerations[first + k]
+            spin = table.block[b].spin[k] * accelerations[first + k]
             body.set(total[first + k], along(lanes.lane(coupling.I, k), V_dot) + spin + coupling.bias[k])
     with body.loop("s", layout.count) as s:
         body.set(tau[s], total[s] if seen.own is None else total[s] - seen.own[s * integer(6) + 3])
@@ -133,30 +134,30 @@ def _coupled_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argum
     )
 
 
-def move(lib: Library) -> Function:
+def solve_coupled(lib: Library) -> Function:
     """V*, phi'' for given tau, from checked inputs."""
     layout = lib.layout
     turns = lib.turn_arguments()
     arguments = _coupled_arguments(lib, turns)
-    stand, x = arguments[:2]
+    table, x = arguments[:2]
     tau, locked, *wrench, V_dot, phi_ddot = arguments[2 + len(turns) :]
     body = Body()
     lib.begin(body)
-    seen = scene(lib, body, stand.place, x.place, turns=places_of(turns_in(arguments)))
-    sum_up(lib, body, stand.place, x.place, seen, None)
+    seen = scene(lib, body, table.place, x.place, turns=places_of(turns_in(arguments)))
+    sum_up(lib, body, table.place, x.place, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
-    external_wrench(lib, body, stand.place, x.place, seen, tuple(wrench), F)
-    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    external_wrench(lib, body, table.place, x.place, seen, tuple(wrench), F)
+    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
-    start_schur(lib, body, stand.place, seen.sums, K)
+    start_schur(lib, body, table.place, seen.sums, K)
     solve = _solve if layout.lanes == 1 else _solve_blocks
-    solve(lib, body, stand.place, seen, (tau.place, locked.place), (K, F), (V_dot.place, phi_ddot.place))
+    solve(lib, body, table.place, seen, (tau.place, locked.place), (K, F), (V_dot.place, phi_ddot.place))
     from_stream(body, x.place, seen, V_dot.place)
     body.ret(Status("OK"))
     return Function(
-        "move",
+        "solve_coupled",
         "V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK.",
         arguments,
         body.statements,
@@ -173,7 +174,7 @@ def turns_in(arguments: tuple[Argument, ...]) -> tuple[Argument, ...]:
 Pair = tuple[Place, Place]
 
 
-def _solve(lib: Library, body: Body, stand: Place, seen: Scene, given: Pair, system: Pair, results: Pair) -> None:
+def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair) -> None:
     """V*, phi'' of K, F without drives, for given tau and locks."""
     layout = lib.layout
     (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
@@ -181,24 +182,24 @@ def _solve(lib: Library, body: Body, stand: Place, seen: Scene, given: Pair, sys
     alike = carried(lib, body, seen)
     rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand, s, seen, alike, drives[s])
+        couple_flywheel(lib, body, table, s, seen, alike, drives[s])
         body.set(rate[s], real(0))
         with body.when(equal(locked[s], integer(0))):
             demand = tau[s] - drives[s].bias
             if seen.own is not None:
                 demand = demand + seen.own[s * integer(6) + 3]
-            body.set(rate[s], demand * stand.flywheel[s].spin_inv)
-            body.call(lib["eliminate"], drives[s].I, stand.flywheel[s].spin_inv, rate[s], K, F)
+            body.set(rate[s], demand * table.flywheel[s].spin_inv)
+            body.call(lib["eliminate"], drives[s].I, table.flywheel[s].spin_inv, rate[s], K, F)
     lib.check(body, "solve_schur", K, F, V_dot)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot[s], real(0))
         with body.when(equal(locked[s], integer(0))):
-            back = along(list(drives[s].I), V_dot) * stand.flywheel[s].spin_inv
+            back = along(list(drives[s].I), V_dot) * table.flywheel[s].spin_inv
             body.set(phi_ddot[s], rate[s] - back)
 
 
 def _solve_blocks(
-    lib: Library, body: Body, stand: Place, seen: Scene, given: Pair, system: Pair, results: Pair
+    lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair
 ) -> None:
     """The same by blocks: a lock makes 1 / Theta_ff of its flywheel 0, which leaves nothing of it in any sum."""
     layout = lib.layout
@@ -209,7 +210,7 @@ def _solve_blocks(
     inverse = body.local("inverse", (layout.room,), comment="1 / Theta_ff; 0 where a lock holds")
     with body.loop("s", layout.count) as s:
         body.set(load[s], tau[s] if seen.own is None else tau[s] + seen.own[s * integer(6) + 3])
-        body.set(inverse[s], select(equal(locked[s], integer(0)), entry(lib, stand, s, "spin_inv"), real(0)))
+        body.set(inverse[s], select(equal(locked[s], integer(0)), entry(lib, table, s, "spin_inv"), real(0)))
     if int(layout.room) > int(layout.count):
         with body.loop("s", layout.room, start=layout.count) as s:
             body.set(load[s], real(0))
@@ -218,7 +219,7 @@ def _solve_blocks(
     parts = body.local("taken", (), layout.lane_schur, "by the flywheels, lane by lane")
     body.call(lib["clear_taken"], parts)
     with lanes.blocks(lib, body) as (b, first):
-        couple_blocks(lib, body, stand, b, first, seen, alike, drives[b])
+        couple_blocks(lib, body, table, b, first, seen, alike, drives[b])
         with body.loop("k", layout.lane_count) as k:
             body.set(rate[first + k], (load[first + k] - drives[b].bias[k]) * inverse[first + k])
         body.call(lib["eliminate_block"], drives[b], first, inverse, rate, parts)
@@ -235,7 +236,7 @@ def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> No
     """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
     by_name = {a.name: a for a in arguments}
     wrench = tuple(a for a in arguments if a.name == "wrench")
-    check_inputs(lib, body, by_name["stand"], by_name["x"], (), wrench, turns_in(arguments))
+    check_inputs(lib, body, by_name["table"], by_name["x"], (), wrench, turns_in(arguments))
     check_within(lib, body, (by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression))
 
 
@@ -248,11 +249,11 @@ def coupled(lib: Library, at: bool = False) -> Function:
     check_drive(lib, body, arguments)
     motion = body.local("V_result", (6,))
     spins = body.local("phi_result", (layout.count,))
-    stand, x = places_of(arguments[:2])
+    table, x = places_of(arguments[:2])
     turns = turns_in(arguments)
     others = places_of([a for a in arguments[2:-2] if a not in turns])
     inputs = [*all_turns(lib, body, x, turns), *others]
-    lib.check(body, "move", stand, x, *inputs, motion, spins)
+    lib.check(body, "solve_coupled", table, x, *inputs, motion, spins)
     body.copy_array(V_dot.place, motion)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], spins[s])

@@ -10,8 +10,9 @@ from mahovik.core.lower import lanes
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import add_each, assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import FLOAT, Kind
 
 _COMMENTS = {
@@ -93,18 +94,18 @@ def columns_of(row: Place) -> dict[str, Place]:
 
 def start_sums(lib: Library) -> Function:
     """The sums without flywheels' harmonics: constants of the table."""
-    stand = lib.table_argument()
+    table = lib.table_argument()
     sums = Argument("sum", lib.layout.sums, (), "out")
     body = Body()
-    body.copy_array(sums.place.mu, stand.place.first_moment)
-    body.copy_array(sums.place.J, stand.place.inertia)
+    body.copy_array(sums.place.mu, table.place.first_moment)
+    body.copy_array(sums.place.J, table.place.inertia)
     for name in ("mu_dot", "J_dot", "h_rel", "a_rel", "g_rel"):
         for element in sums.place.member(name):
             body.set(element, real(0))
     return Function(
         "start_sums",
         "Sums of carrier, instruments and the constant part of the flywheels.",
-        (stand, sums),
+        (table, sums),
         body.statements,
         equation="(2)",
     )
@@ -190,17 +191,17 @@ def add_block(lib: Library) -> Function:
     )
 
 
-def sum_up(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums: Place, phi_ddot: Place | None) -> None:
+def sum_up(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums: Place, phi_ddot: Place | None) -> None:
     """Sums over all bodies; without phi_ddot those of constant speeds."""
     layout = lib.layout
-    body.call(lib["start_sums"], stand, sums)
+    body.call(lib["start_sums"], table, sums)
     if not layout.flywheels:
         return
     if layout.lanes == 1:
         with body.loop("s", layout.count) as s:
             acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
             turn = turn_of(turns, s)
-            body.call(lib["add_flywheel"], stand.flywheel[s], turn["s"], turn["c"], x.phi_dot[s], acceleration, sums)
+            body.call(lib["add_flywheel"], table.flywheel[s], turn["s"], turn["c"], x.phi_dot[s], acceleration, sums)
         return
     speeds = lanes.roomy(lib, body, x.phi_dot, "speeds")
     if phi_ddot is None:
@@ -212,5 +213,5 @@ def sum_up(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums:
     parts = body.local("lane", (), layout.lane_sums, "of the flywheels, lane by lane")
     body.call(lib["clear_lanes"], parts)
     with lanes.blocks(lib, body) as (b, first):
-        body.call(lib["add_block"], stand.block[b], first, *turns, speeds, accelerations, parts)
+        body.call(lib["add_block"], table.block[b], first, *turns, speeds, accelerations, parts)
     body.call(lib["add_lanes"], parts, sums)

@@ -11,8 +11,9 @@ from mahovik.core.lower.flywheels import AT_NOTES, Turns, named_turns, places_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
@@ -38,7 +39,7 @@ class Scene:
 def check_inputs(
     lib: Library,
     body: Body,
-    stand: Argument,
+    table: Argument,
     x: Argument,
     phi_ddot: tuple[Argument, ...] = (),
     wrench: tuple[Argument, ...] = (),
@@ -50,14 +51,14 @@ def check_inputs(
     if turns:
         lib.check(body, "check_turns", *(a.place for a in turns))
     if lib.layout.stream:
-        lib.check(body, "within", stand.place.stream, 3, lib.limits["MAX_VELOCITY"].expression)
+        lib.check(body, "within", table.place.stream, 3, lib.limits["MAX_VELOCITY"].expression)
     for argument in phi_ddot:
         check_within(lib, body, (argument.place, lib.layout.count, lib.limits["MAX_ACCELERATION"].expression))
     for argument in wrench:
         lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_WRENCH"].expression)
 
 
-def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:
+def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:
     """Attitude, twist relative to the stream, gravity, and places for sums.
 
     `attitude`: C even where (8) needs none. `turns`: sines and cosines that are there already.
@@ -71,34 +72,34 @@ def scene(lib: Library, body: Body, stand: Place, x: Place, attitude: bool = Fal
     if layout.stream:
         assert C is not None
         stream = body.local("u", (3,), comment="stream in E1")
-        body.call(lib["rotate_back"], C, stand.stream, stream)
+        body.call(lib["rotate_back"], C, table.stream, stream)
         V = body.local("V", (6,), comment="V relative to the stream: the fluid's frame is inertial as well")
         for i in range(6):
             body.set(V[i], x.V[i] - stream[i] if i < 3 else x.V[i])
     if layout.weight:
         assert C is not None
         g = body.local("g", (3,), comment="gravity in E1")
-        body.call(lib["rotate_back"], C, stand.gravity, g)
+        body.call(lib["rotate_back"], C, table.gravity, g)
     if layout.own_turning:
         own = body.local("own", (6 * int(layout.count),), comment="own wrenches of the flywheels, six numbers each")
     sums = body.local("sum", (), layout.sums)
     return Scene(C, V, stream, g, sums, own, turns or turns_of(lib, body, x))
 
 
-def sum_up(lib: Library, body: Body, stand: Place, x: Place, seen: Scene, phi_ddot: Place | None) -> None:
+def sum_up(lib: Library, body: Body, table: Place, x: Place, seen: Scene, phi_ddot: Place | None) -> None:
     """Sums over all bodies into seen.sums; without phi_ddot those of constant speeds."""
-    flywheels.sum_up(lib, body, stand, x, seen.turns, seen.sums, phi_ddot)
+    flywheels.sum_up(lib, body, table, x, seen.turns, seen.sums, phi_ddot)
 
 
 def external_wrench(
-    lib: Library, body: Body, stand: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...], F: Place
+    lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...], F: Place
 ) -> None:
     """F of (7), or zero where the stand has none."""
     if not lib.layout.wrenches:
         for element in F:
             body.set(element, real(0))
         return
-    named = {"stand": stand, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "g": seen.g, "F": F}
+    named = {"table": table, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "g": seen.g, "F": F}
     named |= {"own": seen.own, **named_turns(seen.turns)}
     passed = lib.passed("external", **named, **{w.name: w.place for w in wrench})
     if lib["external"].returns is None:
@@ -135,25 +136,25 @@ def all_turns(lib: Library, body: Body, x: Place, given: tuple[Argument, ...]) -
 
 def accelerate(lib: Library) -> Function:
     """V* for given phi'' by (8), from checked inputs."""
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     turns, phi_ddot, wrench = lib.turn_arguments(), lib.phi_ddot_arguments(), lib.wrench_arguments()
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
     lib.begin(body)
-    seen = scene(lib, body, stand.place, x.place, turns=places_of(turns))
-    sum_up(lib, body, stand.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
+    seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
+    sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="wrench (7); then what K V* must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
-    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
-    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
-    lib.check(body, "solve_carrier", stand.place, seen.sums, F, V_dot.place)
+    lib.check(body, "solve_carrier", table.place, seen.sums, F, V_dot.place)
     from_stream(body, x.place, seen, V_dot.place)
     body.ret(Status("OK"))
     return Function(
         "accelerate",
         "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK.",
-        (stand, x, *turns, *phi_ddot, *wrench, V_dot),
+        (table, x, *turns, *phi_ddot, *wrench, V_dot),
         body.statements,
         equation="(8)",
         returns=Kind.STATUS,
@@ -173,22 +174,22 @@ def from_stream(body: Body, x: Place, seen: Scene, V_dot: Place) -> None:
 
 def forward(lib: Library, at: bool = False) -> Function:
     """V* for given phi'' by (8); `at`: forward_at, of given sines and cosines of the phases."""
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     turns = lib.given_turns() if at else ()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = "derivative of the components of V; may overlap any input"
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose)
     body = Body()
-    check_inputs(lib, body, stand, x, phi_ddot, wrench, turns)
+    check_inputs(lib, body, table, x, phi_ddot, wrench, turns)
     result = body.local("result", (6,))
     inputs = [*all_turns(lib, body, x.place, turns), *places_of((*phi_ddot, *wrench))]
-    lib.check(body, "accelerate", stand.place, x.place, *inputs, result)
+    lib.check(body, "accelerate", table.place, x.place, *inputs, result)
     body.copy_array(V_dot.place, result)
     body.ret(Status("OK"))
     return Function(
         "forward_at" if at else "forward",
         "Acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I phi'' + J phi').",
-        (stand, x, *turns, *phi_ddot, *wrench, V_dot),
+        (table, x, *turns, *phi_ddot, *wrench, V_dot),
         body.statements,
         equation="(8)",
         returns=Kind.STATUS,
@@ -200,21 +201,21 @@ def forward(lib: Library, at: bool = False) -> Function:
 
 def wrench_function(lib: Library) -> Function:
     """Total external wrench (7) as a public function."""
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     wrench = lib.wrench_arguments()
     F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "total external wrench on the carrier, in E1 about O1")
     body = Body()
-    check_inputs(lib, body, stand, x, (), wrench)
-    seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen, None)
+    check_inputs(lib, body, table, x, (), wrench)
+    seen = scene(lib, body, table.place, x.place)
+    sum_up(lib, body, table.place, x.place, seen, None)
     result = body.local("result", (6,))
-    external_wrench(lib, body, stand.place, x.place, seen, wrench, result)
+    external_wrench(lib, body, table.place, x.place, seen, wrench, result)
     body.copy_array(F.place, result)
     body.ret(Status("OK"))
     return Function(
         "wrench",
         "Total external wrench of all bodies at a state.",
-        (stand, x, *wrench, F),
+        (table, x, *wrench, F),
         body.statements,
         equation="(7)",
         returns=Kind.STATUS,

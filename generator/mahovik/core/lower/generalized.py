@@ -1,20 +1,21 @@
-"""attitude: A, D of (10), I0, J0 and q'' of (11); quaternion of angles. Public functions."""
+"""generalized: A, D of (10), I0, J0 and q'' of (11); quaternion of angles. Public functions."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.lower.flywheels import sine_and_cosine
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import SINGULAR_BELOW
 from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, magnitude, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 _NAMES = ("psi", "theta", "phi")
@@ -71,10 +72,10 @@ def products(lib: Library) -> Function:
     return Function("products", "I0 = K A, J0 = K D + M A.", (m, out), body.statements, equation="(11)")
 
 
-def attitude(lib: Library) -> Function:
+def generalized(lib: Library) -> Function:
     """The generalized-coordinate form at a state given by angles."""
     layout = lib.layout
-    stand = lib.table_argument()
+    table = lib.table_argument()
     x = Argument("x", layout.state, purpose="state; its attitude is not read, the angles take its place")
     angles = angles_argument(lib)
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
@@ -93,8 +94,8 @@ def attitude(lib: Library) -> Function:
     singular = body.let(
         "singular", translate(derived.singular(layout.structure.angles), binding), "A has no inverse where this is 0"
     )
-    lib.check(body, "forward", stand.place, y, *(a.place for a in (*phi_ddot, *wrench)), V_dot)
-    lib.check(body, "matrices", stand.place, y, *(a.place for a in wrench), m)
+    lib.check(body, "forward", table.place, y, *(a.place for a in (*phi_ddot, *wrench)), V_dot)
+    lib.check(body, "matrices", table.place, y, *(a.place for a in wrench), m)
     lib.guard(body, magnitude(singular) < SINGULAR_BELOW, "SINGULAR_ATTITUDE")
     if layout.stream:
         body.note("J0 of (11) holds M at V itself, not relative to the stream")
@@ -113,9 +114,9 @@ def attitude(lib: Library) -> Function:
     body.call(lib["products"], m, out.place)
     body.ret(Status("OK"))
     return Function(
-        "attitude",
+        "generalized",
         "The equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi''.",
-        (stand, x, angles, *phi_ddot, *wrench, out),
+        (table, x, angles, *phi_ddot, *wrench, out),
         body.statements,
         equation="(10), (11)",
         returns=Kind.STATUS,

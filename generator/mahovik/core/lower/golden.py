@@ -11,9 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.lower.drawn import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.lower.test_inputs import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
 from mahovik.core.lower.values import Values
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter, filled_value
 from mahovik.core.program.types import Kind, Precision, Struct
 

@@ -6,13 +6,15 @@ limits (`allocate`). Singular values, rank and what they say are those of the st
 
 from __future__ import annotations
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.demand import check_demand
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, either, integer, real, select
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, integer, or_, real, select
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 _POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT")
@@ -21,7 +23,7 @@ _POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIEN
 def inverse(lib: Library) -> Function:
     """phi'' for a wanted V*, with diagnostics."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
     options = Argument(
         "options", layout.inverse_options, purpose="weights, limits, damping; default_options has those of the stand"
@@ -30,14 +32,14 @@ def inverse(lib: Library) -> Function:
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and how good it is")
     o, p = out.place, options.place
     body = Body()
-    check_demand(lib, body, stand, x, V_dot, p, ("near", "damping"), wrench)
+    check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
     with body.loop("s", layout.count) as s:
-        lib.guard(body, Not(either(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
+        lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
         lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
     work = body.local("work", (), layout.inverse_work)
     inputs = [w.place for w in wrench]
     turns = turns_of(lib, body, x.place)
-    lib.check(body, "demand", stand.place, x.place, *turns, V_dot.place, *inputs, work)
+    lib.check(body, "demand", table.place, x.place, *turns, V_dot.place, *inputs, work)
     wanted = body.local("wanted")
     body.set(wanted, real(0))
     with body.loop("i", 6) as i:
@@ -66,7 +68,7 @@ def inverse(lib: Library) -> Function:
         "Flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'. "
         "Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give is "
         "shared among the others.",
-        (stand, x, V_dot, options, *wrench, out),
+        (table, x, V_dot, options, *wrench, out),
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,

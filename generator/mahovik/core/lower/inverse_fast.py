@@ -11,8 +11,9 @@ from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, Status, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -22,7 +23,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     `at`: inverse_fast_at, of given sines and cosines of the phases.
     """
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
     options = Argument("options", layout.inverse_options, purpose="weights and damping; near and limits are not read")
     given, wrench = lib.given_turns() if at else (), lib.wrench_arguments()
@@ -31,11 +32,11 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     wide = int(layout.count) >= 6
     size = 6 if wide else int(layout.count)
     body = Body()
-    check_demand(lib, body, stand, x, V_dot, p, ("damping",), wrench, given)
+    check_demand(lib, body, table, x, V_dot, p, ("damping",), wrench, given)
     work = body.local("work", (), layout.inverse_work)
     inputs = [w.place for w in wrench]
     turns = all_turns(lib, body, x.place, given)
-    lib.check(body, "demand", stand.place, x.place, *turns, V_dot.place, *inputs, work)
+    lib.check(body, "demand", table.place, x.place, *turns, V_dot.place, *inputs, work)
     body.note(
         "normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z" if wide else "normal equations: W^T W y = W^T r"
     )
@@ -77,7 +78,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     return Function(
         "inverse_fast_at" if at else "inverse_fast",
         "Flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal equations.",
-        (stand, x, *given, V_dot, options, *wrench, phi_ddot),
+        (table, x, *given, V_dot, options, *wrench, phi_ddot),
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,

@@ -21,24 +21,25 @@ from mahovik.core.lower.sensitivity import set_weights
 from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, equal, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
 def _slopes(
-    lib: Library, body: Body, stand: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...], Z: Place
+    lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...], Z: Place
 ) -> tuple[Place, Place]:
     """Derivative of the remainder by V, and of the own axial moments."""
     layout = lib.layout
     m = body.local("m", (), layout.matrices)
-    binding = carrier_binding(lib, stand, seen.sums)
+    binding = carrier_binding(lib, table, seen.sums)
     fill(body, m.K, derived_carrier.mass_matrix(layout.added_mass), binding)
     fill(body, m.K_dot, derived_carrier.mass_matrix_rate(), binding)
     body.call(lib["velocity_matrix"], seen.V, m)
     slope = body.local("slope", (36,), comment="by V, row by row")
     axial = body.local("axial", (6 * max(1, int(layout.count)),), comment="of own axial moments by V")
-    named = {"stand": stand, "x": x, "V": seen.V, "Z": Z, "m": m, "C": seen.C, "slope": slope, "axial": axial}
+    named = {"table": table, "x": x, "V": seen.V, "Z": Z, "m": m, "C": seen.C, "slope": slope, "axial": axial}
     body.call(lib["twist_slope"], *lib.passed("twist_slope", **named, **{w.name: w.place for w in wrench}))
     return slope, axial
 
@@ -46,7 +47,7 @@ def _slopes(
 def _own(
     lib: Library,
     body: Body,
-    stand: Place,
+    table: Place,
     x: Place,
     V: Place,
     wrench: tuple[Argument, ...],
@@ -64,8 +65,8 @@ def _own(
     about = body.local("about", (1,))
     for element in (*still, *about):
         body.set(element, real(0))
-    with body.loop("k", len(layout.own)) as k, body.when(equal(stand.frame[k].flywheel, s)):
-        named: dict[str, Any] = {"stand": stand, "frame": stand.frame[k], "x": x, "V": V, "V_change": still}
+    with body.loop("k", len(layout.own)) as k, body.when(equal(table.frame[k].flywheel, s)):
+        named: dict[str, Any] = {"table": table, "frame": table.frame[k], "x": x, "V": V, "V_change": still}
         named |= {"turn_by": real(turn), "speed_by": real(speed), "F": part, "axial": about}
         named |= {w.name: w.place for w in wrench}
         body.call(lib["own_slope"], *lib.passed("own_slope", **named))
@@ -100,26 +101,26 @@ def _row_slope(
 def forward_jacobian(lib: Library) -> Function:
     """Derivatives of V* of forward."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    out = Argument("out", layout.forward_slopes, (), "out", purpose="derivatives of V*")
+    out = Argument("out", layout.forward_jacobian_result, (), "out", purpose="derivatives of V*")
     o, body = out.place, Body()
-    check_inputs(lib, body, stand, x, phi_ddot, wrench)
-    seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
+    check_inputs(lib, body, table, x, phi_ddot, wrench)
+    seen = scene(lib, body, table.place, x.place)
+    sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="what K V* must equal")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     motion = body.local("V_result", (6,), comment="V_r*")
     rhs = body.local("rhs", (6,))
     y = body.local("y", (6,))
-    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
-    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
+    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
+    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
-    lib.check(body, "solve_carrier", stand.place, seen.sums, F, motion)
-    slope, _ = _slopes(lib, body, stand.place, x.place, seen, wrench, Z)
+    lib.check(body, "solve_carrier", table.place, seen.sums, F, motion)
+    slope, _ = _slopes(lib, body, table.place, x.place, seen, wrench, Z)
 
     def solve() -> None:
-        body.call(lib["solve_carrier"], stand.place, seen.sums, rhs, y)
+        body.call(lib["solve_carrier"], table.place, seen.sums, rhs, y)
 
     with body.loop("j", 6) as j:
         with body.loop("i", 6) as i:
@@ -131,7 +132,7 @@ def forward_jacobian(lib: Library) -> Function:
     if layout.flywheels:
         changes = body.local("change", (len(WEIGHTS),), comment="of the weights of a row")
         with body.loop("s", layout.count) as s:
-            row = row_of(lib, body, stand.place, s)
+            row = row_of(lib, body, table.place, s)
             weights = _row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
             for target, by, turn, speed in (
                 (o.V_dot_phi, derived.by_phase(), 1, 0),
@@ -139,7 +140,7 @@ def forward_jacobian(lib: Library) -> Function:
             ):
                 with body.block():
                     _row_slope(lib, body, row, by, weights, changes, seen, motion, rhs)
-                    _own(lib, body, stand.place, x.place, seen.V, wrench, s, rhs, turn, speed)
+                    _own(lib, body, table.place, x.place, seen.V, wrench, s, rhs, turn, speed)
                     solve()
                     with body.loop("i", 6) as i:
                         body.set(target[i][s], y[i])
@@ -151,7 +152,7 @@ def forward_jacobian(lib: Library) -> Function:
     return Function(
         "forward_jacobian",
         "Derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude.",
-        (stand, x, *phi_ddot, *wrench, out),
+        (table, x, *phi_ddot, *wrench, out),
         body.statements,
         equation="(8)",
         returns=Kind.STATUS,
@@ -174,49 +175,51 @@ def _drift(body: Body, target: Place, stream: Place | None) -> None:
 def coupled_jacobian(lib: Library) -> Function:
     """Derivatives of V* and phi'' of coupled."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     tau = Argument("tau", Kind.REAL, (layout.count,), unit="N m", purpose="drive torques, mount on flywheel")
     locked = lib.locked_argument()
     wrench = lib.wrench_arguments()
-    out = Argument("out", layout.coupled_slopes, (), "out", purpose="derivatives of V* and phi''")
+    out = Argument("out", layout.coupled_jacobian_result, (), "out", purpose="derivatives of V* and phi''")
     o, body = out.place, Body()
-    check_drive(lib, body, (stand, x, tau, *wrench))
+    check_drive(lib, body, (table, x, tau, *wrench))
     motion = body.local("V_result", (6,), comment="V*, then V_r*")
     spins = body.local("phi_result", (layout.count,), comment="phi''")
     turns = turns_of(lib, body, x.place)
     inputs = [a.place for a in (tau, locked, *wrench)]
-    lib.check(body, "move", stand.place, x.place, *turns, *inputs, motion, spins)
-    seen = scene(lib, body, stand.place, x.place, turns=turns)
-    sum_up(lib, body, stand.place, x.place, seen, spins)
+    lib.check(body, "solve_coupled", table.place, x.place, *turns, *inputs, motion, spins)
+    seen = scene(lib, body, table.place, x.place, turns=turns)
+    sum_up(lib, body, table.place, x.place, seen, spins)
     if seen.stream is not None:
         drift = drift_of(body, x.place, seen.stream)
         for i in range(3):
             body.add(motion[i], drift[i])
     Z = body.local("Z", (6,), comment="momentum screw (2)")
-    body.call(lib["momentum_screw"], stand.place, seen.sums, seen.V, Z)
-    slope, axial = _slopes(lib, body, stand.place, x.place, seen, wrench, Z)
+    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
+    slope, axial = _slopes(lib, body, table.place, x.place, seen, wrench, Z)
     drives = body.local("drive", (layout.count,), layout.coupling)
     alike = carried(lib, body, seen)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
-    start_schur(lib, body, stand.place, seen.sums, K)
-    work = _Work(lib, body, stand.place, locked.place, drives, K)
+    start_schur(lib, body, table.place, seen.sums, K)
+    work = _Work(lib, body, table.place, locked.place, drives, K)
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, stand.place, s, seen, alike, drives[s])
+        couple_flywheel(lib, body, table.place, s, seen, alike, drives[s])
         with body.when(equal(locked.place[s], integer(0))):
-            body.call(lib["eliminate"], drives[s].I, entry(lib, stand.place, s, "spin_inv"), real(0), K, work.rhs)
+            body.call(lib["eliminate"], drives[s].I, entry(lib, table.place, s, "spin_inv"), real(0), K, work.rhs)
     _by_twist(lib, work, o, x.place, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
     changes = body.local("change", (len(WEIGHTS),), comment="of the weights of a row")
     with body.loop("s", layout.count) as s:
-        row = row_of(lib, body, stand.place, s)
+        row = row_of(lib, body, table.place, s)
         weights = _row_weights(body, x.place, seen.turns, s, spins[s])
         for name, by, turn, speed in (("phi", derived.by_phase(), 1, 0), ("phi_dot", derived.by_speed(), 0, 1)):
             with body.block():
                 _row_slope(lib, body, row, by, weights, changes, seen, motion, work.rhs)
-                about = _own(lib, body, stand.place, x.place, seen.V, wrench, s, work.rhs, turn, speed)
+                about = _own(lib, body, table.place, x.place, seen.V, wrench, s, work.rhs, turn, speed)
                 work.clear()
                 if turn:
-                    body.set(work.twist[s], -_torque_slope(lib, body, row, weights, seen, alike.swing, motion))
+                    body.set(
+                        work.twist[s], -_torque_slope(lib, body, row, weights, seen, alike.origin_acceleration, motion)
+                    )
                 if about is not None:
                     body.add(work.twist[s], about[0])
                 work.solve(o, name, s)
@@ -229,7 +232,7 @@ def coupled_jacobian(lib: Library) -> Function:
     return Function(
         "coupled_jacobian",
         "Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.",
-        (stand, x, tau, locked, *wrench, out),
+        (table, x, tau, locked, *wrench, out),
         body.statements,
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
@@ -241,8 +244,8 @@ def coupled_jacobian(lib: Library) -> Function:
 class _Work:
     """Right-hand sides of the coupled equations and their solution: rhs (6) of the carrier, twist (N) of the drives."""
 
-    def __init__(self, lib: Library, body: Body, stand: Place, locked: Place, drives: Place, K: Place) -> None:
-        self._lib, self._body, self._stand, self._locked = lib, body, stand, locked
+    def __init__(self, lib: Library, body: Body, table: Place, locked: Place, drives: Place, K: Place) -> None:
+        self._lib, self._body, self._table, self._locked = lib, body, table, locked
         self._drives, self._K = drives, K
         self.rhs = body.local("rhs", (6,), comment="of the carrier")
         self.twist = body.local("drive_rhs", (lib.layout.count,), comment="of the drives")
@@ -259,7 +262,7 @@ class _Work:
         """V* and phi'' of these right-hand sides into a column of the derivatives by `name`."""
         body, count = self._body, self._lib.layout.count
         with body.loop("t", count) as t, body.when(equal(self._locked[t], integer(0))):
-            share = body.let("share", self.twist[t] * entry(self._lib, self._stand, t, "spin_inv"))
+            share = body.let("share", self.twist[t] * entry(self._lib, self._table, t, "spin_inv"))
             with body.loop("i", 6) as i:
                 body.add(self.rhs[i], -(self._drives[t].I[i] * share))
         body.call(self._lib["solve_schur"], self._K, self.rhs, self._y)
@@ -270,13 +273,13 @@ class _Work:
             body.set(target, real(0))
             with body.when(equal(self._locked[t], integer(0))):
                 left = self.twist[t] - along(list(self._drives[t].I), self._y)
-                body.set(target, left * entry(self._lib, self._stand, t, "spin_inv"))
+                body.set(target, left * entry(self._lib, self._table, t, "spin_inv"))
 
 
 def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope: Place, axial: Place) -> None:
     """Derivatives by V."""
     layout, body = lib.layout, work._body
-    table = body.local("drive_slope", (layout.count, 6), comment="of the bias torques by V")
+    slopes_by_V = body.local("drive_slope", (layout.count, 6), comment="of the bias torques by V")
     slopes = body.local("J_p", (6,), comment="dJ / dphi")
     turned = body.local("turned", (3,), comment="J' omega")
     with body.loop("s", layout.count) as s:
@@ -284,27 +287,33 @@ def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope:
         for name in ("two_c2", "two_s2"):
             binding[name] = body.let(name, translate(derived_rows.weights()[name], binding))
         _, J_p = derived_drive.phase_derivatives()
-        assign(body, list(slopes), J_p, binding | columns_of(row_of(lib, body, work._stand, s)))
+        assign(body, list(slopes), J_p, binding | columns_of(row_of(lib, body, work._table, s)))
         bound = parts_of_twist(seen.V) | {"J_p": slopes, "turned": turned, "mu_p": list(work._drives[s].I)[:3]}
         assign(body, list(turned), derived_drive.turned_spin(), bound)
         by = derived.bias_torque_by_twist()
         for k in range(6):
-            body.set(table[s][k], translate(by[k], bound))
+            body.set(slopes_by_V[s][k], translate(by[k], bound))
     with body.loop("j", 6) as j:
         with body.loop("i", 6) as i:
             body.set(work.rhs[i], slope[i * integer(6) + j])
         with body.loop("s", layout.count) as s:
-            change: Expr = -table[s][j]
+            change: Expr = -slopes_by_V[s][j]
             if layout.own_turning:
-                change = axial[s * integer(6) + j] - table[s][j]
+                change = axial[s * integer(6) + j] - slopes_by_V[s][j]
             body.set(work.twist[s], change)
         work.solve(o, "V", j)
 
 
 def _torque_slope(
-    lib: Library, body: Body, row: Place, weights: dict[str, Expr], seen: Scene, swing: Place, motion: Place
+    lib: Library,
+    body: Body,
+    row: Place,
+    weights: dict[str, Expr],
+    seen: Scene,
+    origin_acceleration: Place,
+    motion: Place,
 ) -> Expr:
-    """d/dphi of the drive torque at fixed V*, phi'': dI/dphi . V* + mu'' . swing - omega . J'' omega / 2."""
+    """Slope of the drive torque by phi alone: dI/dphi . V* + mu'' . origin_acceleration - omega . J'' omega / 2."""
     mu_pp, J_pp = derived.second_phase_derivatives()
     binding: dict[str, Any] = weights | columns_of(row)
     second = body.local("mu_pp", (3,), comment="d2 mu / dphi2")
@@ -313,7 +322,7 @@ def _torque_slope(
     assign(body, list(second), mu_pp, binding)
     assign(body, list(tensor), J_pp, binding)
     assign(body, list(column), derived_rows.columns().I_prime, binding)
-    bound = parts_of_twist(seen.V) | {"J_pp": tensor, "mu_pp": second, "swing": swing}
+    bound = parts_of_twist(seen.V) | {"J_pp": tensor, "mu_pp": second, "origin_acceleration": origin_acceleration}
     total = along(list(column), motion) + translate(derived.bias_by_phase(), bound)
     if lib.layout.flywheel_buoyancy:
         assert seen.g is not None

@@ -11,8 +11,9 @@ from contextlib import contextmanager
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 
 
@@ -97,28 +98,28 @@ def roomy(lib: Library, body: Body, values: Place, name: str) -> Place:
 
 def take_row(lib: Library) -> Function:
     """The row of one flywheel out of its block."""
-    stand, s = lib.table_argument(), Argument("s", Kind.INT, purpose="its number")
+    table, s = lib.table_argument(), Argument("s", Kind.INT, purpose="its number")
     row = Argument("row", lib.layout.row, (), "out")
     body = Body()
-    for target, source in _members(lib, stand.place, s.place, row.place):
+    for target, source in _members(lib, table.place, s.place, row.place):
         body.set(target, source)
-    return Function("take_row", "The row of one flywheel out of its block.", (stand, s, row), body.statements)
+    return Function("take_row", "The row of one flywheel out of its block.", (table, s, row), body.statements)
 
 
 def put_row(lib: Library) -> Function:
     """The row of one flywheel into its block."""
-    stand, s = Argument("stand", lib.layout.table, (), "inout"), Argument("s", Kind.INT, purpose="its number")
+    table, s = Argument("table", lib.layout.table, (), "inout"), Argument("s", Kind.INT, purpose="its number")
     row = Argument("row", lib.layout.row)
     body = Body()
-    for source, target in _members(lib, stand.place, s.place, row.place):
+    for source, target in _members(lib, table.place, s.place, row.place):
         body.set(target, source)
-    return Function("put_row", "The row of one flywheel into its block.", (stand, s, row), body.statements)
+    return Function("put_row", "The row of one flywheel into its block.", (table, s, row), body.statements)
 
 
-def _members(lib: Library, stand: Place, s: Expr, row: Place) -> Iterator[tuple[Place, Place]]:
+def _members(lib: Library, table: Place, s: Expr, row: Place) -> Iterator[tuple[Place, Place]]:
     """Elements of a row, and the same of its block."""
     lanes = integer(lib.layout.lane_count)
-    block, k = stand.block[s / lanes], s % lanes
+    block, k = table.block[s / lanes], s % lanes
     for field in lib.layout.row.fields:
         column, wide = row.member(field.name), block.member(field.name)
         if field.shape:
@@ -127,18 +128,18 @@ def _members(lib: Library, stand: Place, s: Expr, row: Place) -> Iterator[tuple[
             yield column, wide[k]
 
 
-def row_of(lib: Library, body: Body, stand: Place, s: Expr) -> Place:
+def row_of(lib: Library, body: Body, table: Place, s: Expr) -> Place:
     """The row of flywheel s: in the table, or a copy out of its block."""
     if lib.layout.lanes == 1:
-        return stand.flywheel[s]
+        return table.flywheel[s]
     row = body.local("row", (), lib.layout.row)
-    body.call(lib["take_row"], stand, s, row)
+    body.call(lib["take_row"], table, s, row)
     return row
 
 
-def entry(lib: Library, stand: Place, s: Expr, name: str) -> Place:
+def entry(lib: Library, table: Place, s: Expr, name: str) -> Place:
     """A single number of flywheel s in the table, such as spin_inv."""
     if lib.layout.lanes == 1:
-        return stand.flywheel[s].member(name)
+        return table.flywheel[s].member(name)
     lanes = integer(lib.layout.lane_count)
-    return stand.block[s / lanes].member(name)[s % lanes]
+    return table.block[s / lanes].member(name)[s % lanes]

@@ -6,8 +6,9 @@ from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, magnitude, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -17,7 +18,7 @@ def damp(lib: Library) -> Function:
     damper = Argument("damper", layout.damper)
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
     P = Argument("P", Kind.REAL, (6,), "inout", "N, N m", "wrench that is added to")
-    stand = lib.table_argument()
+    table = lib.table_argument()
     body = Body()
     factors: Place | None = None
     if layout.terms or layout.quadratic_damping:
@@ -39,12 +40,12 @@ def damp(lib: Library) -> Function:
         assert factors is not None
         first, last = damper.place.first_term, damper.place.last_term
         with body.loop("t", last, start=first, most=layout.terms) as t:
-            term = stand.place.term[t]
+            term = table.place.term[t]
             body.add(P.place[term.wrench], term.value * factors[term.first] * factors[term.second])
     return Function(
         "damp",
         "Adds the damping of one body to its wrench, both in the body's own frame.",
-        (stand, damper, V, P),
+        (table, damper, V, P),
         body.statements,
         equation="(7)",
     )
@@ -114,7 +115,7 @@ def suspend(lib: Library) -> Function:
     )
 
 
-def pull(lib: Library) -> Function:
+def add_leg(lib: Library) -> Function:
     """Force of one leg, added to F."""
     law = Argument("leg", lib.layout.leg)
     x = lib.state_argument()
@@ -157,7 +158,7 @@ def pull(lib: Library) -> Function:
     add_force(body, list(F.place), point, list(force), None)
     body.ret(Status("OK"))
     return Function(
-        "pull",
+        "add_leg",
         "Adds the force of one leg; RANGE where its ends meet, for then it has no direction.",
         (law, x, C, F),
         body.statements,

@@ -132,7 +132,7 @@ class Layout(Tables):
         return Struct("inverse_result", "Answer of inverse, and how good it is.", fields)
 
     @cached_property
-    def forward_slopes(self) -> Struct:
+    def forward_jacobian_result(self) -> Struct:
         fields = [Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j")]
         if self.flywheels:
             fields += [
@@ -140,10 +140,10 @@ class Layout(Tables):
                 Field("V_dot_phi_dot", REAL, (6, self.count), "", "by the speeds"),
                 Field("V_dot_phi_ddot", REAL, (6, self.count), "", "by the accelerations"),
             ]
-        return Struct("forward_slopes", "Derivatives of forward.", tuple(fields))
+        return Struct("forward_jacobian_result", "Derivatives of forward.", tuple(fields))
 
     @cached_property
-    def coupled_slopes(self) -> Struct:
+    def coupled_jacobian_result(self) -> Struct:
         n = self.count
         fields = (
             Field("V_dot_V", REAL, (6, 6), "", "of V* by V: row i, column j"),
@@ -155,7 +155,7 @@ class Layout(Tables):
             Field("phi_ddot_phi_dot", REAL, (n, n), "", "by the speeds"),
             Field("phi_ddot_tau", REAL, (n, n), "", "by the drive torques"),
         )
-        return Struct("coupled_slopes", "Derivatives of coupled.", fields)
+        return Struct("coupled_jacobian_result", "Derivatives of coupled.", fields)
 
     @cached_property
     def encoder(self) -> Struct:
@@ -185,7 +185,7 @@ class Layout(Tables):
                 Field("J", REAL, (6, self.count), "per s", "its velocity part (9)"),
             ]
         fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
-        return Struct("equations", "The matrices of (8).", tuple(fields))
+        return Struct("matrices_result", "The matrices of (8).", tuple(fields))
 
     @cached_property
     def momentum(self) -> Struct:
@@ -195,7 +195,7 @@ class Layout(Tables):
             Field("energy", REAL, (), "J", "kinetic"),
             Field("center_of_mass", REAL, (3,), "m", "of all bodies, in E1"),
         )
-        return Struct("momenta", "Momentum, energy and mass centre.", fields)
+        return Struct("momentum_result", "Momentum, energy and mass centre.", fields)
 
     @cached_property
     def generalized(self) -> Struct:
@@ -208,5 +208,5 @@ class Layout(Tables):
             Field("q_ddot", REAL, (6,), "m/s2, rad/s2", "by (11) for the given phi_ddot"),
         )
         return Struct(
-            "generalized", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields
+            "generalized_result", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields
         )

@@ -6,8 +6,9 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import Limit, limits
 from mahovik.core.lower.thresholds import Thresholds, thresholds
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Operand, Place, Status, unequal
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.prune import pruned
 from mahovik.core.program.types import Kind
 
@@ -43,7 +44,7 @@ class Library:
 
     def table_argument(self) -> Argument:
         """The prepared stand."""
-        return Argument("stand", self.layout.table, purpose="the prepared table")
+        return Argument("table", self.layout.table, purpose="the prepared table")
 
     def state_argument(self) -> Argument:
         """The state."""

@@ -13,8 +13,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -41,28 +42,28 @@ def velocity_matrix(lib: Library) -> Function:
 def matrices(lib: Library) -> Function:
     """All matrices of (8) at a state."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.matrices, (), "out", purpose="K, K_dot, M, I, J, F")
     body = Body()
-    check_inputs(lib, body, stand, x, (), wrench)
-    seen = scene(lib, body, stand.place, x.place)
-    sum_up(lib, body, stand.place, x.place, seen, None)
+    check_inputs(lib, body, table, x, (), wrench)
+    seen = scene(lib, body, table.place, x.place)
+    sum_up(lib, body, table.place, x.place, seen, None)
     F = body.local("F", (6,))
-    external_wrench(lib, body, stand.place, x.place, seen, wrench, F)
+    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.copy_array(out.place.F, F)
-    binding = carrier_binding(lib, stand.place, seen.sums)
+    binding = carrier_binding(lib, table.place, seen.sums)
     body.note("K (2) and its rate (6)")
     fill(body, out.place.K, derived.mass_matrix(layout.added_mass), binding)
     fill(body, out.place.K_dot, derived.mass_matrix_rate(), binding)
     body.call(lib["velocity_matrix"], seen.V, out.place)
     if layout.flywheels:
-        _columns(lib, body, stand.place, x.place, seen.turns, seen.V, out.place)
+        _columns(lib, body, table.place, x.place, seen.turns, seen.V, out.place)
     body.ret(Status("OK"))
     return Function(
         "matrices",
         "The matrices of K V* + M V + I phi'' + J phi' = F at a state.",
-        (stand, x, *wrench, out),
+        (table, x, *wrench, out),
         body.statements,
         equation="(2), (6)-(9)",
         returns=Kind.STATUS,
@@ -71,13 +72,13 @@ def matrices(lib: Library) -> Function:
     )
 
 
-def _columns(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, V: Place, out: Place) -> None:
+def _columns(lib: Library, body: Body, table: Place, x: Place, turns: Turns, V: Place, out: Place) -> None:
     """I_s = (mu', t) and J_s = Phi I_s + (mu'', t') phi'."""
     column = body.local("column", (6,), comment="I_s")
     rate = body.local("rate", (6,), comment="dI_s / dphi")
     with body.loop("s", lib.layout.count) as s:
         turn = let_turn(body, turns, s)
-        binding = turn | columns_of(row_of(lib, body, stand, s))
+        binding = turn | columns_of(row_of(lib, body, table, s))
         derived_columns = derived_rows.columns()
         assign(body, list(column), derived_columns.I, binding)
         assign(body, list(rate), derived_columns.I_prime, binding)
@@ -91,26 +92,26 @@ def _columns(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, V: 
 def momentum(lib: Library) -> Function:
     """Z, Z0, kinetic energy, mass centre."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     out = Argument("out", layout.momentum, (), "out", purpose="Z, Z0, energy, mass centre")
     body = Body()
-    check_inputs(lib, body, stand, x)
-    seen = scene(lib, body, stand.place, x.place, attitude=True)
-    sum_up(lib, body, stand.place, x.place, seen, None)
+    check_inputs(lib, body, table, x)
+    seen = scene(lib, body, table.place, x.place, attitude=True)
+    sum_up(lib, body, table.place, x.place, seen, None)
     C, V, sums = seen.C, seen.V, seen.sums
     assert C is not None
     Z = body.local("Z", (6,), comment="momentum screw (2)")
-    body.call(lib["momentum_screw"], stand.place, sums, V, Z)
+    body.call(lib["momentum_screw"], table.place, sums, V, Z)
     spin = body.local("spin", comment="sum phi' (I^T V + Theta_ff phi')")
     body.set(spin, real(0))
     if layout.flywheels:
-        _spin(lib, body, stand.place, x.place, seen.turns, V, spin)
+        _spin(lib, body, table.place, x.place, seen.turns, V, spin)
     z = list(Z)
     energy = body.local("energy")
     parts = parts_of_twist(V) | {"p": z[:3], "h": z[3:], "spin": spin}
     body.set(energy, translate(derived.kinetic_energy(), parts))
     if seen.stream is not None:
-        _add_stream(body, stand.place, x.place, V, seen.stream, sums, Z, energy)
+        _add_stream(body, table.place, x.place, V, seen.stream, sums, Z, energy)
     six = list(out.place.Z0)
     body.copy_array(out.place.Z, Z)
     body.note("Z0 = L1 Z of (1)")
@@ -119,12 +120,12 @@ def momentum(lib: Library) -> Function:
     assign(body, six, derived.momentum_in_E0(), bound)
     body.set(out.place.energy, energy)
     for i in range(3):
-        body.set(out.place.center_of_mass[i], sums.mu[i] * stand.place.mass_inverse)
+        body.set(out.place.center_of_mass[i], sums.mu[i] * table.place.mass_inverse)
     body.ret(Status("OK"))
     return Function(
         "momentum",
         "Momentum screw, kinetic energy and mass centre of the whole system.",
-        (stand, x, out),
+        (table, x, out),
         body.statements,
         equation="(1), (2)",
         returns=Kind.STATUS,
@@ -133,10 +134,10 @@ def momentum(lib: Library) -> Function:
     )
 
 
-def _spin(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, V: Place, spin: Place) -> None:
+def _spin(lib: Library, body: Body, table: Place, x: Place, turns: Turns, V: Place, spin: Place) -> None:
     """Kinetic energy that goes with phi': V . I_s phi' + Theta_ff phi'^2, twice the energy's second half."""
     with body.loop("s", lib.layout.count) as s:
-        row = row_of(lib, body, stand, s)
+        row = row_of(lib, body, table, s)
         turn = let_turn(body, turns, s)
         column = derived_rows.columns().I
         binding = turn | columns_of(row)
@@ -147,17 +148,17 @@ def _spin(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, V: Pla
         body.add(spin, x.phi_dot[s] * (product + row.spin * x.phi_dot[s]))
 
 
-def _add_stream(body: Body, stand: Place, x: Place, V: Place, u: Place, sums: Place, Z: Place, energy: Place) -> None:
+def _add_stream(body: Body, table: Place, x: Place, V: Place, u: Place, sums: Place, Z: Place, energy: Place) -> None:
     """From V_r to V for the bodies; the fluid's share (Lambda) stays at V_r: Galilean change of frame."""
     body.note("bodies at V, added mass at V relative to the stream")
     p = body.local("p", (3,), comment="momentum of the bodies relative to the stream")
     plain = derived.momentum(False)
     six = list(V)
-    binding = {"m": stand.mass, "mu": sums.mu, "mu_dot": sums.mu_dot, "v": six[:3], "omega": six[3:]}
+    binding = {"m": table.mass, "mu": sums.mu, "mu_dot": sums.mu_dot, "v": six[:3], "omega": six[3:]}
     assign(body, list(p), plain[:3, :], binding)
     work = p[0] * u[0] + p[1] * u[1] + p[2] * u[2]
     square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2]
-    body.add(energy, work + real(0.5) * stand.mass * square)
+    body.add(energy, work + real(0.5) * table.mass * square)
     for i in range(3):
-        body.add(Z[i], stand.mass * u[i])
+        body.add(Z[i], table.mass * u[i])
     assign(body, list(Z)[3:], derived.stream_moment(), {"mu": sums.mu, "u": u}, add=True)

@@ -18,8 +18,9 @@ from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.wrenches import own_wrenches
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -99,31 +100,31 @@ def _subtract_weight(lib: Library, body: Body, m: Place, phase: dict[str, Any], 
 def mounts(lib: Library) -> Function:
     """Wrenches of the mounts on all flywheels."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
-    table = Argument("mounting", layout.mount_table, purpose="made once by prepare_mounts")
+    table, x = lib.table_argument(), lib.state_argument()
+    mounting = Argument("mounting", layout.mount_table, purpose="made once by prepare_mounts")
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     purpose = (
         "of the mount on each flywheel, six numbers each, about Os in the axes of Es at phi = 0; the fourth is tau"
     )
-    out = Argument("loads", Kind.REAL, (6 * int(layout.count),), "out", "N, N m", purpose)
+    out = Argument("mount_wrench", Kind.REAL, (6 * int(layout.count),), "out", "N, N m", purpose)
     body = Body()
-    check_inputs(lib, body, stand, x, phi_ddot, wrench)
+    check_inputs(lib, body, table, x, phi_ddot, wrench)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
-    seen = scene(lib, body, stand.place, x.place)
+    seen = scene(lib, body, table.place, x.place)
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     if layout.own_turning:
         scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
         for element in scratch:
             body.set(element, real(0))
-        own_wrenches(lib, body, stand.place, x.place, seen.turns, seen.V, wrench, scratch, seen.own)
+        own_wrenches(lib, body, table.place, x.place, seen.turns, seen.V, wrench, scratch, seen.own)
     W = body.local("W", (6,))
     with body.loop("s", layout.count) as s:
         for k in range(6):
             body.set(W[k], real(0) if seen.own is None else -seen.own[s * integer(6) + k])
         turn = turn_of(seen.turns, s)
         named: dict[str, Any] = {
-            "mount": table.place.flywheel[s],
+            "mount": mounting.place.flywheel[s],
             **turn,
             "phi_dot": x.place.phi_dot[s],
             "V": seen.V,
@@ -137,7 +138,7 @@ def mounts(lib: Library) -> Function:
     return Function(
         "mounts",
         "Wrench of the mount on each flywheel: bearing loads, and what shakes the structure.",
-        (stand, table, x, V_dot, *phi_ddot, *wrench, out),
+        (table, mounting, x, V_dot, *phi_ddot, *wrench, out),
         body.statements,
         returns=Kind.STATUS,
         statuses=STATE_STATUSES,

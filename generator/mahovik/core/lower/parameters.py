@@ -17,8 +17,9 @@ from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Not, Place, Status, both, either, magnitude, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, Status, and_, magnitude, or_, real, select
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 
 
@@ -102,12 +103,12 @@ def check_added_mass(lib: Library) -> Function:
     with body.loop("i", 6) as i:
         lib.check(body, "within", m[i], 6, lib.limits["MAX_PARAMETER"].expression)
     with body.loop("i", 6) as i, body.loop("j", i) as j:
-        lib.guard(body, either(m[i][j] < m[j][i], m[i][j] > m[j][i]), "NOT_POSITIVE_DEFINITE")
+        lib.guard(body, or_(m[i][j] < m[j][i], m[i][j] > m[j][i]), "NOT_POSITIVE_DEFINITE")
     body.note("rows of zeros, of what meets no fluid, are left out")
     with body.loop("i", 6) as i:
         with body.loop("j", 6) as j:
-            touched = either(m[i][j] < 0, m[i][j] > 0)
-            lib.guard(body, both(touched, Not(m[i][i] > 0)), "NOT_POSITIVE_DEFINITE")
+            touched = or_(m[i][j] < 0, m[i][j] > 0)
+            lib.guard(body, and_(touched, Not(m[i][i] > 0)), "NOT_POSITIVE_DEFINITE")
         diagonal = body.local("diagonal")
         body.set(diagonal, m[i][i] + real(lib.thresholds.unphysical) * m[i][i])
         with body.loop("j", i) as j:
@@ -145,8 +146,8 @@ def translation_block(lib: Library) -> Function:
     names = ("11", "22", "33", "12", "13", "23")
     cofactor = [body.let(f"c{n}", translate(e, {"A": A.place})) for n, e in zip(names, adjugate, strict=True)]
     d = body.let("det", translate(determinant, {"A": A.place, "cofactor": cofactor}))
-    whole = both(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
-    positive = both(both(A.place[0] > 0, cofactor[2] > 0), whole)
+    whole = and_(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
+    positive = and_(and_(A.place[0] > 0, cofactor[2] > 0), whole)
     lib.guard(body, Not(positive), "NOT_POSITIVE_DEFINITE")
     r = body.let("r", 1 / d)
     for k in range(6):

@@ -9,21 +9,22 @@ from __future__ import annotations
 from mahovik.core import routines
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
     Expr,
     Not,
     Place,
     Status,
-    both,
-    either,
+    and_,
     equal,
     integer,
+    or_,
     real,
     select,
     word,
 )
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 
@@ -49,7 +50,7 @@ def wrap(lib: Library) -> Function:
     angle = body.local("angle")
     body.set(k, routines.turns_of_angle(precision, phi.place))
     body.set(angle, call(lib["unwound"], phi.place, k))
-    with body.when(either(angle > pi, angle < -pi)):
+    with body.when(or_(angle > pi, angle < -pi)):
         body.set(angle, call(lib["unwound"], phi.place, select(angle > pi, k + 1, k - 1)))
     body.set(out.place, select(angle > pi, pi, select(angle < -pi, -pi, angle)))
     body.ret(Status("OK"))
@@ -120,7 +121,7 @@ def speed_of_counts(lib: Library) -> Function:
     turns = body.let("turns", Convert(moved.place, Kind.REAL) / Convert(per_turn.place, Kind.REAL))
     speed = body.let("speed", turns * real(nearest(2 * PI, precision)) / dt.place)
     limit = lib.limits["MAX_SPEED"].expression
-    lib.guard(body, Not(both(speed >= -limit, speed <= limit)), "RANGE")
+    lib.guard(body, Not(and_(speed >= -limit, speed <= limit)), "RANGE")
     body.set(phi_dot.place, speed)
     body.ret(Status("OK"))
     return Function(
@@ -147,16 +148,16 @@ def accumulate(lib: Library) -> Function:
     e = encoder.place
     body = Body()
     turn = _size_of_turn(lib, body, per_turn.place)
-    lib.guard(body, Not(both(e.place >= 0, e.place < turn)), "BAD_ARGUMENT")
+    lib.guard(body, Not(and_(e.place >= 0, e.place < turn)), "BAD_ARGUMENT")
     moved = body.local("moved", (), Kind.INT, "counts since the last reading: the shorter way round")
     with body.when(equal(bits.place, integer(0))):
-        inside = [both(c >= 0, c < turn) for c in (counter.place, e.counter)]
-        lib.guard(body, Not(both(*inside)), "BAD_ARGUMENT")
+        inside = [and_(c >= 0, c < turn) for c in (counter.place, e.counter)]
+        lib.guard(body, Not(and_(*inside)), "BAD_ARGUMENT")
         body.set(moved, counter.place - e.counter)
         half = body.let("half", turn / integer(2))
         body.set(moved, select(moved > half, moved - turn, select(moved < -half, moved + turn, moved)))
     with body.otherwise():
-        lib.guard(body, Not(both(bits.place >= 2, bits.place <= MAX_BITS)), "BAD_ARGUMENT")
+        lib.guard(body, Not(and_(bits.place >= 2, bits.place <= MAX_BITS)), "BAD_ARGUMENT")
         mask = body.let("mask", word((1 << MAX_BITS) - 1) >> Convert(integer(MAX_BITS) - bits.place, Kind.WORD))
         now, before = (Convert(c, Kind.WORD) for c in (counter.place, e.counter))
         up = body.let("up", (now - before) & mask, "counts forwards")
@@ -191,7 +192,7 @@ def _per_turn(lib: Library) -> Argument:
 def _size_of_turn(lib: Library, body: Body, per_turn: Place, used: bool = True) -> Expr:
     """|per_turn|; BAD_ARGUMENT where it is 0 or too large."""
     most = MAX_COUNTS[lib.layout.precision.name]
-    lib.guard(body, either(either(per_turn < -most, per_turn > most), equal(per_turn, 0)), "BAD_ARGUMENT")
+    lib.guard(body, or_(or_(per_turn < -most, per_turn > most), equal(per_turn, 0)), "BAD_ARGUMENT")
     if not used:
         return per_turn
     return body.let("turn", select(per_turn < 0, -per_turn, per_turn), "counts")

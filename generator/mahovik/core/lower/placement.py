@@ -6,8 +6,9 @@ from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Not, Place, Status, both, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, Status, and_, integer, real
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 
 
@@ -83,7 +84,7 @@ def _placed(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
     count = lib.layout.instruments
     if count:
         mount = w.place.mount
-        lib.guard(body, Not(both(mount >= -1, mount < integer(count))), "BAD_ARGUMENT")
+        lib.guard(body, Not(and_(mount >= -1, mount < integer(count))), "BAD_ARGUMENT")
         with body.when(mount >= 0):
             body.note("Ls = Lp L_s in p")
             q = p.place.instrument[mount]

@@ -12,8 +12,9 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, Status, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -67,14 +68,14 @@ def prepare(lib: Library) -> Function:
     """The whole table but for the laws of the wrenches."""
     layout = lib.layout
     parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
-    stand = Argument(
-        "stand",
+    table = Argument(
+        "table",
         layout.table,
         (),
         "inout",
         purpose="begin with a copy of the default: its laws (gravity, damping, ...) stay",
     )
-    p, out = parameters.place, stand.place
+    p, out = parameters.place, table.place
     body = Body()
     lib.begin(body)
     lib.check(body, "check_parameters", p)
@@ -120,7 +121,7 @@ def prepare(lib: Library) -> Function:
     return Function(
         "prepare",
         "Makes the table of a stand from masses, centres of mass, inertias and mountings.",
-        (parameters, stand),
+        (parameters, table),
         body.statements,
         equation="(2)",
         returns=Kind.STATUS,

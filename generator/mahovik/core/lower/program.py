@@ -6,6 +6,7 @@ from mahovik.core import routines
 from mahovik.core.lower import (
     allocate,
     checks,
+    coordinates,
     coupling,
     demand,
     drive,
@@ -18,18 +19,17 @@ from mahovik.core.lower import (
     lanes,
     laws,
     matrices,
-    measure,
     mounts,
     parameters,
     phases,
     placement,
+    points,
     prepare,
     rotation,
     schur,
     sensitivity,
     solve,
     step,
-    target,
     wrenches,
 )
 from mahovik.core.lower.layout import Layout
@@ -94,7 +94,7 @@ def lower_layout(layout: Layout) -> Program:
             lib.add(drive.torque(lib, at=True))
         lib.add(drive.torque(lib))
         lib.add(schur.solve_schur(lib))
-        lib.add(drive.move(lib))
+        lib.add(drive.solve_coupled(lib))
         lib.add(drive.coupled(lib))
         if layout.sine_input:
             lib.add(drive.coupled(lib, at=True))
@@ -117,12 +117,12 @@ def lower_layout(layout: Layout) -> Program:
         if layout.sine_input:
             lib.add(inverse_fast.inverse_fast(lib, at=True))
     if layout.sensors:
-        lib.add(measure.sense(lib))
-        lib.add(measure.measure(lib))
+        lib.add(points.sense(lib))
+        lib.add(points.points(lib))
     lib.add(generalized.quaternion(lib))
-    lib.add(target.target(lib))
+    lib.add(coordinates.state_from_coordinates(lib))
     lib.add(generalized.products(lib))
-    lib.add(generalized.attitude(lib))
+    lib.add(generalized.generalized(lib))
     lib.add(placement.frame_of_axes(lib))
     lib.add(prepare.carry(lib))
     lib.add(parameters.check_inertia(lib))
@@ -178,7 +178,7 @@ def _add_wrenches(lib: Library) -> None:
         lib.add(laws.rotation_vector(lib))
         lib.add(laws.suspend(lib))
     if layout.legs:
-        lib.add(laws.pull(lib))
+        lib.add(laws.add_leg(lib))
     lib.add(wrenches.external(lib))
 
 
@@ -190,7 +190,7 @@ def _add_jacobians(lib: Library) -> None:
     if layout.own:
         lib.add(sensitivity.own_slope(lib))
     if layout.legs:
-        lib.add(sensitivity.pull_slope(lib))
+        lib.add(sensitivity.add_leg_slope(lib))
     lib.add(sensitivity.twist_slope(lib))
     if layout.flywheels:
         lib.add(sensitivity.row_slope(lib))
@@ -219,13 +219,13 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         layout.momentum,
         layout.generalized,
         *((layout.mount_table,) if layout.flywheels else ()),
-        *((layout.reading,) if layout.sensors else ()),
+        *((layout.points_result,) if layout.sensors else ()),
         *((layout.encoder,) if layout.flywheels else ()),
         *((layout.row, layout.lane_sums, layout.lane_coupling, layout.lane_schur) if layout.lanes > 1 else ()),
         layout.sums,
         *((layout.coupling, layout.schur, layout.inverse_work) if layout.flywheels else ()),
-        *((layout.inverse_options, layout.inverse_result, layout.coupled_slopes) if layout.flywheels else ()),
-        layout.forward_slopes,
+        *((layout.inverse_options, layout.inverse_result, layout.coupled_jacobian_result) if layout.flywheels else ()),
+        layout.forward_jacobian_result,
     ):
         visit(struct)
     return tuple(found)

@@ -6,7 +6,8 @@ from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 

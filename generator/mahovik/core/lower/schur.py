@@ -10,8 +10,9 @@ from mahovik.core.lower import lanes
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
-from mahovik.core.program.expression import Expr, Not, Place, Status, both, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, Status, and_, real
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -97,8 +98,8 @@ def solve_schur(lib: Library) -> Function:
     names = ("11", "22", "33", "12", "13", "23")
     cofactor: list[Expr] = [body.let(f"c{n}", translate(e, {"A": K.A})) for n, e in zip(names, adjugate, strict=True)]
     d = body.let("det", translate(determinant, {"A": K.A, "cofactor": cofactor}))
-    whole = both(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
-    lib.guard(body, Not(both(both(K.A[0] > 0, cofactor[2] > 0), whole)), "NOT_POSITIVE_DEFINITE")
+    whole = and_(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
+    lib.guard(body, Not(and_(and_(K.A[0] > 0, cofactor[2] > 0), whole)), "NOT_POSITIVE_DEFINITE")
     r = body.let("r", 1 / d)
     inverse = body.local("A_inv", (6,))
     for k in range(6):
@@ -128,14 +129,14 @@ def solve_schur(lib: Library) -> Function:
     )
 
 
-def start_schur(lib: Library, body: Body, stand: Place, sums: Place, K: Place) -> None:
+def start_schur(lib: Library, body: Body, table: Place, sums: Place, K: Place) -> None:
     """K of (2) by blocks."""
     if lib.layout.added_mass:
-        body.copy_array(K.A, stand.A)
-        binding = {"mu": sums.mu, "G": stand.G}
+        body.copy_array(K.A, table.A)
+        binding = {"mu": sums.mu, "G": table.G}
     else:
         for k in range(6):
-            body.set(K.A[k], stand.mass if k < 3 else real(0))
+            body.set(K.A[k], table.mass if k < 3 else real(0))
         binding = {"mu": sums.mu}
     assign(body, list(K.B), derived_carrier.coupling_block(lib.layout.added_mass), binding)
     body.copy_array(K.D, sums.J)

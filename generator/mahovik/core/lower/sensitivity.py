@@ -13,15 +13,16 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, integer, magnitude, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
 def damp_slope(lib: Library) -> Function:
     """Derivative of one body's damping by its twist, times a twist."""
     layout = lib.layout
-    stand = lib.table_argument()
+    table = lib.table_argument()
     damper = Argument("damper", layout.damper)
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
     change = Argument("change", Kind.REAL, (6,), purpose="of that twist")
@@ -48,13 +49,13 @@ def damp_slope(lib: Library) -> Function:
         assert x is not None and dx is not None
         first, last = damper.place.first_term, damper.place.last_term
         with body.loop("t", last, start=first, most=layout.terms) as t:
-            term = stand.place.term[t]
+            term = table.place.term[t]
             slope = dx[term.first] * x[term.second] + x[term.first] * dx[term.second]
             body.add(P.place[term.wrench], term.value * slope)
     return Function(
         "damp_slope",
         "Change of the damping of one body with its twist.",
-        (stand, damper, V, change, P),
+        (table, damper, V, change, P),
         body.statements,
         equation="(7)",
     )
@@ -63,7 +64,7 @@ def damp_slope(lib: Library) -> Function:
 def own_slope(lib: Library) -> Function:
     """Change of one body's own wrench with the carrier's twist, and with its own phase and speed."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     frame = Argument("frame", layout.frame)
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
     V_change = Argument("V_change", Kind.REAL, (6,), purpose="of that twist")
@@ -96,7 +97,7 @@ def own_slope(lib: Library) -> Function:
             body.add(twist[3], x.place.phi_dot[frame.place.flywheel], "L^T V + f phi'")
             body.add(change[3], speed_by.place)
     if layout.own_damped:
-        named = {"stand": stand.place, "damper": frame.place.damper, "V": twist, "P": P}
+        named = {"table": table.place, "damper": frame.place.damper, "V": twist, "P": P}
         body.call(lib["damp"], *lib.passed("damp", **named))
         named |= {"change": change, "P": P_change}
         body.call(lib["damp_slope"], *lib.passed("damp_slope", **named))
@@ -121,7 +122,7 @@ def own_slope(lib: Library) -> Function:
     return Function(
         "own_slope",
         "Change of the own wrench of an instrument or flywheel with the carrier's twist and its own phase and speed.",
-        (stand, frame, x, V, V_change, turn_by, speed_by, *wrench, F, axial),
+        (table, frame, x, V, V_change, turn_by, speed_by, *wrench, F, axial),
         body.statements,
         equation="(7)",
     )
@@ -186,7 +187,7 @@ def set_weights(body: Body, changes: Place, by: dict[str, Any], given: dict[str,
 def twist_slope(lib: Library) -> Function:
     """d(F - Phi Z - K_dot V)/dV: 6 x 6, row by row."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
     Z = Argument("Z", Kind.REAL, (6,))
     m = Argument("m", layout.matrices, purpose="its M = Phi K + K_dot")
@@ -205,7 +206,7 @@ def twist_slope(lib: Library) -> Function:
         with body.loop("i", 6 * int(layout.count)) as i:
             body.set(axial.place[i], real(0))
     if layout.suspended:
-        law = stand.place.suspension
+        law = table.place.suspension
         with body.loop("i", 6) as i, body.loop("j", 6) as j:
             body.add(out.place[i * integer(6) + j], -law.damping[i][j])
     if layout.carrier_damped or layout.own_damped or layout.legs:
@@ -216,7 +217,7 @@ def twist_slope(lib: Library) -> Function:
                 body.set(change[i], real(0))
                 body.set(F[i], real(0))
             body.set(change[j], real(1))
-            everything: dict[str, Any] = {"stand": stand.place, "x": x.place, "V": V.place, "C": C.place, "F": F}
+            everything: dict[str, Any] = {"table": table.place, "x": x.place, "V": V.place, "C": C.place, "F": F}
             everything |= {"change": change, "V_change": change, "turn_by": real(0), "speed_by": real(0)}
             everything |= {w.name: w.place for w in wrench}
             _add_slopes(lib, body, everything, axial.place, j)
@@ -225,7 +226,7 @@ def twist_slope(lib: Library) -> Function:
     return Function(
         "twist_slope",
         "Derivative of F - Phi Z - K* V by the twist.",
-        (stand, x, V, Z, m, C, *wrench, out, axial),
+        (table, x, V, Z, m, C, *wrench, out, axial),
         body.statements,
         equation="(8)",
     )
@@ -233,28 +234,28 @@ def twist_slope(lib: Library) -> Function:
 
 def _add_slopes(lib: Library, body: Body, everything: dict[str, Any], axial: Place, j: Place) -> None:
     """Adds the changes of all wrenches with one unit twist to F."""
-    layout, stand, F = lib.layout, everything["stand"], everything["F"]
+    layout, table, F = lib.layout, everything["table"], everything["F"]
     if layout.carrier_damped:
-        named = everything | {"damper": stand.damper, "P": F}
+        named = everything | {"damper": table.damper, "P": F}
         body.call(lib["damp_slope"], *lib.passed("damp_slope", **named))
     if layout.own_damped:
         with body.loop("k", len(layout.own)) as k:
             part = body.local("part", (6,))
             about = body.local("about", (1,))
-            named = everything | {"frame": stand.frame[k], "F": part, "axial": about}
+            named = everything | {"frame": table.frame[k], "F": part, "axial": about}
             body.call(lib["own_slope"], *lib.passed("own_slope", **named))
             with body.loop("i", 6) as i:
                 body.add(F[i], part[i])
             if layout.own_turning:
-                with body.when(stand.frame[k].flywheel >= 0):
-                    body.set(axial[stand.frame[k].flywheel * integer(6) + j], about[0])
+                with body.when(table.frame[k].flywheel >= 0):
+                    body.set(axial[table.frame[k].flywheel * integer(6) + j], about[0])
     if layout.legs:
         with body.loop("k", layout.legs) as k:
-            named = everything | {"leg": stand.leg[k]}
-            body.call(lib["pull_slope"], *lib.passed("pull_slope", **named))
+            named = everything | {"leg": table.leg[k]}
+            body.call(lib["add_leg_slope"], *lib.passed("add_leg_slope", **named))
 
 
-def pull_slope(lib: Library) -> Function:
+def add_leg_slope(lib: Library) -> Function:
     """Change of the force of one leg with the twist."""
     law = Argument("leg", lib.layout.leg)
     x = lib.state_argument()
@@ -286,7 +287,7 @@ def pull_slope(lib: Library) -> Function:
     for i in range(3):
         body.add(F.place[3 + i], translate(arm[i], {"O": point, "f": force}))
     return Function(
-        "pull_slope",
+        "add_leg_slope",
         "Change of the force of one leg with the twist.",
         (law, x, C, change, F),
         body.statements,

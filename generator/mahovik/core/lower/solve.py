@@ -8,8 +8,9 @@ from mahovik.core.formula.derived import carrier as derived
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, Status, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -19,30 +20,30 @@ def parts_of_twist(V: Place) -> dict[str, list[Place]]:
     return {"v": six[:3], "omega": six[3:]}
 
 
-def carrier_binding(lib: Library, stand: Place, sums: Place) -> dict[str, Any]:
+def carrier_binding(lib: Library, table: Place, sums: Place) -> dict[str, Any]:
     """Constants and sums by the names of the derivation."""
     binding: dict[str, Any] = {f.name: sums.member(f.name) for f in lib.layout.sums.fields}
-    binding["m"] = stand.mass
+    binding["m"] = table.mass
     if lib.layout.added_mass:
-        binding |= {"A": stand.A, "A_inv": stand.A_inv, "G": stand.G}
+        binding |= {"A": table.A, "A_inv": table.A_inv, "G": table.G}
     else:
-        binding["m_inverse"] = stand.mass_inverse
+        binding["m_inverse"] = table.mass_inverse
     return binding
 
 
 def momentum_screw(lib: Library) -> Function:
     """Z = K V + sum I phi'."""
-    stand = lib.table_argument()
+    table = lib.table_argument()
     sums = Argument("sum", lib.layout.sums)
     V = Argument("V", Kind.REAL, (6,))
     Z = Argument("Z", Kind.REAL, (6,), "out")
     body = Body()
-    binding = carrier_binding(lib, stand.place, sums.place) | parts_of_twist(V.place)
+    binding = carrier_binding(lib, table.place, sums.place) | parts_of_twist(V.place)
     assign(body, list(Z.place), derived.momentum(lib.layout.added_mass), binding)
     return Function(
         "momentum_screw",
         "Momentum screw Z = K V + sum I phi' of the sums.",
-        (stand, sums, V, Z),
+        (table, sums, V, Z),
         body.statements,
         equation="(2)",
     )
@@ -107,14 +108,14 @@ def solve3(lib: Library) -> Function:
 
 def solve_carrier(lib: Library) -> Function:
     """K y = (f, n): the translational block is eliminated with its constant inverse."""
-    stand = lib.table_argument()
+    table = lib.table_argument()
     sums = Argument("sum", lib.layout.sums)
     F = Argument("F", Kind.REAL, (6,), "in", "N, N m")
     y = Argument("y", Kind.REAL, (6,), "out", "m/s2, rad/s2", "must not overlap F")
     added = lib.layout.added_mass
     body = Body()
     lib.begin(body)
-    binding = carrier_binding(lib, stand.place, sums.place)
+    binding = carrier_binding(lib, table.place, sums.place)
     if added:
         B = body.local("B", (9,), comment="<mu> + Lambda_21: lower left block of K")
         U = body.local("U", (9,), comment="A^-1 B^T")
@@ -142,7 +143,7 @@ def solve_carrier(lib: Library) -> Function:
     return Function(
         "solve_carrier",
         "Solves K y = F: the translational block of K is constant, so a 3x3 solve is left.",
-        (stand, sums, F, y),
+        (table, sums, F, y),
         body.statements,
         equation="(8)",
         returns=Kind.STATUS,

@@ -12,8 +12,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Not, Place, Status, as_expr, both, either, equal, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, Status, and_, as_expr, equal, integer, or_, real
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -43,7 +44,7 @@ def _drive_arguments(lib: Library, torques: bool) -> tuple[Argument, ...]:
 def _rate(lib: Library, torques: bool) -> Function:
     """Rates of all members of a state."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     drive = _drive_arguments(lib, torques)
     rate = Argument("rate", layout.state, (), "out", purpose="rates of the members of the state")
     body = Body()
@@ -52,9 +53,9 @@ def _rate(lib: Library, torques: bool) -> Function:
     inputs = [*turns_of(lib, body, x.place), *(a.place for a in drive)]
     out = rate.place
     if torques:
-        lib.check(body, "move", stand.place, x.place, *inputs, out.V, out.phi_dot)
+        lib.check(body, "solve_coupled", table.place, x.place, *inputs, out.V, out.phi_dot)
     else:
-        lib.check(body, "accelerate", stand.place, x.place, *inputs, out.V)
+        lib.check(body, "accelerate", table.place, x.place, *inputs, out.V)
     body.call(lib["rotation"], x.place.attitude, C)
     bound = parts_of_twist(x.place.V) | {"C": C, "q": x.place.attitude}
     assign(body, list(out.position), derived.position_rate(), bound)
@@ -68,7 +69,7 @@ def _rate(lib: Library, torques: bool) -> Function:
     return Function(
         "rate" if torques or not layout.flywheels else "rate_driven",
         "Rates of the state under " + ("drive torques." if torques else "given flywheel accelerations."),
-        (stand, x, *drive, rate),
+        (table, x, *drive, rate),
         body.statements,
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
@@ -108,7 +109,7 @@ def _finish(lib: Library) -> Function:
     lib.begin(body)
     q = x.place.attitude
     square = body.let("square", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-    lib.guard(body, Not(both(square > real(0.5), square < real(2))), "RANGE")
+    lib.guard(body, Not(and_(square > real(0.5), square < real(2))), "RANGE")
     inverse = body.let("inverse", 1 / call(lib["sqrt"], square))
     for i in range(4):
         body.set(q[i], q[i] * inverse)
@@ -130,7 +131,7 @@ def _finish(lib: Library) -> Function:
 def _step(lib: Library, torques: bool) -> Function:
     """One step of RK4 or of the midpoint rule."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     drive = _drive_arguments(lib, torques)
     dt = Argument("dt", Kind.REAL, unit="s", purpose="time step, greater than 0")
     order = Argument("order", Kind.INT, purpose="4: Runge-Kutta, four evaluations; 2: midpoint rule, two")
@@ -138,31 +139,31 @@ def _step(lib: Library, torques: bool) -> Function:
     name = "rate" if torques or not layout.flywheels else "rate_driven"
     body = Body()
     if torques:
-        check_drive(lib, body, (stand, x, *drive))
+        check_drive(lib, body, (table, x, *drive))
     else:
-        check_inputs(lib, body, stand, x, drive[: 1 if layout.flywheels else 0], lib_wrench(drive))
+        check_inputs(lib, body, table, x, drive[: 1 if layout.flywheels else 0], lib_wrench(drive))
     h = dt.place
     given = body.local("given", (1,))
     body.set(given[0], h)
     lib.check(body, "within", given, 1, lib.limits["MAX_STEP"].expression)
     lib.guard(body, Not(h > 0), "BAD_ARGUMENT")
-    known = either(equal(order.place, integer(4)), equal(order.place, integer(2)))
+    known = or_(equal(order.place, integer(4)), equal(order.place, integer(2)))
     lib.guard(body, Not(known), "BAD_ARGUMENT")
     inputs = [a.place for a in drive]
     k = body.local("k", (), layout.state, "rates of a stage")
     y = body.local("y", (), layout.state, "state of a stage; then the new state")
-    lib.check(body, name, stand.place, x.place, *inputs, k)
+    lib.check(body, name, table.place, x.place, *inputs, k)
     half = body.let("half", real(0.5) * h)
     with body.when(equal(order.place, integer(2))):
         body.call(lib["advance"], x.place, k, half, y)
-        lib.check(body, name, stand.place, y, *inputs, k)
+        lib.check(body, name, table.place, y, *inputs, k)
         body.call(lib["advance"], x.place, k, h, y)
     with body.otherwise():
         total = body.local("total", (), layout.state, "k1 + 2 k2 + 2 k3 + k4")
         body.copy(total, k)
         for weight, length in ((2, half), (2, half), (1, h)):
             body.call(lib["advance"], x.place, k, length, y)
-            lib.check(body, name, stand.place, y, *inputs, k)
+            lib.check(body, name, table.place, y, *inputs, k)
             _accumulate(lib, body, total, k, weight)
         sixth = body.let("sixth", h / 6)
         body.call(lib["advance"], x.place, total, sixth, y)
@@ -173,7 +174,7 @@ def _step(lib: Library, torques: bool) -> Function:
     return Function(
         "step" if torques or not layout.flywheels else "step_driven",
         f"State a time step later, under {what} and wrenches held constant.",
-        (stand, x, *drive, dt, order, out),
+        (table, x, *drive, dt, order, out),
         body.statements,
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT"),

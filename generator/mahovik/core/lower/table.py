@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property
 
-from mahovik.core.lower.kinds import Kinds
+from mahovik.core.lower.features import Features
 from mahovik.core.program.types import Field, Kind, Struct
 
 REAL, INT = Kind.REAL, Kind.INT
 
 
-class Tables(Kinds):
+class Tables(Features):
     """State, parameters and table: which members the kinds of a stand need. What it has not is not there."""
 
     @cached_property
@@ -95,7 +95,7 @@ class Tables(Kinds):
         return Struct("sensor", "Pose of an instrument or a point.", fields)
 
     @cached_property
-    def reading(self) -> Struct:
+    def points_result(self) -> Struct:
         fields = (
             Field("position", REAL, (3,), "m", "in E0"),
             Field("C", REAL, (3, 3), "", "own axes to E0"),
@@ -103,7 +103,7 @@ class Tables(Kinds):
             Field("specific_force", REAL, (3,), "m/s2", "acceleration less gravity, in own axes: an accelerometer"),
             Field("angular_acceleration", REAL, (3,), "rad/s2", "in own axes"),
         )
-        return Struct("reading", "Motion at an instrument or a point.", fields)
+        return Struct("points_result", "Motion at an instrument or a point.", fields)
 
     @cached_property
     def parameters(self) -> Struct:

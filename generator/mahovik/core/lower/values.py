@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core import routines
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrying
@@ -15,7 +16,8 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.thresholds import thresholds
 from mahovik.core.program.build import Body
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Kind
 from mahovik.core.stand.model import Body as StandBody
@@ -131,13 +133,13 @@ class Values:
 
     def _table(self) -> dict[str, Any]:
         """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
-        inputs = {"parameters": self.parameters, "stand": self._laws()}
+        inputs = {"parameters": self.parameters, "table": self._laws()}
         status, outputs = self._program.run("prepare", inputs)
         if status != STATUS_VALUES["OK"]:
-            name = next(n for n, v in STATUS_VALUES.items() if v == status)
+            name = status_words(status)
             where = f"stand {self._stand.name}: its masses and inertias are refused by prepare"
             raise StandError([f"{where} in {self._layout.precision.name}: {name}"])
-        table: dict[str, Any] = outputs["stand"]
+        table: dict[str, Any] = outputs["table"]
         return table
 
     def _options(self) -> dict[str, Any]:

@@ -11,15 +11,16 @@ from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, Status, integer, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
 def external(lib: Library) -> Function:
     """F of (7) from checked inputs."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     sums = Argument("sum", layout.sums, purpose="first moment mu: the weight acts along it")
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
@@ -34,24 +35,24 @@ def external(lib: Library) -> Function:
     for element in F.place:
         body.set(element, real(0))
     if layout.weight:
-        _weight(lib, body, stand.place, x.place, turns, sums.place, g.place, F.place)
+        _weight(lib, body, table.place, x.place, turns, sums.place, g.place, F.place)
     if layout.carrier_damped:
-        _damp(lib, body, stand.place, stand.place.damper, V.place, F.place)
+        _damp(lib, body, table.place, table.place.damper, V.place, F.place)
     if layout.carrier_input:
         for i in range(6):
             body.add(F.place[i], wrench[0].place[i])
     if layout.own:
-        own_wrenches(lib, body, stand.place, x.place, turns, V.place, wrench, F.place, own.place)
+        own_wrenches(lib, body, table.place, x.place, turns, V.place, wrench, F.place, own.place)
     if layout.suspended:
-        body.call(lib["suspend"], stand.place.suspension, x.place, C.place, F.place)
+        body.call(lib["suspend"], table.place.suspension, x.place, C.place, F.place)
     if layout.legs:
         with body.loop("k", layout.legs) as k:
-            lib.check(body, "pull", stand.place.leg[k], x.place, C.place, F.place)
+            lib.check(body, "add_leg", table.place.leg[k], x.place, C.place, F.place)
         body.ret(Status("OK"))
     return Function(
         "external",
         "Total external wrench of " + _kinds(lib) + ", from checked inputs.",
-        (stand, x, *given, sums, C, V, g, *wrench, F, own),
+        (table, x, *given, sums, C, V, g, *wrench, F, own),
         body.statements,
         equation="(7)",
         returns=Kind.STATUS if layout.legs else None,
@@ -81,7 +82,7 @@ def own_argument(lib: Library) -> Argument:
 def own_wrenches(
     lib: Library,
     body: Body,
-    stand: Place,
+    table: Place,
     x: Place,
     turns: Turns,
     V: Place,
@@ -95,23 +96,23 @@ def own_wrenches(
         with body.loop("i", 6 * int(lib.layout.count)) as i:
             body.set(own[i], real(0))
     with body.loop("k", len(lib.layout.own)) as k:
-        everything = {"stand": stand, "frame": stand.frame[k], "x": x, "V": V, "F": F, "own": own}
+        everything = {"table": table, "frame": table.frame[k], "x": x, "V": V, "F": F, "own": own}
         everything |= {w.name: w.place for w in wrench} | named_turns(turns)
         body.call(lib["own_wrench"], *lib.passed("own_wrench", **everything))
 
 
-def _weight(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums: Place, g: Place, F: Place) -> None:
+def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums: Place, g: Place, F: Place) -> None:
     """Weight of every body at its mass centre, less the Archimedes force."""
     layout = lib.layout
-    binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": stand.mass}
+    binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": table.mass}
     if layout.buoyancy:
-        binding["weight_mass"] = stand.weight_mass
-        binding["displaced_moment"] = stand.displaced_moment
+        binding["weight_mass"] = table.weight_mass
+        binding["displaced_moment"] = table.displaced_moment
     if layout.flywheel_buoyancy:
         moment = body.local("displaced", (3,), comment="first moment of displaced fluid at the phases")
-        body.copy_array(moment, stand.displaced_moment)
+        body.copy_array(moment, table.displaced_moment)
         with body.loop("s", layout.count) as s:
-            row = row_of(lib, body, stand, s)
+            row = row_of(lib, body, table, s)
             turn = turn_of(turns, s)
             for i in range(3):
                 body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
@@ -120,14 +121,14 @@ def _weight(lib: Library, body: Body, stand: Place, x: Place, turns: Turns, sums
     assign(body, list(F), derived.weight(layout.buoyancy), binding, add=True)
 
 
-def _damp(lib: Library, body: Body, stand: Place, damper: Place, V: Place, P: Place) -> None:
-    body.call(lib["damp"], *lib.passed("damp", stand=stand, damper=damper, V=V, P=P))
+def _damp(lib: Library, body: Body, table: Place, damper: Place, V: Place, P: Place) -> None:
+    body.call(lib["damp"], *lib.passed("damp", table=table, damper=damper, V=V, P=P))
 
 
 def own_wrench(lib: Library) -> Function:
     """Wrench of one instrument or flywheel that acts in its own frame, added to F."""
     layout = lib.layout
-    stand, x = lib.table_argument(), lib.state_argument()
+    table, x = lib.table_argument(), lib.state_argument()
     frame = Argument("frame", layout.frame)
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
     F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; is added to")
@@ -145,7 +146,7 @@ def own_wrench(lib: Library) -> Function:
             turn = let_turn(body, places_of(given), frame.place.flywheel, "")
             assign(body, list(axes), derived.turned_axes(), turn | {"R": frame.place.axes})
     if layout.own_damped:
-        _own_damping(lib, body, stand.place, frame.place, x.place, V.place, axes, P)
+        _own_damping(lib, body, table.place, frame.place, x.place, V.place, axes, P)
     if layout.own_inputs:
         with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
             body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
@@ -160,7 +161,7 @@ def own_wrench(lib: Library) -> Function:
     return Function(
         "own_wrench",
         "Adds the wrench of one instrument or flywheel that acts in its own frame.",
-        (stand, frame, x, *given, V, *wrench, F, own),
+        (table, frame, x, *given, V, *wrench, F, own),
         body.statements,
         equation="(7)",
     )
@@ -171,7 +172,7 @@ def _turn(body: Body, C: Place, a: list[Place], out: Place) -> None:
 
 
 def _own_damping(
-    lib: Library, body: Body, stand: Place, frame: Place, x: Place, V: Place, axes: Place, P: Place
+    lib: Library, body: Body, table: Place, frame: Place, x: Place, V: Place, axes: Place, P: Place
 ) -> None:
     """Twist of the body relative to the fluid in its own frame, L^T V_r + f phi', and its damping."""
     six = list(V)
@@ -184,4 +185,4 @@ def _own_damping(
     if lib.layout.own_turning:
         with body.when(frame.flywheel >= 0):
             body.add(twist[3], x.phi_dot[frame.flywheel], "L^T V + f phi'")
-    _damp(lib, body, stand, frame.damper, twist, P)
+    _damp(lib, body, table, frame.damper, twist, P)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.laws import Constant, Harmonic, Law, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
 
-MAX_SPEED = 1e5  # rad/s
-MAX_ACCELERATION = 1e9  # rad/s2
-MAX_WRENCH = 1e9  # N, N m; also of drive torques
-MAX_PHASE = 1e7  # rad
+MAX_SPEED, MAX_ACCELERATION, MAX_WRENCH, MAX_PHASE = (
+    BOUNDS[name].value for name in ("MAX_SPEED", "MAX_ACCELERATION", "MAX_WRENCH", "MAX_PHASE")
+)
+"""rad/s, rad/s2; N and N m, also of drive torques; rad."""
 
 
 def problem(law: Law) -> str | None:

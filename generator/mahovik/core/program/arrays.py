@@ -39,7 +39,7 @@ class Member:
 
 
 @dataclass(frozen=True)
-class Passed:
+class ArgumentLayout:
     """An argument: its direction, the order of its memory, and the members of its record."""
 
     name: str
@@ -60,7 +60,7 @@ class ArrayFunction:
     name: str
     purpose: str
     wide: bool
-    arguments: tuple[Passed, ...]
+    arguments: tuple[ArgumentLayout, ...]
 
 
 def members(struct: Struct) -> tuple[Member, ...]:
@@ -124,7 +124,8 @@ def from_plain(found: Sequence[Mapping[str, Any]]) -> tuple[ArrayFunction, ...]:
             f["purpose"],
             f["wide"],
             tuple(
-                Passed(a["name"], a["direction"], a["order"], members_from_plain(a["members"])) for a in f["arguments"]
+                ArgumentLayout(a["name"], a["direction"], a["order"], members_from_plain(a["members"]))
+                for a in f["arguments"]
             ),
         )
         for f in found

@@ -5,15 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from mahovik.core.program.expression import (
-    Call,
-    Expr,
-    Operand,
-    Place,
-    Variable,
-    as_expr,
-)
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.expression import Expr, Operand, Place, Variable, as_expr
+from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Kind, NamedCount, Struct
 
@@ -128,7 +122,9 @@ def call(function: Function, *arguments: Operand) -> Expr:
 def _call(function: Function, arguments: Sequence[Operand]) -> Call:
     if len(arguments) != len(function.arguments):
         raise TypeError(f"{function.name} takes {len(function.arguments)} arguments, not {len(arguments)}")
-    return Call(function, tuple(_passed(a, p, function) for a, p in zip(arguments, function.arguments, strict=True)))
+    return Call(
+        function.signature, tuple(_passed(a, p, function) for a, p in zip(arguments, function.arguments, strict=True))
+    )
 
 
 def _passed(value: Operand, parameter: Argument, function: Function) -> Expr:

@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
+from mahovik.core.program.call import Call
 from mahovik.core.program.expression import (
     Binary,
     BitCast,
-    Call,
     Compare,
     Const,
     Convert,
@@ -61,51 +61,87 @@ class Cost:
 ZERO = Cost()
 
 
-def cost(function: Function) -> Cost:
-    """Operations of one call. A function is counted once: it never changes."""
-    return _counted(function, ())
+def cost(function: Function, functions: tuple[Function, ...] = ()) -> Cost:
+    """Operations of one call of `function`. `functions`: a whole program's, among them those that it calls."""
+    return _counter(functions).block(function.body, {})
 
 
-@lru_cache(maxsize=1024)
-def _counted(function: Function, bound: tuple[tuple[str, int], ...]) -> Cost:
-    """Of a call with known integer arguments."""
-    return _block(function.body, dict(bound))
+@lru_cache(maxsize=8)
+def _counter(functions: tuple[Function, ...]) -> _Counter:
+    return _Counter(functions)
 
 
-def _block(body: tuple[Statement, ...], bound: dict[str, int]) -> Cost:
-    return sum((_statement(s, bound) for s in body), ZERO)
+class _Counter:
+    """Operations of calls within one program. Each function is counted once for each set of known integer arguments."""
 
+    def __init__(self, functions: tuple[Function, ...]) -> None:
+        self._functions = {f.name: f for f in functions}
+        self._done: dict[tuple[str, tuple[tuple[str, int], ...]], Cost] = {}
 
-def _statement(s: Statement, bound: dict[str, int]) -> Cost:
-    match s:
-        case Note() | Declare() | Copy():
-            return ZERO
-        case Let(_, value) | Return(value):
-            return _expr(value, bound)
-        case Set(_, value, _, add):
-            extra = Cost(additions=1) if add and value.kind is Kind.REAL else ZERO
-            return _expr(value, bound) + extra
-        case Do(call):
-            return _expr(call, bound)
-        case Block(body):
-            return _block(body, bound)
-        case Loop():
-            return _loop(s, bound)
-        case When(condition, body, otherwise):
-            one, two = _block(body, bound), _block(otherwise, bound)
-            return _expr(condition, bound) + (one if one.total >= two.total else two)
-    raise TypeError(f"unknown statement {type(s).__name__}")
+    def _call(self, name: str, bound: dict[str, int]) -> Cost:
+        key = (name, tuple(bound.items()))
+        if key not in self._done:
+            self._done[key] = self.block(self._functions[name].body, bound)
+        return self._done[key]
 
+    def block(self, body: tuple[Statement, ...], bound: dict[str, int]) -> Cost:
+        """Operations of statements, with these integer arguments known."""
+        return sum((self._statement(s, bound) for s in body), ZERO)
 
-def _loop(loop: Loop, bound: dict[str, int]) -> Cost:
-    """Turns times body; turn by turn where an inner loop's bounds depend on the index."""
-    start, stop = _literal(loop.start, bound), _literal(loop.stop, bound)
-    if start is None or stop is None:
-        return _block(loop.body, bound).times(loop.most)
-    name = loop.index.name
-    if name in _names_in_bounds(loop.body):
-        return sum((_block(loop.body, bound | {name: turn}) for turn in range(start, stop)), ZERO)
-    return _block(loop.body, bound).times(max(0, stop - start))
+    def _statement(self, s: Statement, bound: dict[str, int]) -> Cost:
+        match s:
+            case Note() | Declare() | Copy():
+                return ZERO
+            case Let(_, value) | Return(value):
+                return self._expr(value, bound)
+            case Set(_, value, _, add):
+                extra = Cost(additions=1) if add and value.kind is Kind.REAL else ZERO
+                return self._expr(value, bound) + extra
+            case Do(call):
+                return self._expr(call, bound)
+            case Block(body):
+                return self.block(body, bound)
+            case Loop():
+                return self._loop(s, bound)
+            case When(condition, body, otherwise):
+                one, two = self.block(body, bound), self.block(otherwise, bound)
+                return self._expr(condition, bound) + (one if one.total >= two.total else two)
+        raise TypeError(f"unknown statement {type(s).__name__}")
+
+    def _loop(self, loop: Loop, bound: dict[str, int]) -> Cost:
+        """Turns times body; turn by turn where an inner loop's bounds depend on the index."""
+        start, stop = _literal(loop.start, bound), _literal(loop.stop, bound)
+        if start is None or stop is None:
+            return self.block(loop.body, bound).times(loop.most)
+        name = loop.index.name
+        if name in _names_in_bounds(loop.body):
+            return sum((self.block(loop.body, bound | {name: turn}) for turn in range(start, stop)), ZERO)
+        return self.block(loop.body, bound).times(max(0, stop - start))
+
+    def _expr(self, e: Expr, bound: dict[str, int]) -> Cost:
+        match e:
+            case Negate() | Not() | Convert() | BitCast():
+                return self._expr(e.operand, bound)
+            case Binary():
+                inner = self._expr(e.left, bound) + self._expr(e.right, bound)
+                if e.kind is not Kind.REAL:
+                    return inner
+                own = {"+": Cost(1), "-": Cost(1), "*": Cost(0, 1), "/": Cost(0, 0, 1)}[e.operator]
+                return inner + own
+            case Compare():
+                own = Cost(comparisons=1) if e.left.kind is Kind.REAL else ZERO
+                return own + self._expr(e.left, bound) + self._expr(e.right, bound)
+            case Logic():
+                return self._expr(e.left, bound) + self._expr(e.right, bound)
+            case Select():
+                own = Cost(comparisons=1) if e.kind is Kind.REAL else ZERO
+                return own + self._expr(e.condition, bound) + self._expr(e.yes, bound) + self._expr(e.no, bound)
+            case Call():
+                passed = zip(e.signature.arguments, e.arguments, strict=True)
+                known = {p.name: int(a.value) for p, a in passed if isinstance(a, Const) and a.kind is Kind.INT}
+                inner = sum((self._expr(a, bound) for a in e.arguments if not isinstance(a, Place)), ZERO)
+                return inner + self._call(e.signature.name, known)
+        return ZERO
 
 
 def _names_in_bounds(body: tuple[Statement, ...]) -> set[str]:
@@ -133,29 +169,3 @@ def _literal(e: Expr, bound: dict[str, int]) -> int | None:
         if left is not None and right is not None:
             return left + right if e.operator == "+" else left - right
     return None
-
-
-def _expr(e: Expr, bound: dict[str, int]) -> Cost:
-    match e:
-        case Negate() | Not() | Convert() | BitCast():
-            return _expr(e.operand, bound)
-        case Binary():
-            inner = _expr(e.left, bound) + _expr(e.right, bound)
-            if e.kind is not Kind.REAL:
-                return inner
-            own = {"+": Cost(1), "-": Cost(1), "*": Cost(0, 1), "/": Cost(0, 0, 1)}[e.operator]
-            return inner + own
-        case Compare():
-            own = Cost(comparisons=1) if e.left.kind is Kind.REAL else ZERO
-            return own + _expr(e.left, bound) + _expr(e.right, bound)
-        case Logic():
-            return _expr(e.left, bound) + _expr(e.right, bound)
-        case Select():
-            own = Cost(comparisons=1) if e.kind is Kind.REAL else ZERO
-            return own + _expr(e.condition, bound) + _expr(e.yes, bound) + _expr(e.no, bound)
-        case Call():
-            passed = zip(e.function.arguments, e.arguments, strict=True)
-            inside = {p.name: int(a.value) for p, a in passed if isinstance(a, Const) and a.kind is Kind.INT}
-            inner = sum((_expr(a, bound) for a in e.arguments if not isinstance(a, Place)), ZERO)
-            return inner + _counted(e.function, tuple(inside.items()))
-    return ZERO

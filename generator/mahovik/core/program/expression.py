@@ -8,12 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
-
-if TYPE_CHECKING:
-    from mahovik.core.program.function import Function
 
 Number: TypeAlias = int | float | Fraction
 Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
@@ -283,18 +280,6 @@ class BitCast(Expr):
         self.kind = kind
 
 
-class Call(Expr):
-    """A call of a function that returns a real or a status. Array and struct arguments are whole places."""
-
-    __slots__ = ("arguments", "function")
-
-    def __init__(self, function: Function, arguments: tuple[Expr, ...]) -> None:
-        self.function = function
-        self.arguments = arguments
-        if function.returns is not None:
-            self.kind = function.returns
-
-
 def as_expr(value: Operand, kind: Kind) -> Expr:
     """`value` as an expression; a Python number becomes a literal of `kind`."""
     if isinstance(value, Expr):
@@ -338,12 +323,12 @@ def unequal(left: Operand, right: Operand) -> Expr:
     return compare("!=", left, right)
 
 
-def both(left: Expr, right: Expr) -> Expr:
+def and_(left: Expr, right: Expr) -> Expr:
     """left && right"""
     return Logic("&&", left, right)
 
 
-def either(left: Expr, right: Expr) -> Expr:
+def or_(left: Expr, right: Expr) -> Expr:
     """left || right"""
     return Logic("||", left, right)
 

@@ -2,48 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.program.expression import Place, Variable
+from mahovik.core.program.call import Argument, Signature
 from mahovik.core.program.statement import Statement
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
-
-STATUS_VALUES = {
-    "OK": 0,
-    "NEAR_SINGULAR": 1,
-    "DAMPED": 2,
-    "LIMITED": 4,
-    "UNREACHABLE": 8,
-    "RANK_DEFICIENT": 16,
-    "NOT_FINITE": -1,
-    "RANGE": -2,
-    "NOT_POSITIVE_DEFINITE": -3,
-    "SINGULAR_ATTITUDE": -4,
-    "BAD_ARGUMENT": -5,
-}
-"""The statuses of stand.md, the same numbers for every stand."""
-
-
-@dataclass(frozen=True, eq=False)
-class Argument:
-    """An argument: `direction` is "in", "out" or "inout"; unit, frame and purpose are for the reader."""
-
-    name: str
-    type: Kind | Struct
-    shape: tuple[int | NamedCount, ...] = ()
-    direction: str = "in"
-    unit: str = ""
-    purpose: str = ""
-    variable: Variable = field(init=False)
-
-    def __post_init__(self) -> None:
-        pointer = not self.shape and (isinstance(self.type, Struct) or self.direction != "in")
-        object.__setattr__(self, "variable", Variable(self.name, self.type, self.shape, pointer))
-
-    @property
-    def place(self) -> Place:
-        return self.variable.place
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +27,11 @@ class Function:
     statuses: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     public: bool = False
+
+    @property
+    def signature(self) -> Signature:
+        """What a call of the function needs to know."""
+        return Signature(self.name, self.arguments, self.returns)
 
 
 @dataclass(frozen=True, eq=False)

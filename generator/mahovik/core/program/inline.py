@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from mahovik.core.program.expression import Call, Const, Expr, Place, Variable
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.expression import Const, Expr, Place, Variable
+from mahovik.core.program.function import Function
 from mahovik.core.program.rewrite import FreshNames, rebuilt, substitution
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Kind, Struct
@@ -60,7 +61,7 @@ def _flat_here(body: tuple[Statement, ...], found: Callable[[str], Function]) ->
     for s in body:
         match s:
             case Do(call):
-                callee = found(call.function.name)
+                callee = found(call.signature.name)
                 if callee.returns is not None or not is_flat(callee):
                     return False
             case Loop(_, Const(), Const() as stop, inner) if not stop.name and int(stop.value) <= LONGEST:
@@ -93,8 +94,8 @@ class _Body:
         before: list[Statement] = []
 
         def called(call: Call) -> Expr:
-            if not is_flat(self._found(call.function.name)):
-                raise TypeError(f"{call.function.name} is called inside an expression, but cannot be copied there")
+            if not is_flat(self._found(call.signature.name)):
+                raise TypeError(f"{call.signature.name} is called inside an expression, but cannot be copied there")
             steps, value = self._copied(call)
             before.extend(steps)
             assert value is not None
@@ -152,20 +153,20 @@ class _Body:
             before += steps
             new.append(value)
         yield from before
-        function = self._found(call.function.name)
-        yield from self._fitting(function, tuple(new)) or (replace(s, call=Call(function, tuple(new))),)
+        function = self._found(call.signature.name)
+        yield from self._fitting(function, tuple(new)) or (replace(s, call=Call(function.signature, tuple(new))),)
 
     def _fitting(self, function: Function, arguments: tuple[Expr, ...]) -> list[Statement]:
         """The body of a function at a call where it is flat, perhaps with these arguments only; else nothing."""
         if function.returns is not None:
             return []
         if is_flat(function):
-            return self._copied(Call(function, arguments))[0]
+            return self._copied(Call(function.signature, arguments))[0]
         if not all(isinstance(s, Loop | Note | Declare) for s in function.body):
             return []
         names = self._fresh
         self._fresh = names.copy()
-        steps = self._copied(Call(function, arguments))[0]
+        steps = self._copied(Call(function.signature, arguments))[0]
         if _flat(tuple(steps)):
             return steps
         self._fresh = names
@@ -185,7 +186,7 @@ class _Body:
 
     def _copied(self, call: Call) -> tuple[list[Statement], Expr | None]:
         """The body of a function at a call, and the value that it returns."""
-        function = self._found(call.function.name)
+        function = self._found(call.signature.name)
         purpose = function.purpose[0].lower() + function.purpose[1:]
         steps: list[Statement] = [Note(f"{function.name}: {purpose}")] if function.returns is None else []
         meanings: dict[int, Expr] = {}

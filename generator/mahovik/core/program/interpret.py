@@ -16,10 +16,11 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
     Binary,
     BitCast,
-    Call,
     Compare,
     Const,
     Convert,
@@ -32,7 +33,7 @@ from mahovik.core.program.expression import (
     Status,
     Variable,
 )
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function, Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Field, Kind, Precision, Struct
 
@@ -286,9 +287,9 @@ class _Transpiler:
             case BitCast():
                 return f"{'bits_of' if e.kind is Kind.WORD else 'real_of_bits'}({self._expr(e.operand)})"
             case Call():
-                pairs = zip(e.function.arguments, e.arguments, strict=True)
+                pairs = zip(e.signature.arguments, e.arguments, strict=True)
                 passed = ", ".join(self._argument(parameter, value) for parameter, value in pairs)
-                return f"{_function_name(e.function.name)}({passed})"
+                return f"{_function_name(e.signature.name)}({passed})"
         raise TypeError(f"unknown expression {type(e).__name__}")
 
     def _argument(self, parameter: Argument, value: Expr) -> str:

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from mahovik.core.program.expression import Call, Expr, Place
+from mahovik.core.program.call import Call
+from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Declare, Do, Let, Loop, Set, Statement, When
 from mahovik.core.program.walk import expressions, inside
@@ -36,7 +37,7 @@ def _read(body: tuple[Statement, ...]) -> Iterator[Place]:
                 yield from _places(value)
                 yield from (p for step in place.path if isinstance(step, Expr) for p in _places(step))
             case Do(call):
-                for parameter, value in zip(call.function.arguments, call.arguments, strict=True):
+                for parameter, value in zip(call.signature.arguments, call.arguments, strict=True):
                     whole = isinstance(value, Place) and parameter.direction != "in"
                     yield from list(_places(value))[1 if whole else 0 :]
             case Loop(_, start, stop, inner):
@@ -98,9 +99,9 @@ def _block(body: tuple[Statement, ...], alive: set[int], kept_variables: set[int
 
 def _dead(call: Call, alive: set[int]) -> bool:
     """A call without status all of whose results nobody reads."""
-    if call.function.returns is not None:
+    if call.signature.returns is not None:
         return False
-    results = [v for p, v in zip(call.function.arguments, call.arguments, strict=True) if p.direction != "in"]
+    results = [v for p, v in zip(call.signature.arguments, call.arguments, strict=True) if p.direction != "in"]
     return all(isinstance(v, Place) and id(v.root) not in alive for v in results)
 
 

@@ -14,8 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from mahovik.core.program.expression import Call, Compare, Expr, Place, Status, Variable, equal, select, unequal, word
-from mahovik.core.program.function import STATUS_VALUES, Argument, Function
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.program.call import Argument, Call, Signature
+from mahovik.core.program.expression import Compare, Expr, Place, Status, Variable, equal, select, unequal, word
+from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import called
@@ -34,12 +36,12 @@ def without_returns(functions: tuple[Function, ...]) -> dict[str, Function]:
     return done
 
 
-def _only_looks(function: Function) -> bool:
+def _only_looks(function: Function | Signature) -> bool:
     """Does a function of a status write nothing?"""
     return function.returns is Kind.STATUS and all(a.direction == "in" for a in function.arguments)
 
 
-def _probe_name(function: Function) -> str:
+def _probe_name(function: Function | Signature) -> str:
     return f"{function.name}_probe"
 
 
@@ -51,7 +53,7 @@ def _checks(body: tuple[Statement, ...]) -> Iterator[tuple[Call | None, Statemen
         following = body[position + 1] if position + 1 < len(body) else None
         if isinstance(s, Set) and isinstance(s.value, Call) and s.place.kind is Kind.STATUS:
             if not _returns_it(following, s.place):
-                raise TypeError(f"the status of {s.value.function.name} is not returned at once")
+                raise TypeError(f"the status of {s.value.signature.name} is not returned at once")
             yield s.value, s
             position += 2
             continue
@@ -88,7 +90,7 @@ class _Refusing:
         found: list[Statement] = []
         looks: list[Call] = []
         for call, s in _checks(body):
-            if call is not None and self._probes and _only_looks(call.function):
+            if call is not None and self._probes and _only_looks(call.signature):
                 looks.append(call)
                 continue
             found += self._looked(looks)
@@ -100,7 +102,7 @@ class _Refusing:
         return (*found, *self._looked(looks))
 
     def _do(self, call: Call) -> Do:
-        return Do(Call(self._done[call.function.name], (*call.arguments, self._refused.place)))
+        return Do(Call(self._done[call.signature.name].signature, (*call.arguments, self._refused.place)))
 
     def _looked(self, looks: list[Call]) -> Iterator[Statement]:
         """Probes of checks that follow one another; the checks themselves where one of them finds something."""
@@ -110,7 +112,7 @@ class _Refusing:
         yield Declare(suspect, "not 0: something is wrong with the inputs")
         yield Set(suspect.place, word(0))
         for call in looks:
-            yield Do(Call(self._done[_probe_name(call.function)], (*call.arguments, suspect.place)))
+            yield Do(Call(self._done[_probe_name(call.signature)].signature, (*call.arguments, suspect.place)))
         yield When(unequal(suspect.place, word(0)), tuple(self._do(call) for call in looks))
 
     def _statement(self, s: Statement) -> Iterator[Statement]:
@@ -156,7 +158,9 @@ class _Probing:
     def _body(self, body: tuple[Statement, ...]) -> Iterator[Statement]:
         for call, s in _checks(body):
             if call is not None:
-                yield Do(Call(self._done[_probe_name(call.function)], (*call.arguments, self._suspect.place)))
+                yield Do(
+                    Call(self._done[_probe_name(call.signature)].signature, (*call.arguments, self._suspect.place))
+                )
                 continue
             match s:
                 case Declare(variable) if variable.type is Kind.STATUS:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping
 
+from mahovik.core.program.call import Call
 from mahovik.core.program.expression import (
     Binary,
     BitCast,
-    Call,
     Compare,
     Convert,
     Expr,
@@ -56,7 +56,7 @@ def with_parts(e: Expr, part: Callable[[Expr], Expr]) -> Expr:
         case Select():
             return Select(part(e.condition), part(e.yes), part(e.no))
         case Call():
-            return Call(e.function, tuple(part(a) for a in e.arguments))
+            return Call(e.signature, tuple(part(a) for a in e.arguments))
     return e
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.core.program.expression import Call, Expr, Place, Variable
+from mahovik.core.program.call import Call
+from mahovik.core.program.expression import Expr, Place, Variable
 
 
 @dataclass(frozen=True, eq=False)

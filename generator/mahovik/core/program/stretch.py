@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
-from mahovik.core.program.expression import Call, Expr, Place, Variable
+from mahovik.core.program.call import Call
+from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function
 from mahovik.core.program.rewrite import rebuilt, unbranched
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, When
@@ -187,7 +188,7 @@ class Stretches:
                 return replace(s, target=self._place(target, None), source=self._place(source, None))
             case Do(call):
                 passed = tuple(self._expr(a, None) for a in call.arguments)
-                return replace(s, call=Call(self._callee(call), passed))
+                return replace(s, call=Call(self._callee(call).signature, passed))
         return self._uniform(s)
 
     def _expr(self, e: Expr, lane: Place | None) -> Expr:

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.quantities import BOUNDS
+
 
 class Kind(Enum):
     """Scalar kinds. REAL is the program's element type; WORD the unsigned integer of the same width."""
@@ -47,8 +49,8 @@ class Precision:
         return float(np.finfo(self.scalar).smallest_normal)
 
 
-DOUBLE = Precision("double", 64, 53, 1023, np.float64, np.uint64, 1e7)
-FLOAT = Precision("float", 32, 24, 127, np.float32, np.uint32, 1e3)
+DOUBLE = Precision("double", 64, 53, 1023, np.float64, np.uint64, BOUNDS["MAX_PHASE"].at("double"))
+FLOAT = Precision("float", 32, 24, 127, np.float32, np.uint32, BOUNDS["MAX_PHASE"].at("float"))
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from mahovik.core.program.expression import Call, Expr, Place, Variable
+from mahovik.core.program.call import Call
+from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Copy, Do, Let, Loop, Set, Statement, When
 from mahovik.core.program.types import Kind
@@ -38,7 +39,7 @@ class Varying:
 
     def arguments(self, call: Call) -> frozenset[str]:
         """Names of the parameters of a call that get something that varies, results included."""
-        pairs = zip(call.function.arguments, call.arguments, strict=True)
+        pairs = zip(call.signature.arguments, call.arguments, strict=True)
         return frozenset(p.name for p, value in pairs if p.direction != "in" or self.expression(value))
 
     def _mark(self, place: Expr) -> bool:
@@ -60,7 +61,7 @@ class Varying:
                 case Copy(target, source) if condition or self.expression(source):
                     new |= self._mark(target)
                 case Do(call):
-                    for parameter, value in zip(call.function.arguments, call.arguments, strict=True):
+                    for parameter, value in zip(call.signature.arguments, call.arguments, strict=True):
                         if parameter.direction != "in":
                             new |= self._mark(value)
                 case Loop(_, _, _, inner):

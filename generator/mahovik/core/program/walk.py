@@ -4,19 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from mahovik.core.program.expression import (
-    Binary,
-    BitCast,
-    Call,
-    Compare,
-    Convert,
-    Expr,
-    Logic,
-    Negate,
-    Not,
-    Place,
-    Select,
-)
+from mahovik.core.program.call import Call
+from mahovik.core.program.expression import Binary, BitCast, Compare, Convert, Expr, Logic, Negate, Not, Place, Select
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 
@@ -80,7 +69,7 @@ def used_variables(body: tuple[Statement, ...]) -> set[int]:
 
 def called(body: tuple[Statement, ...]) -> set[str]:
     """Names of the functions that a body calls itself."""
-    return {e.function.name for e in expressions(body) if isinstance(e, Call)}
+    return {e.signature.name for e in expressions(body) if isinstance(e, Call)}
 
 
 def reachable(functions: tuple[Function, ...]) -> tuple[Function, ...]:

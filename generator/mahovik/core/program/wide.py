@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Const, Expr, Place, Variable, integer
-from mahovik.core.program.function import Argument
 from mahovik.core.program.types import Field, Kind, Precision, Struct
 
 BYTES = 64

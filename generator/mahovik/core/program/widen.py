@@ -7,11 +7,12 @@ varies becomes a choice between values. So each state gets the bits of the narro
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from mahovik.core.program.expression import Call, Expr, Not, Place, Variable, both, select, unequal, word
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.expression import Expr, Not, Place, Variable, and_, select, unequal, word
+from mahovik.core.program.function import Function
 from mahovik.core.program.refusal import REFUSED
 from mahovik.core.program.rewrite import FreshNames
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, When
@@ -27,8 +28,10 @@ RESERVED = (LANE, "where", "any")
 class Widener:
     """Makes wide functions, each once for a set of varying arguments; `functions` has them after those they call."""
 
-    def __init__(self, wide: Wide) -> None:
+    def __init__(self, wide: Wide, narrow: Callable[[str], Function]) -> None:
+        """`narrow`: finds a function that is called, by its name."""
         self.wide = wide
+        self.narrow = narrow
         self._done: dict[tuple[str, frozenset[str]], Function] = {}
 
     @property
@@ -76,7 +79,7 @@ class _Widening:
 
     def _calls(self, call: Call) -> Function:
         """The wide form of a function that is called."""
-        return self._widener.function(call.function, self._varying.arguments(call))
+        return self._widener.function(self._widener.narrow(call.signature.name), self._varying.arguments(call))
 
     # -- conditions that vary become choices ---------------------------------------------------------------------------
 
@@ -120,14 +123,14 @@ class _Widening:
         """Both branches of a condition that varies."""
         if where is None and not s.otherwise and any(isinstance(x, Do) for x in s.body) and _only_refuse(s.body):
             return self._anywhere(s)
-        condition = s.condition if where is None else both(where, s.condition)
+        condition = s.condition if where is None else and_(where, s.condition)
         if len(s.body) == 1 and not s.otherwise:
             return self._chosen(s.body, condition)
         kept = self._condition(s.condition if where is None else condition)
         found: list[Statement] = [kept, *self._chosen(s.body, kept.variable.place)]
         if s.otherwise:
             otherwise: Expr = Not(kept.variable.place)
-            found += self._chosen(s.otherwise, otherwise if where is None else both(where, otherwise))
+            found += self._chosen(s.otherwise, otherwise if where is None else and_(where, otherwise))
         return found
 
     def _condition(self, condition: Expr) -> Let:
@@ -149,7 +152,7 @@ def _only_refuse(body: tuple[Statement, ...]) -> bool:
     for s in body:
         match s:
             case Do(call):
-                results = [a.name for a in call.function.arguments if a.direction != "in"]
+                results = [a.name for a in call.signature.arguments if a.direction != "in"]
                 fine = results == [REFUSED]
             case Set(place):
                 fine = place.root.name == REFUSED

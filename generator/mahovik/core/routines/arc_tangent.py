@@ -22,8 +22,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import bits_of, magnitude, real, real_of_bits, select, unequal, word
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Precision
 from mahovik.core.routines.real_constants import PI, polynomial, sign_bit, split
 

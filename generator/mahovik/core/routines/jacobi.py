@@ -9,8 +9,9 @@ sweeps converge quadratically; for six rows SWEEPS is more than any matrix of th
 from __future__ import annotations
 
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import magnitude, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import NamedCount, Struct
 
 SWEEPS = {"double": 9, "float": 7}

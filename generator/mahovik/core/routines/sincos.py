@@ -17,7 +17,7 @@ In 1 - z/2 the rounding error is computed and added back. Quadrant k mod 4 excha
 Error below 0.9 units in the last place of the result for |x| <= 8 pi, and below 1e-16 (float: 6e-8) for all accepted x.
 Its parts, in units of the last place of [1/2, 1): the final addition 0.5; in the cosine the rounding of z = r^2 0.25,
 the rest below 0.1; in the sine four roundings in r^3 S(z) of 0.04 to 0.07 each and that of its sum with the tail 0.06;
-approximation below 0.04. Proven, operation by operation: tools/math_proof.py. Measured: docs/mathematics.md.
+approximation below 0.04. Proven, operation by operation: tools/math_proof.py. Measured: docs/results/arithmetic.md.
 """
 
 from __future__ import annotations
@@ -26,8 +26,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, bits_of, real, real_of_bits, word
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, NamedCount, Precision
 from mahovik.core.routines.real_constants import PI, nearest, polynomial, sign_bit, split
 

@@ -23,8 +23,9 @@ Measured: tests/routines (float: every significand of two binades).
 from __future__ import annotations
 
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import bits_of, real_of_bits, select, word
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Precision
 
 SEED = {"double": 0x5FE6EB50C7B537A9, "float": 0x5F375A86}

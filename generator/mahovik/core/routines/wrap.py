@@ -13,8 +13,9 @@ an angle as any, unless the interval is promised.
 from __future__ import annotations
 
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Precision
 from mahovik.core.routines.real_constants import PI, nearest
 from mahovik.core.routines.sincos import half_pi_parts

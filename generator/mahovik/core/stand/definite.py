@@ -11,8 +11,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.model import Carrier, Flywheel, Instrument, MountingAngles, Stand
-from mahovik.core.stand.physical import inertia_about_origin
+from mahovik.core.stand.frames import cross, mount_of, placement, transfer, turn
+from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Stand
 
 Array = NDArray[np.float64]
 
@@ -158,8 +159,8 @@ class _Rotor:
 
     def __init__(self, stand: Stand, flywheel: Flywheel) -> None:
         mount = mount_of(stand, flywheel)
-        outer = np.eye(6) if mount is None else _transfer(*placement(mount))
-        self.mount = outer @ _transfer(*placement(flywheel))
+        outer = np.eye(6) if mount is None else transfer(*placement(mount))
+        self.mount = outer @ transfer(*placement(flywheel))
         self.Theta = _spatial(flywheel)
         row = self.Theta[:, 3]
         free = self.Theta - np.outer(row / self.Theta[3, 3], row)
@@ -175,13 +176,13 @@ class _Rotor:
 
     def L(self, phi: float) -> Array:
         """Transfer of wrenches from Es at phase `phi` to E1."""
-        return self.mount @ np.kron(np.eye(2), _turn(0, phi))
+        return self.mount @ np.kron(np.eye(2), turn(0, phi))
 
 
 def _fixed(stand: Stand) -> Array:
     total = _spatial(stand.carrier)
     for instrument in stand.instruments:
-        L = _transfer(*placement(instrument))
+        L = transfer(*placement(instrument))
         total = total + L @ _spatial(instrument) @ L.T
     for added in (stand.carrier.added_mass, *(instrument.added_mass for instrument in stand.instruments)):
         if added is not None:
@@ -190,51 +191,5 @@ def _fixed(stand: Stand) -> Array:
 
 
 def _spatial(body: Carrier | Instrument | Flywheel) -> Array:
-    first = body.mass * _cross(np.array(body.center_of_mass))
+    first = body.mass * cross(np.array(body.center_of_mass))
     return np.block([[body.mass * np.eye(3), -first], [first, inertia_about_origin(body)]])
-
-
-def mount_of(stand: Stand, body: Instrument | Flywheel) -> Instrument | None:
-    """The instrument that a flywheel stands on; None for what stands on the carrier."""
-    if isinstance(body, Instrument):
-        return None
-    return next((instrument for instrument in stand.instruments if instrument.name == body.mount), None)
-
-
-def placement(body: Instrument | Flywheel) -> tuple[Array, Array]:
-    """Origin of a body in the frame of its mount, m, and its axes there as columns (a flywheel's at phi_s = 0)."""
-    position = np.array(body.position)
-    if isinstance(body, Flywheel):
-        return position, _axes(body)
-    psi, theta, phi = body.angles
-    return position, _turn(2, psi) @ _turn(1, theta) @ _turn(0, phi)
-
-
-def _transfer(position: Array, C: Array) -> Array:
-    return np.block([[C, np.zeros((3, 3))], [_cross(position) @ C, C]])
-
-
-def _axes(flywheel: Flywheel) -> Array:
-    """Axes of Es at phi_s = 0 in the mount's frame, as columns."""
-    mounting = flywheel.mounting
-    if isinstance(mounting, MountingAngles):
-        return _turn(2, mounting.psi) @ _turn(1, mounting.theta) @ _turn(0, mounting.zero)
-    axis, zero = (np.array(v) / np.abs(v).max() for v in (mounting.axis, mounting.zero))
-    axis /= np.linalg.norm(axis)
-    second = zero - axis * (axis @ zero)
-    second /= np.linalg.norm(second)
-    return np.column_stack([axis, second, np.cross(axis, second)])
-
-
-def _turn(axis: int, angle: float) -> Array:
-    """Active elementary rotation C1, C2, C3 (axis 0, 1, 2)."""
-    c, s = np.cos(angle), np.sin(angle)
-    j, k = (axis + 1) % 3, (axis + 2) % 3
-    C = np.eye(3)
-    C[j, j] = C[k, k] = c
-    C[k, j], C[j, k] = s, -s
-    return C
-
-
-def _cross(a: Array) -> Array:
-    return np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a[1], a[0], 0.0]])

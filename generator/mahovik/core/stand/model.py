@@ -7,8 +7,9 @@ tuples of floats, matrices tuples of rows. Lengths m, masses kg, angles rad, for
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import ClassVar, Literal
 
 Vec3 = tuple[float, float, float]
 Vec6 = tuple[float, float, float, float, float, float]
@@ -214,14 +215,10 @@ class Stand:
         """Carrier, instruments, flywheels, in this order."""
         return (self.carrier, *self.instruments, *self.flywheels)
 
-    def __repr__(self) -> str:
-        from mahovik.core.stand.identity import identities
+    _repr_html_: ClassVar[Callable[[Stand], str]]
+    """What notebooks show; set by the Python interface."""
 
+    def __repr__(self) -> str:
         parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}
         counts = ", ".join(f"{len(all_)} {noun}{'' if len(all_) == 1 else 's'}" for noun, all_ in parts.items() if all_)
-        return f"<Stand {self.name}: {counts or 'a rigid body'}; physics {identities(self).physics}>"
-
-    def _repr_html_(self) -> str:
-        from mahovik.core.stand.notebook import bodies
-
-        return bodies(self)
+        return f"<Stand {self.name}: {counts or 'a rigid body'}>"

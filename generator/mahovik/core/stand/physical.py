@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.definite import least_eigenvalue
+from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.problems import Problems
 
@@ -12,24 +14,6 @@ Array = NDArray[np.float64]
 
 LEAST_EIGENVALUE = 1e-12  # stand.md
 RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
-
-
-def inertia_about_center(body: Body) -> Array:
-    """Tensor about the centre of mass, kg m2, in the body's axes (parallel axis theorem)."""
-    given = np.array(body.inertia)
-    return given if body.inertia_about == "center_of_mass" else given - _steiner(body)
-
-
-def inertia_about_origin(body: Body) -> Array:
-    """Tensor about the origin of the body's frame, kg m2."""
-    given = np.array(body.inertia)
-    return given if body.inertia_about == "origin" else given + _steiner(body)
-
-
-def _steiner(body: Body) -> Array:
-    c = np.array(body.center_of_mass)
-    shift: Array = body.mass * (c @ c * np.eye(3) - np.outer(c, c))
-    return shift
 
 
 LARGEST = 1e15
@@ -111,8 +95,6 @@ def check_stand(stand: Stand, problems: Problems) -> None:
     if not sum(body.mass for body in stand.bodies) > 0.0:
         problems.add("total mass is zero: there is no centre of mass")
         return
-    from mahovik.core.stand.definite import least_eigenvalue
-
     with np.errstate(all="ignore"):  # numbers near the ends of double precision
         try:
             least, phases = least_eigenvalue(stand)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, cast
@@ -10,10 +11,13 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.quantities import BOUNDS, QUANTITIES, limits_of
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import Quaternion, State, rest_state
 
 Array = NDArray[np.floating[Any]]
+
+MAX_PHASE = BOUNDS["MAX_PHASE"].value  # rad
 
 EXTREMES = (
     "rest",
@@ -30,7 +34,9 @@ carrier very fast; attitudes with quaternion w = 0; attitude angles near, not at
 tiny numbers; every input near the accepted range at once."""
 
 
-def random_state(stand: Stand, rng: np.random.Generator, extreme: bool = False, phase_limit: float = 1e7) -> State:
+def random_state(
+    stand: Stand, rng: np.random.Generator, extreme: bool = False, phase_limit: float = MAX_PHASE
+) -> State:
     """A random state with inputs; run-time wrenches on the bodies that take one (`wrench_input`).
 
     `extreme`: of a kind drawn from EXTREMES. `phase_limit`: largest |phi| of huge phases (float builds take 1e3).
@@ -40,23 +46,36 @@ def random_state(stand: Stand, rng: np.random.Generator, extreme: bool = False, 
     N = len(stand.flywheels)
     angles, quaternion = _attitude(stand, rng)
     return State(
-        position=cast(Vec3, _tuple(rng.normal(size=3))),
+        position=cast(Vec3, _normal("position", rng, 3)),
         angles=angles,
         quaternion=quaternion,
-        V=cast(Vec6, _tuple(rng.normal(size=6) * [1, 1, 1, 2, 2, 2])),
+        V=cast(Vec6, _normal("V", rng, 6)),
         phi=_tuple(rng.uniform(-math.pi, math.pi, N)),
-        phi_dot=_tuple(rng.normal(size=N) * 100),
-        phi_ddot=_tuple(rng.normal(size=N) * 300),
-        V_dot=cast(Vec6, _tuple(rng.normal(size=6) * [5, 5, 5, 20, 20, 20])),
-        tau=_tuple(rng.normal(size=N)),
-        wrench=MappingProxyType(
-            {body.name: cast(Vec6, _tuple(rng.normal(size=6) * 5)) for body in stand.bodies if body.wrench_input}
-        ),
+        phi_dot=_normal("phi_dot", rng, N),
+        phi_ddot=_normal("phi_ddot", rng, N),
+        V_dot=cast(Vec6, _normal("V_dot", rng, 6)),
+        tau=_normal("tau", rng, N),
+        wrench=random_wrenches(rng, [body.name for body in stand.bodies if body.wrench_input]),
     )
 
 
+def random_wrenches(rng: np.random.Generator, bodies: Iterable[str]) -> MappingProxyType[str, Vec6]:
+    """Run-time wrenches of ordinary magnitude on bodies by name."""
+    return MappingProxyType({name: cast(Vec6, _normal("wrench", rng, 6)) for name in bodies})
+
+
+def _normal(symbol: str, rng: np.random.Generator, count: int) -> tuple[float, ...]:
+    """Normal numbers of the spread that the contract gives to a quantity."""
+    spread = QUANTITIES[symbol].spread
+    return _tuple(rng.normal(size=count) * (np.repeat(spread, 3) if len(spread) == 2 else spread))
+
+
 def extreme_state(
-    stand: Stand, rng: np.random.Generator, kind: str, phase_limit: float = 1e7, least_exponent: float = -310
+    stand: Stand,
+    rng: np.random.Generator,
+    kind: str,
+    phase_limit: float = MAX_PHASE,
+    least_exponent: float = -310,
 ) -> State:
     """An extreme state of one of the kinds EXTREMES names; what the kind does not concern is ordinary.
 
@@ -71,7 +90,7 @@ def extreme_state(
     if kind == "huge_phases":
         return replace(state, phi=_tuple(rng.uniform(0.5, 1.0, N) * rng.choice([-1.0, 1.0], N) * phase_limit))
     if kind == "fast":
-        speeds = rng.uniform(0.3, 1.0, N) * rng.choice([-1.0, 1.0], N) * 1e5
+        speeds = rng.uniform(0.3, 1.0, N) * rng.choice([-1.0, 1.0], N) * BOUNDS["MAX_SPEED"].value
         turning = rng.normal(size=6) * [30, 30, 30, 300, 300, 300]
         return replace(state, V=cast(Vec6, _tuple(turning)), phi_dot=_tuple(speeds))
     if kind == "half_turn":
@@ -96,13 +115,13 @@ def extreme_state(
         sign = rng.choice([-1.0, 1.0], 6)
         return replace(
             state,
-            position=cast(Vec3, _tuple(rng.choice([-1.0, 1.0], 3) * 1e6)),
-            V=cast(Vec6, _tuple(sign * [1e4, 1e4, 1e4, 1e5, 1e5, 1e5])),
+            position=cast(Vec3, _tuple(rng.choice([-1.0, 1.0], 3) * limits_of("position"))),
+            V=cast(Vec6, _tuple(sign * limits_of("V"))),
             phi=_tuple(rng.choice([-1.0, 1.0], N) * phase_limit),
-            phi_dot=_tuple(rng.choice([-1.0, 1.0], N) * 1e5),
-            phi_ddot=_tuple(rng.choice([-1.0, 1.0], N) * 1e9),
-            V_dot=cast(Vec6, _tuple(sign * 1e9)),
-            tau=_tuple(rng.choice([-1.0, 1.0], N) * 1e9),
+            phi_dot=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("phi_dot")),
+            phi_ddot=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("phi_ddot")),
+            V_dot=cast(Vec6, _tuple(sign * limits_of("V_dot"))),
+            tau=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("tau")),
         )
     raise ValueError(f"no extreme state of kind {kind!r}")
 

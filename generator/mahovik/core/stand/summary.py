@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.definite import mount_of, placement
+from mahovik.core.stand.frames import mount_of, placement
+from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Instrument, Stand, Vec3
-from mahovik.core.stand.physical import inertia_about_center, inertia_about_origin
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,8 @@ from typing import Any
 
 import cffi
 
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.toolchain.compiler import build_fast, build_shared, preprocess
 from mahovik.errors import ToolchainError

@@ -10,7 +10,8 @@ from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, Precision, Struct
 
 LONG_CALL = 100_000
@@ -18,7 +19,7 @@ LONG_CALL = 100_000
 
 MANY = 50
 
-_OF_THE_STAND = {"stand": "default", "parameters": "default_parameters", "options": "default_options"}
+_OF_THE_STAND = {"table": "default", "parameters": "default_parameters", "options": "default_options"}
 """Arguments that the emitted C has constants for."""
 
 

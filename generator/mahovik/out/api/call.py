@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.program.arrays import ArrayFunction, Member, Passed, record
+from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.errors import InputError
 from mahovik.out.api.compiled import Compiled
@@ -45,7 +45,7 @@ class Caller:
             raise InputError(f'on_error: expected "raise" or "nan", found {on_error!r:.40}')
         f = self._made.functions[function]
         arrays: list[Array] = []
-        outputs: list[tuple[Passed, Array]] = []
+        outputs: list[tuple[ArgumentLayout, Array]] = []
         for a, layout in zip(f.arguments, self._records[function], strict=True):
             if a.name in self._made.tables:
                 arrays.append(self._made.tables[a.name])
@@ -68,12 +68,12 @@ class Caller:
         for a, memory in outputs:
             found |= _named(a, memory)
         if function == "mounts":
-            found = {"mount_wrench": found["loads"].reshape(n, len(self._stand.flywheels), 6)}
+            found = {"mount_wrench": found["mount_wrench"].reshape(n, len(self._stand.flywheels), 6)}
         if function == "matrices" and not self._stand.flywheels:
             found |= {"I": np.zeros((n, 6, 0), self._real), "J": np.zeros((n, 6, 0), self._real)}
         return found, status
 
-    def _memory(self, a: Passed, layout: np.dtype[Any], n: int) -> Array:
+    def _memory(self, a: ArgumentLayout, layout: np.dtype[Any], n: int) -> Array:
         if a.order == "components":
             return np.empty((a.components, n), dtype=self._real)
         return np.empty(n, dtype=layout)
@@ -82,8 +82,8 @@ class Caller:
         found: list[Field] = []
         if f.name == "mounts":
             names = tuple(s.name for s in self._stand.flywheels)
-            loads = f.arguments[-1].members[0]
-            return (Field("mount_wrench", (len(names), 6), loads.unit, loads.meaning, (names, WRENCH_LETTERS)),)
+            wrench = f.arguments[-1].members[0]
+            return (Field("mount_wrench", (len(names), 6), wrench.unit, wrench.meaning, (names, WRENCH_LETTERS)),)
         if f.name == "matrices" and not self._stand.flywheels:
             found += [field(Member(name, "real", (6, 0), ("", "N")), self._stand, ()) for name in ("I", "J")]
         for a in f.arguments:
@@ -97,7 +97,7 @@ class Caller:
         return tuple(found)
 
 
-def _spoil(a: Passed, memory: Array, which: NDArray[np.bool_]) -> None:
+def _spoil(a: ArgumentLayout, memory: Array, which: NDArray[np.bool_]) -> None:
     """NaN, and 0 for what is counted, where states are refused."""
     if a.order == "components":
         memory[:, which] = np.nan
@@ -108,7 +108,7 @@ def _spoil(a: Passed, memory: Array, which: NDArray[np.bool_]) -> None:
             part[which] = np.nan if part.dtype.kind == "f" else 0
 
 
-def _named(a: Passed, memory: Array) -> dict[str, Array]:
+def _named(a: ArgumentLayout, memory: Array) -> dict[str, Array]:
     """The arrays of an output by name; states as the one array that they are."""
     if a.order == "components":
         return {a.name: memory if len(a.members) > 1 else memory.T}

@@ -140,4 +140,4 @@ def _lowered(of: Structure, real: str) -> tuple[Layout, Program]:
 
 
 def _plain(values: Values) -> dict[str, Any]:
-    return {"stand": values.table, "mounting": values.mounting, "options": values.options}
+    return {"table": values.table, "mounting": values.mounting, "options": values.options}

@@ -9,7 +9,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.core.program.arrays import Passed, record
+from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.stand.model import TWIST_LETTERS, Stand
 from mahovik.errors import InputError
 from mahovik.out.api import inputs
@@ -19,6 +19,7 @@ from mahovik.out.api.fields import Array, field
 from mahovik.out.api.inputs import Given
 from mahovik.out.api.making import attitudes, packed, wrenches
 from mahovik.out.api.results import Result
+from mahovik.out.api.show import functions
 from mahovik.out.api.states import States
 
 Real = Literal["double", "float"]
@@ -28,9 +29,6 @@ AnyResult = TypeVar("AnyResult", bound=Result)
 
 ELEMENT: Mapping[str, np.dtype[Any]] = {"double": np.dtype(np.float64), "float": np.dtype(np.float32)}
 """NumPy's name of each element type."""
-
-_METHODS = {"measure": "points", "attitude": "generalized"}
-"""Functions of the C that a model calls otherwise."""
 
 _PLACE = ("x", "y", "z")
 
@@ -103,7 +101,7 @@ class Built:
         """What this stand's C offers."""
         found = []
         for function, f in self._made.functions.items():
-            method = _METHODS.get(function, function)
+            method = function
             if method != "quaternion":
                 takes = tuple(a.name for a in f.arguments if a.direction == "in" and a.name not in self._made.tables)
                 gives = ("states",) if "step" in method else tuple(g.name for g in self._call.fields(function))
@@ -198,8 +196,8 @@ class Built:
         """Outputs, statuses, and whether they are of a single state."""
         f = self._made.functions.get(function)
         if f is None:
-            what = "instruments or points" if function == "measure" else "flywheels"
-            raise InputError(f"{_METHODS.get(function, function)}: the stand has no {what}")
+            what = "instruments or points" if function == "points" else "flywheels"
+            raise InputError(f"{function}: the stand has no {what}")
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}
         if wrench is not None or self._made.inputs:
@@ -234,7 +232,7 @@ class Built:
             raise InputError(f"states: expected States or shape (n, {self._components}), found a number")
         return found
 
-    def _read(self, a: Passed, value: Any) -> Array:
+    def _read(self, a: ArgumentLayout, value: Any) -> Array:
         labels = self._labels[a.name]
         noun = "flywheel" if labels is self._flywheels else "component"
         return inputs.read(value, a.name, a.components, labels, noun)
@@ -274,9 +272,11 @@ class Built:
         return f"<Model of {self._stand.name}: {len(self._flywheels)} flywheels; {how}>"
 
     def _repr_html_(self) -> str:
-        from mahovik.out.api.show import model
-
-        return model(self)
+        rows = [
+            (f.name, ", ".join(f.takes), ", ".join(f.gives), "batch C" if f.wide else "C, state by state")
+            for f in self.functions
+        ]
+        return functions(repr(self), rows)
 
 
 def _order(order: int) -> Array:

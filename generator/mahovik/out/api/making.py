@@ -8,13 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mahovik.contract.quantities import UNIT_LENGTH
 from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.out.api import inputs
 from mahovik.out.api.fields import Array
-from mahovik.proof.verify.states import ROUNDING, UNIT_LENGTH
+from mahovik.proof.verify.states import ROUNDING
 
 
 def packed(parts: Mapping[str, tuple[Array, int]], n: int | None, real: np.dtype[Any]) -> Array:

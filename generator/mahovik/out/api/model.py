@@ -178,7 +178,7 @@ class Model(Built):
         Gives `position`, `C`, `twist`, `specific_force`, `angular_acceleration`, each with an axis of `sensors`.
         Raises InputError, RefusedError.
         """
-        return self._result(results.Points, "measure", x, on_error, None, V_dot=V_dot)
+        return self._result(results.Points, "points", x, on_error, None, V_dot=V_dot)
 
     def mounts(
         self,
@@ -206,13 +206,13 @@ class Model(Built):
         Gives `A`, `D`, `I0`, `J0`, `q_dot`, `q_ddot`. State by state. Raises InputError, RefusedError.
         """
         given = {"angles": angles, "phi_ddot": phi_ddot}
-        return self._result(results.Generalized, "attitude", x, on_error, wrench, **given)
+        return self._result(results.Generalized, "generalized", x, on_error, wrench, **given)
 
     def forward_jacobian(
         self, x: States | ArrayLike, phi_ddot: Given = 0.0, *, wrench: Wrenches = None, on_error: OnError = "raise"
-    ) -> results.ForwardSlopes:
+    ) -> results.ForwardJacobian:
         """Derivatives of `forward` by V, phi, phi', phi''. State by state. Raises InputError, RefusedError."""
-        return self._result(results.ForwardSlopes, "forward_jacobian", x, on_error, wrench, phi_ddot=phi_ddot)
+        return self._result(results.ForwardJacobian, "forward_jacobian", x, on_error, wrench, phi_ddot=phi_ddot)
 
     def coupled_jacobian(
         self,
@@ -222,6 +222,6 @@ class Model(Built):
         locked: Locks = (),
         wrench: Wrenches = None,
         on_error: OnError = "raise",
-    ) -> results.CoupledSlopes:
+    ) -> results.CoupledJacobian:
         """Derivatives of `coupled` by V, phi, phi', tau. State by state. Raises InputError, RefusedError."""
-        return self._result(results.CoupledSlopes, "coupled_jacobian", x, on_error, wrench, tau=tau, locked=locked)
+        return self._result(results.CoupledJacobian, "coupled_jacobian", x, on_error, wrench, tau=tau, locked=locked)

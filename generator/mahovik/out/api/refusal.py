@@ -8,21 +8,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.lower.limits import BOUND_OF, UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
+from mahovik.contract.quantities import QUANTITIES
+from mahovik.contract.status import refusal_reason, status_words
+from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.core.lower.thresholds import thresholds
-from mahovik.core.program.arrays import Passed
+from mahovik.core.program.arrays import ArgumentLayout
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.errors import RefusedError
 from mahovik.out.api.fields import Array, field
-from mahovik.out.api.results import words
-from mahovik.proof.verify.program_backend import MEANING
 
 
 def refused(
     function: str,
     status: NDArray[np.int32],
-    inputs: Mapping[str, tuple[Passed, Array]],
+    inputs: Mapping[str, tuple[ArgumentLayout, Array]],
     stand: Stand,
     wrenches: Sequence[str],
 ) -> RefusedError:
@@ -30,8 +30,8 @@ def refused(
     bad = np.flatnonzero(status < 0)
     index = int(bad[0])
     value = int(status[index])
-    name = words(value)
-    blamed = next(_blamed(index, inputs, stand, wrenches), MEANING.get(name, "an option is outside its range"))
+    name = status_words(value)
+    blamed = next(_blamed(index, inputs, stand, wrenches), refusal_reason(name, "an option is outside its range"))
     which = f"state {index}: " if len(status) > 1 else ""
     more = f"; {len(bad):,} of {len(status):,} states refused" if len(bad) > 1 else ""
     message = f"{function}: {which}{name}: {blamed}{more}"
@@ -39,7 +39,7 @@ def refused(
 
 
 def _blamed(
-    index: int, inputs: Mapping[str, tuple[Passed, Array]], stand: Stand, wrenches: Sequence[str]
+    index: int, inputs: Mapping[str, tuple[ArgumentLayout, Array]], stand: Stand, wrenches: Sequence[str]
 ) -> Iterator[str]:
     for argument, memory in inputs.values():
         if argument.name == "dt" and not 0.0 < memory[0] <= _bounds(memory)["MAX_STEP"].value:
@@ -58,7 +58,7 @@ def _blamed(
             yield from _wrong(member.name, column, labels, member.unit)
 
 
-def _option(argument: Passed, memory: Array, stand: Stand) -> Iterator[str]:
+def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[str]:
     """Options of `inverse` that are outside their ranges."""
     least = thresholds(_precision(memory["weight"])).weight
     for member in argument.members:
@@ -80,8 +80,8 @@ def _wrong(name: str, column: NDArray[Any], labels: Sequence[str], unit: str) ->
         if not np.isfinite(x):
             yield f"{what} is {x}"
             continue
-        limit = ("MAX_VELOCITY" if i < 3 else "MAX_SPEED") if name == "V" else BOUND_OF.get(name)
-        if limit is not None and abs(x) > bounds[limit].value:
+        names = QUANTITIES[name].bounds if name in QUANTITIES else ()
+        if names and abs(x) > bounds[limit := names[i // 3 % len(names)]].value:
             yield f"{what} is {x:.9g}, at most {bounds[limit].value:g} {bounds[limit].unit}".rstrip()
     if name == "attitude" and not UNIT_SQUARE_MIN <= float(np.sum(column.astype(np.float64) ** 2)) <= UNIT_SQUARE_MAX:
         length = float(np.linalg.norm(column.astype(np.float64)))

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.program.function import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.out.api.fields import Array, Field, Named
+from mahovik.out.api.show import arrays
 
 Real = NDArray[Any]
 
@@ -33,7 +34,7 @@ class Result(Named):
 
     def status_names(self) -> list[str]:
         """The status of each state in words, as `mahovik eval` has it: `OK`, `NEAR_SINGULAR|LIMITED`."""
-        return [words(int(number)) for number in np.atleast_1d(self.status)]
+        return [status_words(int(number)) for number in np.atleast_1d(self.status)]
 
     def has_status(self, name: str) -> NDArray[np.bool_]:
         """Is the status so named set, for each state?"""
@@ -49,16 +50,7 @@ class Result(Named):
         return f"<{type(self).__name__}: {of}; {shapes}>"
 
     def _repr_html_(self) -> str:
-        from mahovik.out.api.show import arrays
-
         return arrays(repr(self), self)
-
-
-def words(status: int) -> str:
-    """A status in words."""
-    if status <= 0:
-        return next(name for name, value in STATUS_VALUES.items() if value == status)
-    return "|".join(name for name, value in STATUS_VALUES.items() if value > 0 and status & value)
 
 
 class Forward(Result):
@@ -134,7 +126,7 @@ class Points(Result):
     angular_acceleration: Real
 
 
-class ForwardSlopes(Result):
+class ForwardJacobian(Result):
     """Derivatives of `forward`: `V_dot_V` (6, 6), `V_dot_phi`, `V_dot_phi_dot`, `V_dot_phi_ddot` (6, N)."""
 
     V_dot_V: Real
@@ -143,7 +135,7 @@ class ForwardSlopes(Result):
     V_dot_phi_ddot: Real
 
 
-class CoupledSlopes(Result):
+class CoupledJacobian(Result):
     """Derivatives of `coupled`: of `V_dot` and of `phi_ddot`, by V, phi, phi_dot and tau."""
 
     V_dot_V: Real

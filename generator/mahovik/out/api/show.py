@@ -1,16 +1,19 @@
-"""What notebooks show of states, results and models."""
+"""Tables that notebooks show: plain HTML without colours of its own, so that it follows the notebook's."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from collections.abc import Sequence
+from html import escape
 
 import numpy as np
 
-from mahovik.core.stand.notebook import table
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.summary import summarize
 from mahovik.out.api.fields import Named, spread
 
-if TYPE_CHECKING:
-    from mahovik.out.api.core import Built
+_LEFT = ' style="text-align: left"'
 
 
 def arrays(title: str, named: Named) -> str:
@@ -29,10 +32,40 @@ def arrays(title: str, named: Named) -> str:
     return table(title.strip("<>"), ["name", "shape", "unit", "values", "meaning"], rows, note)
 
 
-def model(of: Built) -> str:
-    """The functions of a model."""
-    rows = [
-        [f.name, ", ".join(f.takes), ", ".join(f.gives), "batch C" if f.wide else "C, state by state"]
-        for f in of.functions
-    ]
-    return table(repr(of).strip("<>"), ["function", "takes", "gives", "how"], rows)
+def functions(title: str, rows: Sequence[Sequence[str]]) -> str:
+    """The functions of a model: name, what it takes, what it gives, and how many states its C takes at once."""
+    return table(title.strip("<>"), ["function", "takes", "gives", "how"], rows)
+
+
+def table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], note: str = "") -> str:
+    """A table under its title; every text is escaped."""
+    cells = "".join(f"<th{_LEFT}>{escape(text)}</th>" for text in head)
+    body = "".join("<tr>" + "".join(f"<td{_LEFT}>{escape(text)}</td>" for text in row) + "</tr>" for row in rows)
+    after = f"<div>{escape(note)}</div>" if note else ""
+    return (
+        f"<div><strong>{escape(title)}</strong></div>"
+        f"<table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>{after}"
+    )
+
+
+def bodies(stand: Stand) -> str:
+    """The bodies of a stand with their masses, and the unbalance of its flywheels in workshop units."""
+    summary = summarize(stand)
+    unbalance = {row.name: row for row in summary.unbalance}
+    rows = []
+    for row in summary.bodies:
+        wheel = unbalance.get(row.name)
+        numbers = [f"{wheel.spin_inertia:.4g}", f"{wheel.static:.4g}", f"{wheel.dynamic:.4g}"] if wheel else [""] * 3
+        at = ", ".join(f"{x * 1e3:.4g}" for x in row.center_of_mass)
+        rows.append([row.name, row.kind, row.mount, f"{row.mass:.4g}", at, *numbers])
+    head = [
+        "body", "kind", "mount", "mass, kg", "mass centre in E1, mm", "spin inertia, kg m2", "static, g mm",
+        "dynamic, g mm2",
+    ]  # fmt: skip
+    gravity = math.hypot(*stand.gravity)
+    parts = [f"{summary.mass:.4g} kg in all", f"gravity {gravity:.4g} m/s2"]
+    parts += ["suspension"] if stand.suspension else []
+    parts += [f"{len(stand.legs)} legs"] if stand.legs else []
+    parts += [f"points {', '.join(p.name for p in stand.points)}"] if stand.points else []
+    title = f"{repr(stand).strip('<>')}; physics {identities(stand).physics}"
+    return table(title, head, rows, "; ".join(parts))

@@ -1,4 +1,4 @@
-"""Stands by their files, and the example stands."""
+"""Stands: read from their files, the example stands, and what notebooks show of them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,15 @@ from pathlib import Path
 from mahovik import stands
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import load as _load
+
+
+def _notebook(stand: Stand) -> str:
+    from mahovik.out.api.show import bodies
+
+    return bodies(stand)
+
+
+Stand._repr_html_ = _notebook
 
 
 def load(path: str | Path) -> Stand:

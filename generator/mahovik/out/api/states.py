@@ -12,6 +12,7 @@ from mahovik.errors import InputError
 from mahovik.nearest import meant
 from mahovik.out.api import inputs
 from mahovik.out.api.fields import Field, Named
+from mahovik.out.api.show import arrays
 
 Real = NDArray[Any]
 _WRITTEN = ("position", "attitude", "V", "phi", "phi_dot")
@@ -144,6 +145,4 @@ class States(Named):
         return f"<States: {of} of {self._stand}; {', '.join(self._fields)}>"
 
     def _repr_html_(self) -> str:
-        from mahovik.out.api.show import arrays
-
         return arrays(repr(self), self)

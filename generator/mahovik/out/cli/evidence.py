@@ -14,7 +14,7 @@ from mahovik.out.cli.json_output import json_option, print_json
 from mahovik.out.cli.progress import progress, shown
 
 if TYPE_CHECKING:
-    from mahovik.proof.evidence.collect import Collected
+    from mahovik.proof.evidence.piece import Collected
 
 
 @click.command()

@@ -43,6 +43,7 @@ def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
 
 def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
     """Phases (rad) by flywheel. Raises UsageError."""
+    from mahovik.contract.quantities import BOUNDS
     from mahovik.core.stand.units import ANGLE, QuantityError, number
     from mahovik.nearest import meant
 
@@ -59,7 +60,7 @@ def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
                 phi[names.index(name)] = number(text, ANGLE)
             except QuantityError as error:
                 raise UsageError(f"--phase {each}: {error}") from None
-        if not abs(phi[names.index(name)]) <= 1e7:
+        if not abs(phi[names.index(name)]) <= BOUNDS["MAX_PHASE"].value:
             raise UsageError(f"--phase {each}: out of range")
     return phi
 

@@ -128,8 +128,8 @@ def read_wants(text: str | None) -> tuple[str, ...]:
     """The wants of `--want`. Raises UsageError."""
     if text is None:
         return ()
+    from mahovik.contract.functions import WANTS
     from mahovik.nearest import meant
-    from mahovik.proof.verify.backends import WANTS
 
     names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in names:
@@ -209,7 +209,7 @@ def _write(found: Report, as_json: bool, junit: str | None, worst: str | None) -
 def _print(found: Report) -> None:
     from rich.text import Text
 
-    from mahovik.proof.verify.backends import WANTS
+    from mahovik.contract.functions import WANTS
     from mahovik.proof.verify.report import conclusion, one_bound
 
     out = console()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.core.lower.drawn import Generator, draw, plan
+from mahovik.core.lower.test_inputs import Generator, draw, plan
 from mahovik.core.program.function import Program
 
 STATES = 4

@@ -8,13 +8,13 @@ from typing import Any, Literal
 
 import numpy as np
 
+from mahovik.contract.functions import WANTS
 from mahovik.core.stand.model import Stand
 from mahovik.proof.diagnose.predict import Part, Predictions
 from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
 from mahovik.proof.diagnose.sheet import sheet
 from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.backends import WANTS
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.harness import askable
 from mahovik.proof.verify.states import Request

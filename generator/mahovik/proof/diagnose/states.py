@@ -9,8 +9,8 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand, Vec6
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random_state import random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
 
 FIRST = 3
@@ -70,5 +70,4 @@ def _plain(stand: Stand, rng: np.random.Generator) -> State:
 
 def _wrenched(stand: Stand, state: State, rng: np.random.Generator) -> State:
     """The state with a run-time wrench on every body."""
-    wrench = {body.name: cast(Vec6, tuple(map(float, rng.normal(size=6) * 5))) for body in stand.bodies}
-    return replace(state, wrench=MappingProxyType(wrench))
+    return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies]))

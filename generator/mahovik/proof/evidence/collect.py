@@ -7,7 +7,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from mahovik import __version__
@@ -18,19 +18,9 @@ from mahovik.errors import MahovikError, UsageError
 from mahovik.nearest import meant
 from mahovik.proof.evidence.folder import FORMAT, INDEX, RECORD, publish, require_place, seal
 from mahovik.proof.evidence.page import html
-from mahovik.proof.evidence.piece import Need, Outcome, Piece, Subject, Tell, Verdict
+from mahovik.proof.evidence.piece import Collected, Need, Outcome, Piece, Subject, Tell, Verdict
 from mahovik.proof.verify.delivery import deliver
 from mahovik.proof.verify.files import write
-
-
-@dataclass(frozen=True)
-class Collected:
-    """A piece, the command that runs it again, and how it came out."""
-
-    piece: Piece
-    command: str
-    outcome: Outcome
-
 
 Say = Callable[[str, str], None]
 """Name of the piece that runs, and what it does; "" when it is through."""

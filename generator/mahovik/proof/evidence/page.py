@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from markupsafe import Markup
 
@@ -14,20 +14,17 @@ from mahovik import __version__
 from mahovik.core.emit.generate import described
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
-from mahovik.proof.evidence.piece import Subject, Table, Verdict
-
-if TYPE_CHECKING:
-    from mahovik.proof.evidence.collect import Collected
+from mahovik.proof.evidence.piece import Collected, Subject, Table, Verdict
 
 LONG = 14
 """Rows of a table from which on it is closed until it is asked for."""
 
 GENERAL = (
-    ("Sine, cosine, square root, arc tangent: error bounds, operation by operation", "docs/mathematics.md"),
-    ("Faults planted in emitted C and in the derivations, and what caught each", "docs/planted-faults.md"),
-    ("Equation, derivation, function, lines, and the tests that notice a mutant of it", "docs/traceability.md"),
-    ("Every file reader on spoiled input; millions of executions of the C of the example stands", "docs/fuzzing.md"),
-    ("Largest differences to other multibody programs over the example stands", "docs/judges.md"),
+    ("Sine, cosine, square root, arc tangent: error bounds, operation by operation", "docs/results/arithmetic.md"),
+    ("Faults planted in emitted C and in the derivations, and what caught each", "docs/results/planted-faults.md"),
+    ("Equation, derivation, function, lines, and the tests that notice a mutant of it", "docs/results/traceability.md"),
+    ("Every file reader on spoiled input; millions of executions of the example stands' C", "docs/results/fuzzing.md"),
+    ("Largest differences to other multibody programs over the example stands", "docs/results/judges.md"),
 )
 """What is shown once for the generator and not for a stand; where, in its repository."""
 

@@ -133,6 +133,15 @@ class Piece:
     needs: Callable[[Subject], Sequence[Need]] = _nothing
 
 
+@dataclass(frozen=True)
+class Collected:
+    """A piece, the command that runs it again, and how it came out."""
+
+    piece: Piece
+    command: str
+    outcome: Outcome
+
+
 def judged(good: bool) -> Verdict:
     """The verdict of something that ran."""
     return Verdict.PASSED if good else Verdict.FAILED

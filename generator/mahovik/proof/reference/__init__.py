@@ -1,6 +1,6 @@
 """The literal reference: (1)-(13) in plain NumPy, slow, one concept a file, to be read beside the paper."""
 
-from mahovik.proof.reference.evaluate import WANTS, evaluate
+from mahovik.proof.reference.evaluate import evaluate
 from mahovik.proof.reference.pieces import Pieces, pieces
 
-__all__ = ["WANTS", "Pieces", "evaluate", "pieces"]
+__all__ = ["Pieces", "evaluate", "pieces"]

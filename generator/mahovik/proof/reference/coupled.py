@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.linear import solve
 from mahovik.proof.reference.pieces import Pieces
@@ -35,3 +37,9 @@ def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
     right = np.concatenate([at.F - bias(at), tau - torque_velocity_terms(at) + fP])
     solution = solve(full_mass_matrix(at), right)
     return at.V_dot(solution[:6]), solution[6:]
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """V_dot (6), phi_ddot (N)."""
+    V_dot, phi_ddot = coupled(at, vector(state.tau))
+    return {"V_dot": V_dot, "phi_ddot": phi_ddot}

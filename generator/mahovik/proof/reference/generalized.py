@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Sequence
+from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.linear import solve
 from mahovik.proof.reference.mass import velocity_matrix
 from mahovik.proof.reference.pieces import Pieces
@@ -53,3 +53,8 @@ def generalized(at: Pieces, sequence: Sequence, state: State) -> Generalized:
     phi_ddot = np.array(state.phi_ddot, dtype=np.float64)
     q_ddot = solve(I0, at.F - J0_r @ q_r_dot - at.I @ phi_ddot - at.J @ at.phi_dot)
     return Generalized(A, D, I0, J0, q_dot, q_ddot)
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """A, D, I0, J0 (6x6), q_dot, q_ddot (6): (10), (11)."""
+    return dict(vars(generalized(at, stand.angles, state)))

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.pieces import Pieces
 
@@ -78,3 +80,8 @@ def status(at: Pieces, scaled_demand: Array, scaled_residual: Array, sigma: Arra
     if rank < min(6, len(at.flywheels)):
         names.append("RANK_DEFICIENT")
     return "|".join(names) or "OK"
+
+
+def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
+    """phi_ddot (N), status, residual (6), sigma (min(6, N)), rank: (12)."""
+    return dict(vars(inverse(at, vector(state.V_dot), cuts)))

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import Placed
 from mahovik.proof.reference.mass import added_mass_matrix, bodies_matrix
 from mahovik.proof.reference.pieces import Pieces
@@ -37,3 +39,13 @@ def center_of_mass(at: Pieces) -> Array:
     if m == 0.0:
         raise StateError("momentum: no body of the stand has a mass, so there is no center_of_mass")
     return np.array([m_rc[2, 1] / m, m_rc[0, 2] / m, m_rc[1, 0] / m])
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """Z, Z0 (6), energy, center_of_mass (3): (1), (2)."""
+    return {
+        "Z": momentum(at),
+        "Z0": momentum_in_E0(at),
+        "energy": kinetic_energy(at),
+        "center_of_mass": center_of_mass(at),
+    }

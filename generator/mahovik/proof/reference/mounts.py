@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
@@ -21,3 +23,8 @@ def mounts(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
         in_Es = mount_on_flywheel(s, at.P[s.body.name], at.V, V_dot, phi_ddot[row])
         wrenches[row] = block_diagonal(C1(s.phi)) @ in_Es
     return wrenches
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """mount_wrench (Nx6)."""
+    return {"mount_wrench": mounts(at, vector(state.V_dot), vector(state.phi_ddot))}

@@ -7,13 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.proof.reference.array import Array
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.bodies import instrument_transfer, mount_transfer
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import fixed_rotation
 from mahovik.proof.reference.screw import wrench_to_parent
-
-Values = dict[str, Array]
 
 
 def point_transfers(stand: Stand) -> Iterator[tuple[str, Array]]:
@@ -25,7 +24,7 @@ def point_transfers(stand: Stand) -> Iterator[tuple[str, Array]]:
         yield point.name, mount_transfer(stand, point.mount) @ in_mount
 
 
-def point_values(at: Pieces, L: Array, V_dot: Array) -> Values:
+def point_values(at: Pieces, L: Array, V_dot: Array) -> dict[str, Array]:
     """Values of one frame fixed on the carrier, L (6x6) its transfer to E1; V_dot (6) of the carrier.
 
     position (3, m, E0); C (3x3, own axes to E0); in own axes: twist (6, relative to E0), specific_force (3, m/s2,
@@ -45,6 +44,11 @@ def point_values(at: Pieces, L: Array, V_dot: Array) -> Values:
     }
 
 
-def points(at: Pieces, stand: Stand, V_dot: Array) -> dict[str, Values]:
+def points(at: Pieces, stand: Stand, V_dot: Array) -> dict[str, dict[str, Array]]:
     """Values of every instrument and point by name."""
     return {name: point_values(at, L, V_dot) for name, L in point_transfers(stand)}
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """Values of every instrument and point by name."""
+    return {"points": points(at, stand, vector(state.V_dot))}

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.bodies import Spinning
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import Phi, f, spin
@@ -31,3 +33,8 @@ def torque(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
         ],
         dtype=np.float64,
     )
+
+
+def answer(at: Pieces, stand: Stand, state: State) -> Values:
+    """tau (N)."""
+    return {"tau": torque(at, vector(state.V_dot), vector(state.phi_ddot))}

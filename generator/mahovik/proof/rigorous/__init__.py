@@ -8,7 +8,7 @@ Formula code is shared with none of the derivations. Needs python-flint: the ext
 Source: F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval arithmetic", 2017.
 """
 
-from mahovik.proof.rigorous.evaluate import WANTS, enclose, evaluate, pieces_at
+from mahovik.proof.rigorous.evaluate import enclose, evaluate, pieces_at
 from mahovik.proof.rigorous.pieces import Pieces
 
-__all__ = ["WANTS", "Pieces", "enclose", "evaluate", "pieces_at"]
+__all__ = ["Pieces", "enclose", "evaluate", "pieces_at"]

@@ -68,7 +68,7 @@ def want_coupled(at: Pieces, state: State) -> Balls:
     return {"V_dot": elements(V_dot), "phi_ddot": phi_ddot}
 
 
-WANTS: Mapping[str, Callable[[Pieces, State], Balls]] = {
+ANSWERS: Mapping[str, Callable[[Pieces, State], Balls]] = {
     "forward": want_forward,
     "coupled": want_coupled,
     "torque": want_torque,
@@ -76,7 +76,7 @@ WANTS: Mapping[str, Callable[[Pieces, State], Balls]] = {
     "matrices": want_matrices,
     "momentum": want_momentum,
 }
-"""What has an enclosure."""
+"""Wants that have an enclosure."""
 
 
 def pieces_at(stand: Stand, state: State, bits: int = BITS) -> Pieces:
@@ -92,7 +92,7 @@ def evaluate(at: Pieces, state: State, want: str, bits: int = BITS) -> Balls:
     tell (a singular matrix, half a turn).
     """
     with ctx.workprec(bits):
-        return WANTS[want](at, state)
+        return ANSWERS[want](at, state)
 
 
 def enclose(found_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -> Balls:

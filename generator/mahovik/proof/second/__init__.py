@@ -1,5 +1,5 @@
 """The second derivation: energies body by body, differentiated by CasADi. It shares no formula with the others."""
 
-from mahovik.proof.second.evaluate import WANTS, Second, evaluate
+from mahovik.proof.second.evaluate import Second, evaluate
 
-__all__ = ["WANTS", "Second", "evaluate"]
+__all__ = ["Second", "evaluate"]

@@ -10,6 +10,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from mahovik.contract.functions import CONFLICTS, wants_of
 from mahovik.core.stand.model import Leg, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -29,8 +30,8 @@ PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
 }
 """Wants that are CasADi functions of the state."""
 
-WANTS = ("momentum", "forward", "torque", "coupled", "generalized", "points")
-"""Every want that the second derivation has."""
+WANTS = wants_of("second")
+"""Wants of the second derivation: those of PROBLEMS, and `generalized`."""
 
 SHORTEST_LEG = 1e-9
 """m; a shorter leg has no direction."""
@@ -155,8 +156,9 @@ def check_want(want: Sequence[str]) -> None:
     for name in want:
         if name not in WANTS:
             raise StateError(f"want: the second derivation (casadi) has no {name!r}; it has " + ", ".join(WANTS))
-    if "forward" in want and "coupled" in want:
-        raise StateError("want: 'forward' and 'coupled' both give 'V_dot'; ask for them in two states")
+    for first, second, value in CONFLICTS:
+        if first in want and second in want:
+            raise StateError(f"want: {first!r} and {second!r} both give {value!r}; ask for them in two states")
 
 
 def _check_leg(leg: Leg, inputs: dict[str, Any]) -> None:

@@ -12,9 +12,6 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 
-WANTS = tuple(reference.WANTS)
-"""Every `want` of the contract."""
-
 
 class Backend(Protocol):
     """Evaluates states of one stand."""

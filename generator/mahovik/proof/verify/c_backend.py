@@ -122,7 +122,7 @@ class CBackend(ProgramBackend):
 
     def table(self) -> Any:
         """The compiled default table as plain data."""
-        return self.library.value(self.generated.program.function("forward"), "stand")
+        return self.library.value(self.generated.program.function("forward"), "table")
 
 
 def _written(files: Mapping[str, str], scratch: Path) -> Path:

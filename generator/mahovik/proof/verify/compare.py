@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.inverse import inverse_root
-from mahovik.proof.second import WANTS as SECOND_WANTS
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE, Bounds
 from mahovik.proof.verify.scales import scales
@@ -215,7 +215,7 @@ class Judge:
 
     def _second_values(self, state: State, want: str) -> tuple[dict[str, Any], str]:
         """What the second derivation gives: nothing where it has not the want; and the words of a refusal."""
-        if self._second is None or want not in SECOND_WANTS:
+        if self._second is None or "second" not in FUNCTIONS[want].judges:
             return {}, ""
         try:
             return self._second.evaluate(state, (want,)), ""

@@ -10,12 +10,12 @@ from typing import Any, cast
 
 import numpy as np
 
+from mahovik.contract.quantities import QUANTITIES, limits_of
 from mahovik.core.stand.model import Stand, Vec6
-from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state
+from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.wrenches import suspension_displacement
-from mahovik.proof.verify.states import MAX_PHASE
 
 CUT = {"double": 1e-6, "float": 1e-5}
 """rad; nearer than this to a half turn of the suspension, rounding decides which way it is turned back."""
@@ -55,17 +55,16 @@ def _kinds() -> Iterator[str]:
 
 def _one(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
     if kind in EXTREMES:
-        return extreme_state(stand, rng, kind, MAX_PHASE[real], LEAST_EXPONENT[real])
+        return extreme_state(stand, rng, kind, limits_of("phi", real)[0], LEAST_EXPONENT[real])
     state = random_state(stand, rng)
     if kind == "wrenched":
-        wrench = {body.name: cast(Vec6, tuple(map(float, rng.normal(size=6) * 5))) for body in stand.bodies}
-        return replace(state, wrench=MappingProxyType(wrench))
+        return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies]))
     return state
 
 
 def rounded(state: State) -> State:
     """The state with every number but the quaternion rounded to the nearest float."""
-    keys = ("position", "angles", "V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau")
+    keys = [row.symbol for row in QUANTITIES.values() if row.input and row.symbol != "wrench"]
     given = {key: getattr(state, key) for key in keys}
     found: dict[str, Any] = {key: None if value is None else tuple(map(_float, value)) for key, value in given.items()}
     wrench = {name: cast(Vec6, tuple(map(_float, value))) for name, value in state.wrench.items()}

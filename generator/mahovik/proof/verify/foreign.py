@@ -7,11 +7,11 @@ import shlex
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from mahovik.contract.functions import WANTS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.second import Second
-from mahovik.proof.verify.backends import WANTS
 from mahovik.proof.verify.bounds import DOUBLE, uniform
 from mahovik.proof.verify.compare import Judge, Row
 from mahovik.proof.verify.converse import converse

@@ -8,26 +8,15 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from mahovik.contract.functions import FUNCTIONS, WANTS
+from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.layout import Layout
-from mahovik.core.program.function import STATUS_VALUES, Program
+from mahovik.core.program.function import Program
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 
-STATUS_NAMES = {value: name for name, value in STATUS_VALUES.items()}
-
-PROGRAM_WANTS = ("matrices", "momentum", "forward", "generalized", "torque", "mounts", "coupled", "inverse", "points")
-"""The wants of stand.md that the program offers."""
-
 NEAR_SINGULAR_BELOW = 1e-6
 """`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
-
-MEANING = {
-    "NOT_FINITE": "an input is NaN or infinite",
-    "RANGE": "an input is outside its range, or a leg has no length",
-    "NOT_POSITIVE_DEFINITE": "the mass matrix is not positive definite",
-    "SINGULAR_ATTITUDE": "the attitude angles are at their singularity",
-}
-"""Why a state is refused, by the name of its status."""
 
 
 class Runner(Protocol):
@@ -55,9 +44,11 @@ class ProgramBackend:
     @property
     def wants(self) -> tuple[str, ...]:
         """What the program has an answer to: no points on a stand without, nothing to invert without flywheels."""
-        empty = set() if self.layout.flywheels else {"inverse", "torque", "mounts"}
-        empty |= set() if self.layout.sensors else {"points"}
-        return tuple(want for want in PROGRAM_WANTS if want not in empty)
+        return tuple(want for want in WANTS if want == "coupled" or self._has(FUNCTIONS[want].needs))
+
+    def _has(self, needs: str) -> bool:
+        """Whether the stand has what a row of the contract needs."""
+        return not needs or bool(getattr(self.layout, needs))
 
     @property
     def inputs(self) -> tuple[str, ...]:
@@ -67,8 +58,8 @@ class ProgramBackend:
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of stand.md. Raises StateError."""
         for name in want:
-            if name not in PROGRAM_WANTS:
-                raise StateError(f'the generated C has no "{name}" yet: it offers {", ".join(PROGRAM_WANTS)}')
+            if name not in WANTS:
+                raise StateError(f'want: unknown "{name}", expected one of {", ".join(WANTS)}')
         missing = [body for body in state.wrench if body not in self.inputs]
         if missing:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
@@ -77,8 +68,15 @@ class ProgramBackend:
         if self.layout.legs:
             self._call("wrench", inputs)  # a leg without length spoils a state, whatever is wanted
         for name in want:
-            results |= getattr(self, f"_{name}")(state, inputs)
+            answer = getattr(self, f"_{name}", None)
+            results |= answer(state, inputs) if answer else self._plain(name, inputs)
         return results
+
+    def _plain(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        """What a function gives, members of a struct of results by their names."""
+        outputs = self._call(function, inputs)
+        found: dict[str, Any] = outputs.get("out", outputs)
+        return found
 
     def arguments(self, state: State) -> dict[str, Any]:
         """A state as arguments of the program's functions, by name."""
@@ -94,7 +92,7 @@ class ProgramBackend:
         zero = (0.0,) * 6
         wrench = [number for body in self.inputs for number in state.wrench.get(body, zero)]
         return {
-            "stand": self._table,
+            "table": self._table,
             "mounting": self._mounting,
             "x": x,
             "sine": [math.sin(phi) for phi in state.phi],
@@ -125,27 +123,20 @@ class ProgramBackend:
     def _refuse(self, status: int) -> None:
         """Raises StateError for a negative status."""
         if status < 0:
-            name = STATUS_NAMES[status]
-            raise StateError(f"{name}: {MEANING.get(name, 'refused')}")
+            name = status_words(status)
+            raise StateError(f"{name}: {refusal_reason(name, 'refused')}")
 
     def _matrices(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        found: dict[str, Any] = self._call("matrices", inputs)["out"]
+        found = self._plain("matrices", inputs)
         if not self.layout.flywheels:
             found |= {"I": [[] for _ in range(6)], "J": [[] for _ in range(6)]}
         return found
-
-    def _momentum(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        found: dict[str, Any] = self._call("momentum", inputs)["out"]
-        return found
-
-    def _forward(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        return self._call("forward", inputs)
 
     def _generalized(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if state.quaternion is not None:
             raise StateError("generalized: needs angles, not a quaternion")
         angles = state.angles or (0.0, 0.0, 0.0)
-        found: dict[str, Any] = self._call("attitude", {**inputs, "angles": angles})["out"]
+        found: dict[str, Any] = self._call("generalized", {**inputs, "angles": angles})["out"]
         return found
 
     def _torque(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
@@ -154,7 +145,7 @@ class ProgramBackend:
     def _mounts(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.flywheels:
             return {"mount_wrench": np.zeros((0, 6))}
-        flat = self._call("mounts", inputs)["loads"]
+        flat = self._call("mounts", inputs)["mount_wrench"]
         return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
 
     def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
@@ -168,12 +159,11 @@ class ProgramBackend:
         status, outputs = self.call("inverse", inputs)
         self._refuse(status)
         found = outputs["out"]
-        names = [n for n, bit in STATUS_VALUES.items() if bit > 0 and status & bit]
         result = {name: found[name] for name in ("phi_ddot", "residual", "sigma", "rank")}
-        return result | {"status": "|".join(names) or "OK"}
+        return result | {"status": status_words(status)}
 
     def _points(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.sensors:
             return {"points": {}}
-        readings = self._call("measure", inputs)["out"]
+        readings = self._call("points", inputs)["out"]
         return {"points": dict(zip(self.layout.sensors, readings, strict=True))}

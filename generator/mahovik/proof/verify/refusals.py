@@ -6,34 +6,24 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from mahovik.core.program.function import STATUS_VALUES, Program
+from mahovik.contract.quantities import QUANTITIES
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.program.function import Program
 from mahovik.proof.verify.compare import Row
 
 Call = Callable[[str, Mapping[str, Any]], tuple[int, bool]]
 """Function name, inputs by argument name; status, and whether its outputs are untouched."""
 
-_LIMITS = {
-    "position": (1e6,) * 3,
-    "V": (1e4,) * 3 + (1e5,) * 3,
-    "phi_dot": (1e5,),
-    "phi_ddot": (1e9,),
-    "V_dot": (1e9,),
-    "tau": (1e9,),
-    "wrench": (1e9,),
-    "sine": (2.0,),
-    "cosine": (2.0,),
-}
-_NEVER = ("prepare", "prepare_mounts")  # take parameters, not a state
-
 
 def refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Row:
     """Every function of a state with one bad number at a time. `inputs` is a good state by argument name."""
-    phase = (program.precision.max_phase,)
-    limits = _LIMITS | {"phi": phase, "angles": phase}
+    real = program.precision.name
+    limits = {row.symbol: row.limits(real) for row in QUANTITIES.values() if row.input}
+    limits |= {"sine": (2.0,), "cosine": (2.0,)}
     row = Row("", "bad inputs refused, outputs untouched", verdict="ok")
     for function in program.functions:
         names = {a.name for a in function.arguments if a.direction == "in"}
-        if not function.public or function.name in _NEVER or not names & {"x", "angles"}:
+        if not function.public or not names & {"x", "angles"}:
             continue
         for where, value, bad, expected in bad_inputs({n: v for n, v in inputs.items() if n in names}, limits):
             if where.startswith("attitude") and "angles" in names:

@@ -6,29 +6,21 @@ import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import cycle
 from types import MappingProxyType
 from typing import Any, cast
 
-from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.contract.functions import CONFLICTS, WANTS
+from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
+from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError
 from mahovik.nearest import meant
-from mahovik.proof.verify.backends import WANTS
-
-MAX_PHASE = {"double": 1e7, "float": 1e3}
-"""Largest accepted phase by element type, rad; attitude angles likewise."""
-
-UNIT_LENGTH = 1e-3
-"""A quaternion whose length is off by no more is normalised; any other is an error."""
 
 ROUNDING = 4 * 2.0**-52
 """Of four squares and a root: a quaternion that is off by no more is unit already, and a state replays bit for bit."""
 
-KEYS = (
-    "id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau", "wrench", "want",
-)  # fmt: skip
-
-ONE_NAME_TWO_VALUES = (("forward", "coupled", "V_dot"), ("coupled", "inverse", "phi_ddot"))
+KEYS = ("id", "quaternion", *(row.symbol for row in QUANTITIES.values() if row.input), "want")
 
 
 @dataclass(frozen=True)
@@ -73,28 +65,19 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
         duplicated = _duplicate_in(value)
         if duplicated is not None:
             raise StateError(f'{key}: key "{duplicated}" is there twice')
-    count = len(stand.flywheels)
-    phase = MAX_PHASE[real]
     if "angles" in found and "quaternion" in found:
         raise StateError("angles, quaternion: both given, expected one of them")
     want = _want(found)
     if "generalized" in want and "quaternion" in found:
         raise StateError("quaternion: `generalized` needs `angles`")
-    angles = _numbers(found, "angles", 3, phase) if "angles" in found else None
-    V = _numbers(found, "V", 6, 1e5)
-    _check_range("V", V[:3], 1e4)
-    state = State(
-        position=cast(Vec3, _numbers(found, "position", 3, 1e6)),
-        angles=cast(Vec3 | None, angles),
-        quaternion=_quaternion(found) if "quaternion" in found else None,
-        V=cast(Vec6, V),
-        phi=_numbers(found, "phi", count, phase),
-        phi_dot=_numbers(found, "phi_dot", count, 1e5),
-        phi_ddot=_numbers(found, "phi_ddot", count, 1e9),
-        V_dot=cast(Vec6, _numbers(found, "V_dot", 6, 1e9)),
-        tau=_numbers(found, "tau", count, 1e9),
-        wrench=_wrench(stand, found),
-    )
+    given: dict[str, Any] = {
+        row.symbol: _numbers(found, row, len(stand.flywheels) if row.count == "N" else int(row.count), real)
+        for row in QUANTITIES.values()
+        if row.input and row.symbol != "wrench"
+    }
+    given["angles"] = given["angles"] if "angles" in found else None
+    quaternion = _quaternion(found) if "quaternion" in found else None
+    state = State(**given, quaternion=quaternion, wrench=_wrench(stand, found, real))
     return Request(identifier(found), state, want)
 
 
@@ -159,24 +142,29 @@ def _want(found: dict[str, Any]) -> tuple[str, ...]:
             raise StateError(f"want: expected names, found {shown(name)}")
         if name not in WANTS:
             raise StateError(f'want: unknown "{name}"{meant(name, WANTS)}')
-    for first, second, value in ONE_NAME_TWO_VALUES:
+    for first, second, value in CONFLICTS:
         if first in given and second in given:
             raise StateError(f'want: "{first}" and "{second}" both give {value}, ask for them in two states')
     return tuple(given)
 
 
-def _numbers(found: dict[str, Any], key: str, count: int, limit: float) -> tuple[float, ...]:
-    return _list_of(found[key], key, count, limit) if key in found else (0.0,) * count
+def _numbers(found: dict[str, Any], row: Quantity, count: int, real: str) -> tuple[float, ...]:
+    """The numbers of a quantity, zeros where it is missing."""
+    if row.symbol not in found:
+        return (0.0,) * count
+    return _list_of(found[row.symbol], row.symbol, count, row.limits(real))
 
 
-def _list_of(given: Any, where: str, count: int, limit: float) -> tuple[float, ...]:
-    """`count` finite numbers, none beyond `limit` in magnitude."""
+def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tuple[float, ...]:
+    """`count` finite numbers within their limits in magnitude, which repeat."""
     if not isinstance(given, list):
         raise StateError(f"{where}: expected a list of {count} numbers, found {shown(given)}")
     if len(given) != count:
         raise StateError(f"{where}: expected {count} numbers, found {len(given)}")
     numbers = tuple(_number(value, f"{where}[{i}]") for i, value in enumerate(given))
-    _check_range(where, numbers, limit)
+    for i, (number, limit) in enumerate(zip(numbers, cycle(limits), strict=False)):
+        if abs(number) > limit:
+            raise StateError(f"{where}[{i}]: {number:.9g} is out of range, at most {limit:g} in magnitude")
     return numbers
 
 
@@ -192,14 +180,8 @@ def _number(given: Any, where: str) -> float:
     return number
 
 
-def _check_range(where: str, numbers: Sequence[float], limit: float) -> None:
-    for i, number in enumerate(numbers):
-        if abs(number) > limit:
-            raise StateError(f"{where}[{i}]: {number:.9g} is out of range, at most {limit:g} in magnitude")
-
-
 def _quaternion(found: dict[str, Any]) -> Quaternion:
-    q = _list_of(found["quaternion"], "quaternion", 4, math.inf)
+    q = _list_of(found["quaternion"], "quaternion", 4, (math.inf,))
     length = math.hypot(*q)
     if not abs(length - 1.0) <= UNIT_LENGTH:
         raise StateError(f"quaternion: length {length:.9g}, expected 1 within {UNIT_LENGTH:g}")
@@ -208,7 +190,7 @@ def _quaternion(found: dict[str, Any]) -> Quaternion:
     return cast(Quaternion, tuple(x / length for x in q))
 
 
-def _wrench(stand: Stand, found: dict[str, Any]) -> MappingProxyType[str, Vec6]:
+def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, Vec6]:
     given = found.get("wrench", {})
     if not isinstance(given, dict):
         raise StateError(f"wrench: expected an object of bodies, found {shown(given)}")
@@ -216,6 +198,7 @@ def _wrench(stand: Stand, found: dict[str, Any]) -> MappingProxyType[str, Vec6]:
     for name in given:
         if name not in bodies:
             raise StateError(f'wrench: unknown body "{name}"{meant(name, bodies)}')
+    limits = QUANTITIES["wrench"].limits(real)
     return MappingProxyType(
-        {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, 1e9)) for name, value in given.items()}
+        {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, limits)) for name, value in given.items()}
     )

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.servo import ServoTables, servo_code
 from mahovik.core.lower.servo.form import ServoForm, TrimForm
 from mahovik.core.lower.servo.program import lower_servo
 from mahovik.core.motion.servo import Servo
-from mahovik.core.program.function import STATUS_VALUES
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library, filled
 from mahovik.errors import StateError
@@ -23,7 +23,6 @@ from mahovik.use.control.trim import TrimDesign, trim_members
 from mahovik.use.control.wanted import Wanted
 from mahovik.use.plan.array import Array
 
-_NAMES = {value: name for name, value in STATUS_VALUES.items()}
 _LIMITED = STATUS_VALUES["LIMITED"]
 
 
@@ -99,7 +98,7 @@ class Controller:
 
     def _check(self, status: int) -> int:
         if status < 0:
-            raise StateError(f"the servo refuses a sample: {_NAMES[status]}")
+            raise StateError(f"the servo refuses a sample: {status_words(status)}")
         return int(status)
 
 

@@ -8,6 +8,7 @@ from typing import TypeVar, cast
 
 import numpy as np
 
+from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import (
     Body,
     Buoyancy,
@@ -22,7 +23,7 @@ from mahovik.core.stand.model import (
     Suspension,
     Vec3,
 )
-from mahovik.core.stand.physical import check_body, check_stand, inertia_about_center
+from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array
@@ -115,8 +116,8 @@ class _RandomErrors:
         )
         if body.buoyancy is not None:
             own = body.buoyancy
-            afloat = Buoyancy(self.times(own.displaced_mass), self.vector(own.center))
-            changed = replace(changed, buoyancy=afloat)
+            buoyancy = Buoyancy(self.times(own.displaced_mass), self.vector(own.center))
+            changed = replace(changed, buoyancy=buoyancy)
         if body.damping is not None:
             changed = replace(changed, damping=self.damping(body.damping))
         return changed

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from mahovik.core.motion.document import Section, text_of
+from mahovik.core.motion.document import text_of
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
@@ -29,6 +29,7 @@ from mahovik.errors import DesignError
 from mahovik.nearest import meant
 from mahovik.use.design.freedom import MIRRORS, PARTS, WIDTH, Freedom, Key, Limits, Tie, Weights
 from mahovik.use.design.limits import nearest_two
+from mahovik.use.design.section import Section
 from mahovik.use.design.space import flywheel_numbers
 
 TOP = ("schema", "number", "phase", "speed", "harmonics", "quality", "free", "group", "limits", "cost")
@@ -48,11 +49,7 @@ HARMONICS, QUALITY = 3, 1e-3
 def load_freedom(path: str | Path, stand: Stand) -> Freedom:
     """Read and check the file at `path` for `stand`. Raises DesignError with every problem."""
     path = Path(path)
-    try:
-        text = text_of(path, TABLE)
-    except ValueError as error:
-        raise DesignError([str(error)]) from None
-    return read_freedom(text, stand, path.name)
+    return read_freedom(text_of(path, TABLE, DesignError), stand, path.name)
 
 
 def read_freedom(text: str, stand: Stand, source: str = "free") -> Freedom:

@@ -17,7 +17,7 @@ from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.certificate import certify, drop_refused_tables, failed_items, make_programme
 from mahovik.use.plan.choose import Improver, choose
 from mahovik.use.plan.figures import figures
-from mahovik.use.plan.finite import plan_finite
+from mahovik.use.plan.finite_planner import plan_finite
 from mahovik.use.plan.ocp import requested_partition
 from mahovik.use.plan.options import PlanOptions
 from mahovik.use.plan.outcome import Candidates, OnProgress, Plan, Status

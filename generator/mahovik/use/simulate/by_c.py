@@ -11,10 +11,10 @@ from typing import Any, cast
 
 import numpy as np
 
+from mahovik.contract.status import status_words
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.errors import StateError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.program_backend import STATUS_NAMES
 from mahovik.use.simulate.case import Array, Case, wrap_phases
 from mahovik.use.simulate.mobility import Mobility
 from mahovik.use.simulate.moment import Moment
@@ -75,7 +75,7 @@ class CMotion:
             return ffi.cast(f"{self.case.stand.name}_real *", array.ctypes.data)
 
         known = {
-            "stand": self.c.library.default("default"),
+            "table": self.c.library.default("default"),
             "x": self._x,
             "tau": real(self._drive),
             "phi_ddot": real(self._drive),
@@ -157,7 +157,7 @@ class CMotion:
 
     def _check(self, status: int, t: float) -> None:
         if status < 0:
-            raise StateError(f"at t = {t:.6g} s a step returned {STATUS_NAMES[status]}: the motion leaves its ranges")
+            raise StateError(f"at t = {t:.6g} s a step returned {status_words(status)}: the motion leaves its ranges")
 
     def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot and drive torques at the present state."""

@@ -10,6 +10,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.regime import Regime
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State
@@ -17,7 +18,7 @@ from mahovik.errors import UsageError
 
 Array = NDArray[np.float64]
 LARGE = 1e6  # rad; larger phases are wrapped before they enter a state, whose range ends at 1e7
-MAX_STEP = 10.0  # s; the C refuses longer steps
+MAX_STEP = BOUNDS["MAX_STEP"].value  # s; the C refuses longer steps
 _TURN = 2 * math.pi
 
 

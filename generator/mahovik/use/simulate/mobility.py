@@ -18,11 +18,11 @@ class Mobility:
         function = c.program.function("coupled_jacobian")
         kind, N = f"{c.program.name}_real[]", len(locked)
         self._call = c.library.function("coupled_jacobian")
-        self._out = ffi.new(f"{c.program.name}_coupled_slopes *")
+        self._out = ffi.new(f"{c.program.name}_coupled_jacobian_result *")
         view = np.frombuffer(ffi.buffer(ffi.addressof(self._out, "phi_ddot_tau")), dtype=np.float64)
         self._view = view.reshape(N, N)
         known = {
-            "stand": c.library.default("default"),
+            "table": c.library.default("default"),
             "x": x,
             "tau": ffi.new(kind, N),
             "locked": ffi.new("int[]", locked),

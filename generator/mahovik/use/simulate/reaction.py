@@ -21,10 +21,10 @@ class Reaction:
         ffi = c.library.ffi
         function = c.program.function("matrices")
         self._call = c.library.function("matrices")
-        self._out = ffi.new(f"{c.program.name}_equations *")
+        self._out = ffi.new(f"{c.program.name}_matrices_result *")
         self._I = np.frombuffer(ffi.buffer(ffi.addressof(self._out, "I")), dtype=np.float64).reshape(6, -1)
         zero = ffi.new(f"{c.program.name}_real[]", 6 * max(len(c.inputs), 1))
-        known = {"stand": c.library.default("default"), "x": x, "wrench": zero, "out": self._out}
+        known = {"table": c.library.default("default"), "x": x, "wrench": zero, "out": self._out}
         self._arguments = [known[a.name] for a in function.arguments]
         first = 6 * c.inputs.index("carrier")
         self.place = slice(first, first + 6)

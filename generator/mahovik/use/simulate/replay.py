@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from mahovik.contract.status import status_words
 from mahovik.core.emit.generate import LANES, Generated, generate_all
 from mahovik.core.emit.header import read_header
 from mahovik.core.emit.log_format import fnv1a, state_hash, table_bytes, table_from_bytes
@@ -19,7 +20,6 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.program_backend import STATUS_NAMES
 from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step
 
 Members = dict[str, Reals]
@@ -40,7 +40,7 @@ class Outcome:
     def difference(self) -> str:
         """How the step differs from the log."""
         if self.status != self.step.status:
-            return f"status {status_name(self.step.status)} in the log, {status_name(self.status)} here"
+            return f"status {status_words(self.step.status)} in the log, {status_words(self.status)} here"
         here = state_hash([m.tobytes() for m in self.after.values()])
         return f"the state after it has hash {self.step.hash:08x} in the log, {here:08x} here"
 
@@ -105,7 +105,7 @@ class CMachine:
     def step(self, step: Step) -> int:
         """See Machine."""
         name, inputs = step_inputs(self.generated, step)
-        known: dict[str, Any] = {"stand": self._table, "x": self._x, "next": self._x}
+        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         for key, value in inputs.items():
             if isinstance(value, np.ndarray):
                 kind = f"{self._prefix}_real[]" if value.dtype.kind == "f" else "int[]"
@@ -159,7 +159,7 @@ class InterpreterMachine:
     def step(self, step: Step) -> int:
         """See Machine."""
         name, inputs = step_inputs(self.generated, step)
-        known: dict[str, Any] = {"stand": self._table, "x": self._x, "next": self._x}
+        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
         known["dt"] = self.generated.program.precision.scalar(step.dt)
         arguments = self.generated.program.function(name).arguments
@@ -246,11 +246,6 @@ def explain(machine: Machine, start: Start) -> str:
 def _texts(folder: Path, name: str) -> dict[str, str]:
     """Header and source of a stand in a folder."""
     return {f"{name}.{kind}": (folder / f"{name}.{kind}").read_text(encoding="utf-8") for kind in ("h", "c")}
-
-
-def status_name(status: int) -> str:
-    """Name of a status."""
-    return STATUS_NAMES.get(status, str(status))
 
 
 def logged_lanes(stand: Stand, start: Start) -> int:

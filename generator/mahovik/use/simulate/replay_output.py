@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.status import status_words
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.verify.evaluate import encode
 from mahovik.use.simulate.flight_log import members
-from mahovik.use.simulate.replay import Outcome, status_name
+from mahovik.use.simulate.replay import Outcome
 
 FORMATS = (".csv", ".jsonl")
 
@@ -31,7 +32,7 @@ def csv_heading(flywheels: int) -> str:
 def csv_row(outcome: Outcome) -> str:
     """One row of a CSV file: the state after a step, in digits that read back to the same bits."""
     numbers = [repr(number) for values in outcome.after.values() for number in _plain(values)]
-    return ",".join([str(outcome.step.count), status_name(outcome.status), *numbers]) + "\n"
+    return ",".join([str(outcome.step.count), status_words(outcome.status), *numbers]) + "\n"
 
 
 def eval_line(outcome: Outcome, wrenches: Sequence[str]) -> str:
@@ -59,7 +60,7 @@ def step_dump(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:
         yield eval_line(outcome, wrenches)
     except StateError as error:
         yield json.dumps({"id": f"step {step.count}", "error": str(error)})
-    yield f"step {step.count}, {'step_driven' if step.driven else 'step'}: {status_name(outcome.status)}"
+    yield f"step {step.count}, {'step_driven' if step.driven else 'step'}: {status_words(outcome.status)}"
     yield f"dt {float(step.dt).hex()} order {step.order}"
     inputs: Mapping[str, Any] = {"phi_ddot" if step.driven else "tau": step.drive, "wrench": step.wrench}
     for name, values in inputs.items():

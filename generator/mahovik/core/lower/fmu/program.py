@@ -11,8 +11,9 @@ from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Not, Place, Status, both, integer, real, unequal
-from mahovik.core.program.function import Argument, Function, Program
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, Status, and_, integer, real, unequal
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable
@@ -57,9 +58,9 @@ def _unit_attitude(lib: Library) -> Function:
     lib.check(body, "within", q, 4, real(_SQUARED))
     square = body.let("square", _square(q))
     body.set(length.place, call(lib["sqrt"], square))
-    lib.guard(body, Not(both(square > real(0.5), square < real(2))), "RANGE")
+    lib.guard(body, Not(and_(square > real(0.5), square < real(2))), "RANGE")
     with body.when(unequal(strict.place, integer(0))):
-        lib.guard(body, Not(both(square >= real(UNIT_SQUARE_MIN), square <= real(UNIT_SQUARE_MAX))), "RANGE")
+        lib.guard(body, Not(and_(square >= real(UNIT_SQUARE_MIN), square <= real(UNIT_SQUARE_MAX))), "RANGE")
     inverse = body.let("inverse", 1 / length.place)
     for i in range(4):
         body.set(q[i], q[i] * inverse)

@@ -9,20 +9,21 @@ from __future__ import annotations
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
     Expr,
     Not,
     Place,
     Status,
-    both,
-    either,
+    and_,
     integer,
+    or_,
     real,
     select,
     word,
 )
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 
 MOST = 2**31 - 1
@@ -48,7 +49,7 @@ def start(lib: Library) -> Function:
     periods = Argument("periods", Kind.INT, purpose="1 or more")
     clock = Argument("clock", CLOCK, (), "out", "", "at phase 0")
     body = Body()
-    good = both(periods.place >= 1, both(ticks.place >= 2, periods.place <= ticks.place / integer(2)))
+    good = and_(periods.place >= 1, and_(ticks.place >= 2, periods.place <= ticks.place / integer(2)))
     lib.guard(body, Not(good), "BAD_ARGUMENT")
     body.note("Long division of 2^width periods by ticks: quotient and remainder are exact.")
     count = body.let("count", Convert(ticks.place, Kind.WORD))
@@ -90,13 +91,13 @@ def advance(lib: Library) -> Function:
     clock = Argument("clock", CLOCK, (), "inout", "", "what start made")
     c = clock.place
     body = Body()
-    inside = both(_below(c.rest, c.ticks), _below(c.surplus, c.ticks))
-    lib.guard(body, Not(both(c.laps >= 0, inside)), "BAD_ARGUMENT")
+    inside = and_(_below(c.rest, c.ticks), _below(c.surplus, c.ticks))
+    lib.guard(body, Not(and_(c.laps >= 0, inside)), "BAD_ARGUMENT")
     left = body.let("left", c.ticks - c.rest, "parts until one more is full")
     carry = body.let("carry", Not(c.surplus < left))
     phase = body.let("phase", c.phase + c.increment + select(carry, word(1), word(0)))
     lapped = body.let("lapped", phase < c.phase)
-    body.set(c.laps, c.laps + select(both(lapped, c.laps < MOST), integer(1), integer(0)))
+    body.set(c.laps, c.laps + select(and_(lapped, c.laps < MOST), integer(1), integer(0)))
     body.set(c.rest, select(carry, c.surplus - left, c.rest + c.surplus))
     body.set(c.phase, phase)
     body.ret(Status("OK"))
@@ -133,4 +134,4 @@ def phase(lib: Library) -> Function:
 
 def _below(value: Place, limit: Place) -> Expr:
     """0 <= value < limit"""
-    return Not(either(value < 0, Not(value < limit)))
+    return Not(or_(value < 0, Not(value < limit)))

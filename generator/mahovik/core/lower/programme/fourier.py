@@ -7,8 +7,9 @@ from mahovik.core.lower.programme.form import SECTORS, Form
 from mahovik.core.lower.programme.place import check_phase, phase_argument, spot, turned
 from mahovik.core.lower.programme.quintic import output_arguments
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Status, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 

@@ -11,21 +11,21 @@ from fractions import Fraction
 
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
     Expr,
     Not,
     Place,
     Status,
+    and_,
     bits_of,
-    both,
-    either,
     integer,
+    or_,
     real,
     select,
     word,
 )
-from mahovik.core.program.function import Argument
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 
@@ -48,8 +48,8 @@ def phase_argument(cyclic: bool) -> Argument:
 def check_phase(lib: Library, body: Body, phase: Place, cyclic: bool) -> None:
     """RANGE, NOT_FINITE where the phase is none."""
     largest = lib.limits["LARGEST"].expression
-    with body.when(Not(both(phase >= 0, phase < 1 if cyclic else phase <= 1))):
-        with body.when(both(phase >= -largest, phase <= largest)):
+    with body.when(Not(and_(phase >= 0, phase < 1 if cyclic else phase <= 1))):
+        with body.when(and_(phase >= -largest, phase <= largest)):
             body.ret(Status("RANGE"))
         body.ret(Status("NOT_FINITE"))
 
@@ -62,7 +62,7 @@ def spot(lib: Library, body: Body, phase: Place, parts: int, cyclic: bool) -> Sp
     shifted = body.let("shifted", x + magic)
     close = body.let("close", shifted - magic)
     before = x < close
-    behind = body.let("behind", before if cyclic else either(before, Not(phase < 1)), "the part ends there")
+    behind = body.let("behind", before if cyclic else or_(before, Not(phase < 1)), "the part ends there")
     number = bits_of(shifted) - select(behind, word(1), word(0))
     j = body.let("j", Convert(number & word(parts - 1), Kind.INT))
     u = body.let("u", select(behind, (x - close) + real(1), x - close))

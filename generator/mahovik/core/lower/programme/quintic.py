@@ -14,8 +14,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.programme.form import Form
 from mahovik.core.lower.programme.place import Spot, check_phase, phase_argument, spot, turned
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert, Expr, Place, Status, integer, real, select
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 POINTS = 6

@@ -6,8 +6,9 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Not, Place, Status, both, real
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Not, Place, Status, and_, real
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
@@ -23,7 +24,7 @@ def coordinates(lib: Library, form: ServoForm) -> Function:
     lib.check(body, "within", position.place, 3, lib.limits["MAX_POSITION"].expression)
     lib.check(body, "within", a, 4, real(2))
     norm = body.let("norm2", a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3])
-    lib.guard(body, Not(both(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))), "RANGE")
+    lib.guard(body, Not(and_(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))), "RANGE")
     chosen = form.trim.coordinates
     if form.trim.angles:
         C = body.local("C", (9,), comment="row by row")

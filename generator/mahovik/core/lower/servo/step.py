@@ -11,8 +11,9 @@ from __future__ import annotations
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Expr, Operand, Status, either, integer, real, select, unequal
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Expr, Operand, Status, integer, or_, real, select, unequal
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 REACHED = 3.0
@@ -105,7 +106,7 @@ def step(lib: Library, form: ServoForm) -> Function:
         inside = body.let("inside", _clamp(lib, u, g.limit[s]))
         low, high = x.torque[s] - g.change[s], x.torque[s] + g.change[s]
         given = body.let("given", call(lib["clamped"], inside, low, high))
-        body.set(cut, select(either(given < u, given > u), integer(1), cut))
+        body.set(cut, select(or_(given < u, given > u), integer(1), cut))
         body.note("The integral loses what the limits cut off.")
         z = body.let("z", x.integral[s] + g.integral[s] * e + g.back[s] * (given - u))
         body.set(x.integral[s], _clamp(lib, z, g.limit[s]))

@@ -13,20 +13,21 @@ from mahovik.core.lower.programme.clock import MOST
 from mahovik.core.lower.programme.place import check_phase
 from mahovik.core.lower.servo.form import ServoForm, TrimForm
 from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
     Convert,
     Not,
     Place,
     Status,
-    both,
-    either,
+    and_,
     equal,
     integer,
+    or_,
     real,
     select,
     unequal,
 )
-from mahovik.core.program.function import Argument, Function
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 
@@ -94,7 +95,7 @@ def measure(lib: Library, form: ServoForm) -> Function:
     d, n = design.place, sample.place
     body = Body()
     first, last = d.settling, d.settling + d.window
-    with body.when(both(n >= first, n < last)):
+    with body.when(and_(n >= first, n < last)):
         with body.loop("c", trim.measured) as c, body.loop("i", trim.terms) as i:
             before = select(equal(n, first), real(0), total.place[c][i])
             body.set(total.place[c][i], before + q.place[c] * functions.place[i])
@@ -130,7 +131,7 @@ def correct(lib: Library, form: ServoForm) -> Function:
         with body.loop("c", trim.measured) as c, body.loop("i", trim.terms) as i:
             body.set(found, found - d.matrix[row][c * terms + i] * error[c][i])
         inside = body.let("inside", call(lib["clamped"], found, -d.limit, d.limit))
-        body.set(cut, select(either(inside < found, inside > found), integer(1), cut))
+        body.set(cut, select(or_(inside < found, inside > found), integer(1), cut))
         body.set(wanted[j], inside)
     with body.when(unequal(cut, integer(0))):
         body.ret(Status("LIMITED"))
@@ -165,7 +166,7 @@ def step(lib: Library, form: ServoForm) -> Function:
     for place, most in ((phi, "MAX_PHASE"), (phi_dot, "MAX_SPEED"), (tau, "MAX_WRENCH")):
         lib.check(body, "within", place.place, form.count, limit[most])
     end = body.let("end", d.settling + d.window)
-    good = both(both(x.sample >= 0, x.rounds >= 0), x.sample < end + integer(form.count))
+    good = and_(and_(x.sample >= 0, x.rounds >= 0), x.sample < end + integer(form.count))
     lib.guard(body, Not(good), "BAD_ARGUMENT")
     functions = body.local("basis", (trim.terms,))
     body.call(lib["trim_basis"], phase.place, functions)

@@ -1,177 +1,181 @@
-"""Programme file (JSON) -> Programme. Every problem of the file is found before any is reported."""
+"""Programme file (JSON) -> Programme. All problems of the keys are found before any is reported."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
+from pydantic import Field
 
-from mahovik.core.motion import document
-from mahovik.core.motion.document import Section
+from mahovik.core.motion.document import checked, document_of, text_of
+from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, quantity, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
 from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.fields import Table, Text, validator
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
-from mahovik.core.stand.units import PLAIN, TIME, QuantityError
+from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.errors import ProgrammeError
 
-KEYS = (
-    "schema", "stand", "motion", "flywheels", "period", "duration", "bias", "winding", "fourier", "samples", "runup",
-    "rundown", "report",
-)  # fmt: skip
-STAND_KEYS = ("name", "structure", "physics")
-SAMPLE_KEYS = ("t", "phi", "phi_dot", "phi_ddot")
-FOURIER_KEYS = ("mean", "cos", "sin")
+
+def _names(raw: Any) -> tuple[str, ...]:
+    if not isinstance(raw, list):
+        raise QuantityError(f"expected a list, found {show(raw)}")
+    if not all(isinstance(name, str) for name in raw):
+        raise QuantityError("expected names")
+    if not raw:
+        raise QuantityError("expected at least one name")
+    return tuple(raw)
+
+
+def _one_each(raw: Any, context: dict[str, Any]) -> tuple[float, ...]:
+    return vector(raw, (context["flywheels"],), PLAIN)
+
+
+def _rows(raw: Any, context: dict[str, Any]) -> tuple[tuple[float, ...], ...]:
+    return rows(raw, lambda row: _one_each(row, context))
+
+
+def _turns(raw: Any, context: dict[str, Any]) -> tuple[int, ...]:
+    N = context["flywheels"]
+    if isinstance(raw, list) and len(raw) != N:
+        raise QuantityError(f"expected {N} whole numbers, one a flywheel, found {len(raw)}")
+    return integers(raw)
+
+
+def _report(raw: Any) -> dict[str, Any]:
+    if not isinstance(raw, dict):
+        raise QuantityError(f"expected an object, found {show(raw)}")
+    return {key: _plain(value) for key, value in raw.items()}
+
+
+Row = Annotated[tuple[float, ...], context_validator(_one_each)]
+Rows = Annotated[tuple[tuple[float, ...], ...], context_validator(_rows)]
+Span = Annotated[float | None, quantity(TIME, above=0.0)]
+
+
+class IdentityTable(Table):
+    """`stand`: name and identities of the stand."""
+
+    name: Text
+    structure: Text
+    physics: Text
+
+
+class FourierTable(Table):
+    """`fourier`."""
+
+    mean: Row
+    cos: Rows
+    sin: Rows
+
+
+class SamplesTable(Table):
+    """`samples`."""
+
+    t: Times
+    phi: Rows
+    phi_dot: Rows
+    phi_ddot: Rows
+
+
+class RunUpFields(Table):
+    """`runup` or `rundown`."""
+
+    duration: Annotated[float, quantity(TIME, above=0.0)]
+    samples: SamplesTable
+
+
+class ProgrammeTable(Table):
+    """A programme file."""
+
+    stand: IdentityTable
+    motion: Text
+    flywheels: Annotated[tuple[str, ...], validator(_names)]
+    period: Span = None
+    duration: Span = None
+    bias: Annotated[tuple[float, ...], validator(lambda raw: vector(raw, (6,), PLAIN))]
+    winding: Annotated[tuple[int, ...] | None, context_validator(_turns)] = None
+    fourier: Annotated[FourierTable | None, NOT_NULL] = None
+    samples: Annotated[SamplesTable | None, NOT_NULL] = None
+    runup: Annotated[RunUpFields | None, NOT_NULL] = None
+    rundown: Annotated[RunUpFields | None, NOT_NULL] = None
+    report: Annotated[dict[str, Any], validator(_report)] = Field(default_factory=dict)
 
 
 def load_programme(path: str | Path) -> Programme:
     """Read and check the programme file at `path`. Raises ProgrammeError with every problem."""
     path = Path(path)
-    try:
-        text = document.text_of(path, TABLE)
-    except ValueError as error:
-        raise ProgrammeError([str(error)]) from None
-    return read_programme(text, path.name)
+    return read_programme(text_of(path, TABLE, ProgrammeError), path.name)
 
 
 def read_programme(text: str, source: str = "programme") -> Programme:
     """Read and check a programme given as text; `source` names it in messages. Raises ProgrammeError."""
-    try:
-        found = document.whole(text, source)
-    except ValueError as error:
-        raise ProgrammeError([str(error)]) from None
-    if "type" in found and "stand" not in found:
+    document = document_of(text, source, ProgrammeError)
+    if "type" in document and "stand" not in document:
         raise ProgrammeError([f"{source}: is a motion file; expected a programme file here: were the two swapped?"])
-    problems = Problems(source)
-    top = Section(problems, found)
-    top.only(KEYS)
-    names = _names(top)
-    N = len(names)
-    identity = _identity(top)
-    motion = top.text("motion", "") if top.has("motion") else ""
-    periodic, span = _span(top)
-    bias = top.numbers("bias", top.given["bias"], 6, PLAIN) if top.has("bias") else None
-    winding = _winding(top, N, periodic)
-    course = _course(top, N, periodic, span)
-    tables = {key: _table(top, key, N) for key in ("runup", "rundown")}
-    report = top.section("report")
-    if problems.lines or span is None or bias is None or course is None or report is None:
+    problems, names = Problems(source), document.get("flywheels")
+    N = len(names) if isinstance(names, list) else 0
+    table = checked(ProgrammeTable, document, problems, flywheels=N)
+    for pair in (("period", "duration"), ("fourier", "samples")):
+        given = [key for key in pair if key in document]
+        if len(given) != 1:
+            problems.add(f"expected one of {', '.join(pair)}, found {' and '.join(given) or 'none'}")
+    if table is None or problems.lines:
+        raise ProgrammeError(problems.lines)
+    periodic, span = table.period is not None, table.period or table.duration
+    assert span is not None
+    if periodic and table.winding is None:
+        problems.add("winding", "required, but missing")
+    if not periodic and any(table.winding or ()):
+        problems.add("winding", "not allowed with `duration`: winding is turns a period")
+    course: Fourier | Samples | None = None
+    if table.samples is not None:
+        course = _samples(table.samples, span, periodic, problems, "samples")
+    elif not periodic:
+        problems.add("fourier", "not allowed with `duration`: a finite programme has `samples`")
+    else:
+        course = _fourier(table.fourier, N, problems)
+    tables = {key: _run_up(getattr(table, key), problems, key) for key in ("runup", "rundown")}
+    if course is None or problems.lines:
         raise ProgrammeError(problems.lines)
     return Programme(
-        stand=identity["name"],
-        structure=identity["structure"],
-        physics=identity["physics"],
-        motion=motion,
-        flywheels=names,
+        stand=table.stand.name,
+        structure=table.stand.structure,
+        physics=table.stand.physics,
+        motion=table.motion,
+        flywheels=table.flywheels,
         periodic=periodic,
         span=span,
-        bias=np.array(bias),
-        winding=winding,
+        bias=np.array(table.bias),
+        winding=table.winding or (0,) * N,
         course=course,
-        runup=tables["runup"],
-        rundown=tables["rundown"],
-        report=_plain(report.given),
+        report=table.report,
+        **tables,
     )
 
 
-def _names(top: Section) -> tuple[str, ...]:
-    names = top.rows("flywheels") if top.has("flywheels") else []
-    if "flywheels" in top and not names:
-        top.refuse("flywheels", "expected at least one name")
-    if not all(isinstance(name, str) for name in names):
-        top.refuse("flywheels", "expected names")
-        return ("",) * len(names)
-    return tuple(names)
-
-
-def _identity(top: Section) -> dict[str, str]:
-    section = top.section("stand") if top.has("stand") else None
-    if section is None:
-        return dict.fromkeys(STAND_KEYS, "")
-    section.only(STAND_KEYS)
-    return {key: section.text(key, "") if section.has(key) else "" for key in STAND_KEYS}
-
-
-def _span(top: Section) -> tuple[bool, float | None]:
-    given = [key for key in ("period", "duration") if key in top]
-    if len(given) != 1:
-        top.problems.add(f"expected one of period, duration, found {' and '.join(given) or 'none'}")
-        return True, None
-    return given == ["period"], top.above_zero(given[0], TIME)
-
-
-def _winding(top: Section, N: int, periodic: bool) -> tuple[int, ...]:
-    if not periodic and "winding" not in top:
-        return (0,) * N
-    raw = top.rows("winding") if top.has("winding") else [0] * N
-    if len(raw) != N:
-        top.refuse("winding", f"expected {N} whole numbers, one a flywheel, found {len(raw)}")
-        return (0,) * N
-    turns = tuple(top.integer(f"winding[{i}]", each) or 0 for i, each in enumerate(raw))
-    if not periodic and any(turns):
-        top.refuse("winding", "goes with `period`: winding is turns a period")
-    return turns
-
-
-def _course(top: Section, N: int, periodic: bool, span: float | None) -> Fourier | Samples | None:
-    given = [key for key in ("fourier", "samples") if key in top]
-    if len(given) != 1:
-        top.problems.add(f"expected one of fourier, samples, found {' and '.join(given) or 'none'}")
+def _fourier(table: FourierTable | None, N: int, problems: Problems) -> Fourier | None:
+    assert table is not None
+    if len(table.cos) != len(table.sin):
+        problems.add("fourier", "sin", f"{len(table.sin)} harmonics, but cos has {len(table.cos)}")
         return None
-    section = top.section(given[0])
-    if section is None:
-        return None
-    if given == ["samples"]:
-        return _samples(section, N, span, periodic)
-    if not periodic:
-        top.refuse("fourier", "goes with `period`; a finite programme has `samples`")
-        return None
-    section.only(FOURIER_KEYS)
-    if not section.has(*FOURIER_KEYS):
-        return None
-    mean = section.numbers("mean", section.given["mean"], N, PLAIN)
-    cos, sin = (_matrix(section, key, N) for key in ("cos", "sin"))
-    if mean is None or cos is None or sin is None:
-        return None
-    if len(cos) != len(sin):
-        section.refuse("sin", f"{len(sin)} harmonics, but cos has {len(cos)}")
-        return None
-    return Fourier(np.array(mean), cos, sin)
+    return Fourier(np.array(table.mean), *(np.array(rows).reshape(-1, N) for rows in (table.cos, table.sin)))
 
 
-def _matrix(section: Section, key: str, N: int) -> Array | None:
-    """Rows of N numbers."""
-    found = []
-    for i, row in enumerate(section.rows(key)):
-        try:
-            found.append(vector(row, (N,), PLAIN))
-        except QuantityError as error:
-            section.refuse(f"{key}[{i}]", str(error))
+def _samples(table: SamplesTable, span: float, periodic: bool, problems: Problems, *path: str) -> Samples | None:
+    columns = {key: np.array(getattr(table, key), dtype=np.float64) for key in ("phi", "phi_dot", "phi_ddot")}
+    for key, column in columns.items():
+        if len(column) != len(table.t):
+            problems.add(*path, key, f"{len(column)} rows, but t has {len(table.t)} numbers")
             return None
-    return np.array(found, dtype=np.float64).reshape(-1, N) if isinstance(section.given[key], list) else None
-
-
-def _samples(section: Section, N: int, span: float | None, periodic: bool) -> Samples | None:
-    section.only(SAMPLE_KEYS)
-    if not section.has(*SAMPLE_KEYS):
-        return None
-    times = section.rows("t")
-    t = section.numbers("t", times, len(times), TIME)
-    columns = [_matrix(section, key, N) for key in SAMPLE_KEYS[1:]]
-    for key, column in zip(SAMPLE_KEYS[1:], columns, strict=True):
-        if column is not None and len(column) != len(times):
-            section.refuse(key, f"{len(column)} rows, but t has {len(times)} numbers")
-            return None
-    phi, phi_dot, phi_ddot = columns
-    if t is None or span is None or phi is None or phi_dot is None or phi_ddot is None:
-        return None
-    reason = _times(np.array(t), span, periodic)
+    reason = _times(np.array(table.t), span, periodic)
     if reason is not None:
-        section.refuse("t", reason)
+        problems.add(*path, "t", reason)
         return None
-    return Samples(np.array(t), phi, phi_dot, phi_ddot)
+    return Samples(np.array(table.t), *columns.values())
 
 
 def _times(t: Array, span: float, periodic: bool) -> str | None:
@@ -189,26 +193,17 @@ def _times(t: Array, span: float, periodic: bool) -> str | None:
     return None
 
 
-def _table(top: Section, key: str, N: int) -> RunUpTable | None:
-    if key not in top:
+def _run_up(table: RunUpFields | None, problems: Problems, key: str) -> RunUpTable | None:
+    if table is None:
         return None
-    section = top.section(key)
-    if section is None:
-        return None
-    section.only(("duration", "samples"))
-    if not section.has("duration", "samples"):
-        return None
-    duration, inner = section.above_zero("duration", TIME), section.section("samples")
-    if duration is None or inner is None:
-        return None
-    samples = _samples(inner, N, duration, periodic=False)
-    return None if samples is None else RunUpTable(duration, samples)
+    samples = _samples(table.samples, table.duration, False, problems, key, "samples")
+    return None if samples is None else RunUpTable(table.duration, samples)
 
 
 def _plain(value: Any) -> Any:
     """A part of the report as JSON without exact decimals."""
     if isinstance(value, dict):
-        return {key: _plain(each) for key, each in value.items()}
+        return {key: _plain(one) for key, one in value.items()}
     if isinstance(value, list):
-        return [_plain(each) for each in value]
+        return [_plain(one) for one in value]
     return value if value is None or isinstance(value, bool | int | str) else float(value)

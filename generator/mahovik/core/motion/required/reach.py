@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.required.model import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
@@ -11,8 +12,12 @@ from mahovik.core.stand.problems import Problems
 SINGULAR = 1e-3
 """|cos theta| (Euler: |sin theta|) that a motion may come down to; `generalized` stops at 1e-6."""
 
-MOST = ((1e6, "m"), (1e3, "rad")), ((1e4, "m/s"), (1e5, "rad/s")), ((1e9, "m/s2"), (1e9, "rad/s2"))
-"""Of q, q', q'': magnitude of the linear and of the angular ones (stand.md, Evaluation)."""
+MOST = (
+    ((BOUNDS["MAX_POSITION"].value, "m"), (BOUNDS["MAX_PHASE"].at("float"), "rad")),
+    ((BOUNDS["MAX_VELOCITY"].value, "m/s"), (BOUNDS["MAX_SPEED"].value, "rad/s")),
+    ((BOUNDS["MAX_ACCELERATION"].value, "m/s2"), (BOUNDS["MAX_ACCELERATION"].value, "rad/s2")),
+)
+"""Largest magnitudes of q, q', q'': of the linear and of the angular components; angles that float takes as well."""
 
 
 def check(motion: RequiredMotion, stand: Stand, problems: Problems) -> None:

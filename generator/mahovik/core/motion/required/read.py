@@ -1,82 +1,280 @@
-"""Motion file (JSON) -> RequiredMotion. Every problem of the file is found before any is reported."""
+"""Motion file (JSON) -> RequiredMotion. All problems of the keys are found before any is reported."""
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
-from typing import Any, cast
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
-from mahovik.core.motion import document
-from mahovik.core.motion.document import Section
+from mahovik.core.motion.document import checked, document_of, text_of
+from mahovik.core.motion.fields import (
+    NOT_NULL,
+    Times,
+    bounded,
+    context_validator,
+    each,
+    integers,
+    quantity,
+    rows,
+    short_integer,
+)
 from mahovik.core.motion.required import limits, reach, samples
-from mahovik.core.motion.required.course import Array, Harmonics, Sampled
-from mahovik.core.motion.required.model import RequiredMotion, Winding
+from mahovik.core.motion.required.course import Harmonics, Sampled
+from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
 from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.fields import Table, Text, validator
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.units import ANGLE, LENGTH, TIME, Dimension, QuantityError, factor, number, show
+from mahovik.core.stand.units import (
+    ANGLE,
+    LENGTH,
+    PLAIN,
+    SPEED,
+    TIME,
+    TORQUE,
+    Dimension,
+    QuantityError,
+    factor,
+    number,
+    show,
+)
 from mahovik.errors import MotionError
 from mahovik.nearest import meant
 
-KEYS = (
-    "schema", "name", "type", "period", "duration", "units", "mean", "free_mean", "harmonics", "samples", "winding",
-    "runup", "bounds", "objective", "note",
-)  # fmt: skip
+ANGULAR_ACCELERATION = Dimension("an angular acceleration", "rad/s^2")
 WINDINGS = ("any", "spin", "rock")
 HIGHEST = 1000
-"""Harmonic that a file may hold."""
+"""Highest harmonic of a file."""
+
+
+def _six(raw: Any, units: tuple[str | None, str | None], words: str = "6 numbers") -> tuple[float, ...]:
+    """Six coordinates, m and rad; `units` of the linear and the angular ones, None for SI or each its own."""
+    if not isinstance(raw, list) or len(raw) != 6:
+        raise QuantityError(f"expected {words}, found {len(raw) if isinstance(raw, list) else show(raw)}")
+    found = []
+    for i, one in enumerate(raw):
+        try:
+            found.append(number(one, LENGTH if i < 3 else ANGLE, units[i // 3]))
+        except QuantityError as error:
+            raise QuantityError(f"[{i}]: {error}") from None
+    return tuple(found)
+
+
+def _bias(raw: Any) -> tuple[float, ...]:
+    found = _six(raw, (None, None), "6 numbers (m, rad)")
+    for i, value in enumerate(found):
+        if value < 0.0:
+            raise QuantityError(f"[{i}]: {value:g} is negative: a bound is a magnitude")
+    return found
+
+
+def _unit(dimension: Dimension, example: str) -> Any:
+    def read(raw: Any) -> str:
+        if not isinstance(raw, str):
+            raise QuantityError(f"expected a unit such as {show(example)}, found {show(raw)}")
+        factor(raw, dimension)
+        return raw
+
+    return validator(read)
+
+
+def _span(raw: Any) -> float:
+    found = bounded(number(raw, TIME), "s", above=0.0)
+    if not 1e-6 <= found <= 1e6:
+        raise QuantityError(f"{found:g} s is out of range, expected 1e-06 to 1e+06 s")
+    return found
+
+
+def _order(raw: Any) -> int:
+    k = short_integer(raw)
+    if not 1 <= k <= HIGHEST:
+        raise QuantityError(f"expected 1 to {HIGHEST}, found {k}" + ("; a constant is `mean`" if k == 0 else ""))
+    return k
+
+
+def _type(raw: Any) -> str:
+    if raw not in ("periodic", "finite"):
+        raise QuantityError(f'expected "periodic" or "finite", found {show(raw)}')
+    return str(raw)
+
+
+def _six_flags(raw: Any) -> tuple[bool, ...]:
+    if not isinstance(raw, list) or len(raw) != 6 or not all(isinstance(one, bool) for one in raw):
+        raise QuantityError(f"expected 6 of true, false, found {show(raw)}")
+    return tuple(raw)
+
+
+def _winding(raw: Any, context: dict[str, Any]) -> Any:
+    N = context["flywheels"]
+    if isinstance(raw, str):
+        if raw not in WINDINGS:
+            raise QuantityError(f"unknown {show(raw)}{meant(raw, WINDINGS)}")
+        return raw
+    if not isinstance(raw, list) or len(raw) != N:
+        found = f"{len(raw)} numbers" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f'expected {N} whole numbers (one a flywheel), "any", "spin" or "rock", found {found}')
+    return integers(raw)
+
+
+def _magnitude(dimension: Dimension, zero: bool = False) -> Any:
+    def check(value: float) -> None:
+        if value < 0.0 or (value == 0.0 and not zero):
+            raise QuantityError(f"{value:g} is not above 0: a bound is a magnitude")
+
+    return each(dimension, check)
+
+
+def _weight(value: float) -> None:
+    if value < 0.0:
+        raise QuantityError(f"{value:g} is negative, expected a weight")
+
+
+Each = tuple[float, ...] | None
+Six = Annotated[tuple[float, ...], context_validator(lambda raw, context: _six(raw, context["units"]))]
+Weights = Annotated[Each, each(PLAIN, _weight)]
+ZERO6 = (0.0,) * 6
+
+
+class UnitsTable(Table):
+    """`units` of the coordinates."""
+
+    linear: Annotated[str | None, _unit(LENGTH, "mm")] = None
+    angular: Annotated[str | None, _unit(ANGLE, "mrad")] = None
+
+
+class HarmonicTable(Table):
+    """One of `harmonics`."""
+
+    k: Annotated[int, validator(_order)]
+    cos: Six = ZERO6
+    sin: Six = ZERO6
+
+
+class SamplesTable(Table):
+    """`samples`."""
+
+    t: Times
+    q: Annotated[
+        tuple[tuple[float, ...], ...],
+        context_validator(lambda raw, context: rows(raw, lambda row: _six(row, context["units"]))),
+    ]
+
+
+class StartTable(Table):
+    """`bounds.start` of a finite motion."""
+
+    phi: Annotated[Each, each(ANGLE)] = None
+    phi_dot: Annotated[Each, each(SPEED)] = None
+
+
+class DeviationTable(Table):
+    """`bounds.deviation` of the carrier during run-up and run-down."""
+
+    linear: Annotated[float, quantity(LENGTH, above=0.0)] = math.inf
+    angular: Annotated[float, quantity(ANGLE, above=0.0)] = math.inf
+
+
+class BoundsTable(Table):
+    """`bounds`."""
+
+    speed: Annotated[Each, _magnitude(SPEED)] = None
+    speed_min: Annotated[Each, _magnitude(SPEED, zero=True)] = None
+    acceleration: Annotated[Each, _magnitude(ANGULAR_ACCELERATION)] = None
+    torque: Annotated[Each, _magnitude(TORQUE)] = None
+    angle: Annotated[Each, _magnitude(ANGLE)] = None
+    bias: Annotated[Each, validator(_bias)] = None
+    deviation: Annotated[DeviationTable | None, NOT_NULL] = None
+    start: Annotated[StartTable | None, NOT_NULL] = None
+
+    def bounds(self) -> Bounds:
+        """The bounds as data."""
+        own = {key: getattr(self, key) for key in ("speed", "speed_min", "acceleration", "torque", "angle", "bias")}
+        start = self.start or StartTable()
+        deviation = None if self.deviation is None else (self.deviation.linear, self.deviation.angular)
+        return Bounds(**own, deviation=deviation, start_phi=start.phi, start_phi_dot=start.phi_dot)
+
+
+class ObjectiveTable(Table):
+    """`objective`: a weight left out is 0; without any, the weight of acceleration is 1."""
+
+    acceleration: Weights = None
+    torque: Weights = None
+    speed_variation: Weights = None
+    power: Weights = None
+
+    def objective(self, N: int) -> Objective:
+        """The weights of N flywheels."""
+        given = {key: value or (0.0,) * N for key, value in self}
+        return Objective(**given if self.model_fields_set else given | {"acceleration": (1.0,) * N})
+
+
+class MotionTable(Table):
+    """A motion file."""
+
+    name: Text = ""
+    note: Text = ""
+    type: Annotated[Literal["periodic", "finite"], validator(_type)]
+    period: Annotated[float | None, validator(_span)] = None
+    duration: Annotated[float | None, validator(_span)] = None
+    units: UnitsTable = UnitsTable()
+    mean: Six = ZERO6
+    free_mean: Annotated[tuple[bool, ...], validator(_six_flags)] = (True,) * 6
+    harmonics: Annotated[list[HarmonicTable] | None, NOT_NULL] = None
+    samples: Annotated[SamplesTable | None, NOT_NULL] = None
+    winding: Annotated[Winding, context_validator(_winding)] = "any"
+    runup: Annotated[float | None, quantity(TIME, above=0.0)] = None
+    bounds: BoundsTable = BoundsTable()
+    objective: ObjectiveTable = ObjectiveTable()
+
+
+_ONLY = {
+    "period": ("periodic", "which has `duration`"),
+    "duration": ("finite", "which has `period`"),
+    "harmonics": ("periodic", "which has `samples`"),
+    "winding": ("periodic", "winding is turns a period"),
+    "runup": ("periodic", "which starts from rest itself"),
+}
+"""Keys of one type of motion: the type, and what to say of the other."""
 
 
 def load_motion(path: str | Path, stand: Stand) -> RequiredMotion:
     """Read and check the motion file at `path` for `stand`. Raises MotionError with every problem."""
     path = Path(path)
-    try:
-        text = document.text_of(path, TABLE)
-    except ValueError as error:
-        raise MotionError([str(error)]) from None
-    return read_motion(text, stand, path.name)
+    return read_motion(text_of(path, TABLE, MotionError), stand, path.name)
 
 
 def read_motion(text: str, stand: Stand, source: str = "motion") -> RequiredMotion:
     """Read and check a motion given as text; `source` names it in messages. Raises MotionError."""
-    try:
-        found = document.whole(text, source)
-    except ValueError as error:
-        raise MotionError([str(error)]) from None
-    if "stand" in found and "flywheels" in found:
+    document = document_of(text, source, MotionError)
+    if "stand" in document and "flywheels" in document:
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
-    problems = Problems(source)
-    top = Section(problems, found)
-    top.only(KEYS)
-    name = top.text("name", Path(source).stem.removesuffix(".motion"))
-    top.text("note", "")
-    kind = top.given.get("type", "periodic") if top.has("type") else "periodic"
-    if kind not in ("periodic", "finite"):
-        top.refuse("type", f'expected "periodic" or "finite", found {show(kind)}')
-        kind = "finite" if "duration" in top else "periodic"
-    periodic = kind == "periodic"
-    span = _span(top, periodic)
-    units = _units(top)
-    mean = _six(top, "mean", top.given.get("mean", [0] * 6), units)
-    course = _course(top, periodic, span, units)
-    N = len(stand.flywheels)
-    motion_bounds = limits.bounds(top, N, periodic)
-    objective = limits.objective(top, stand)
-    free_mean = _free_mean(top)
-    winding = _winding(top, N, periodic)
-    runup = None
-    if "runup" in top:
-        if periodic:
-            runup = top.above_zero("runup", TIME)
-        else:
-            top.refuse("runup", "goes with a periodic motion; a finite one starts from rest itself")
-    if span is not None and winding is not None:
-        limits.contradictions(top, motion_bounds, winding, span if periodic else None)
-    if problems.lines or span is None or mean is None or course is None or winding is None:
+    problems, N = Problems(source), len(stand.flywheels)
+    units = checked(UnitsTable, document.get("units", {}), Problems(source)) or UnitsTable()
+    table = checked(MotionTable, document, problems, flywheels=N, units=(units.linear, units.angular))
+    kind = document.get("type", "periodic")
+    for key, (own, other) in _ONLY.items():
+        if key in document and kind in ("periodic", "finite") and kind != own:
+            problems.add(key, f'not allowed with type "{kind}", {other}')
+    if kind in ("periodic", "finite") and (key := "period" if kind == "periodic" else "duration") not in document:
+        problems.add(key, "required, but missing")
+    given = [key for key in ("harmonics", "samples") if key in document]
+    if len(given) != 1:
+        problems.add(f"expected one of harmonics, samples, found {' and '.join(given) or 'none'}")
+    if table is None:
+        raise MotionError(problems.lines)
+    _compare(table, stand, problems)
+    periodic = table.type == "periodic"
+    span = table.period if periodic else table.duration
+    if span is not None:
+        limits.contradictions(problems, table.bounds.bounds(), table.winding, span if periodic else None)
+    course = None if span is None else _course(table, periodic, span, problems)
+    if problems.lines or span is None or course is None:
         raise MotionError(problems.lines)
     motion = RequiredMotion(
-        name, periodic, span, mean, course, free_mean, winding, motion_bounds, objective, runup
+        table.name or Path(source).stem.removesuffix(".motion"), periodic, span, np.array(table.mean), course,
+        table.free_mean, table.winding, table.bounds.bounds(), table.objective.objective(N), table.runup,
     )  # fmt: skip
     reach.check(motion, stand, problems)
     if problems.lines:
@@ -84,148 +282,46 @@ def read_motion(text: str, stand: Stand, source: str = "motion") -> RequiredMoti
     return motion
 
 
-def _span(top: Section, periodic: bool) -> float | None:
-    """Period or duration, s."""
-    own, other = ("period", "duration") if periodic else ("duration", "period")
-    if other in top:
-        kind = "periodic" if periodic else "finite"
-        top.refuse(other, f'goes not with type "{kind}", which has `{own}`')
-    if not top.has(own):
-        return None
-    span = top.above_zero(own, TIME)
-    if span is not None and not 1e-6 <= span <= 1e6:
-        top.refuse(own, f"{span:g} s is out of range, expected 1e-06 to 1e+06 s")
-        return None
-    return span
+def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
+    """Note keys that contradict each other or the stand."""
+    if table.type == "periodic" and table.bounds.start is not None:
+        problems.add("bounds", "start", 'not allowed with type "periodic", which begins where it ends')
+    if (deviation := table.bounds.deviation) is not None:
+        if table.runup is None:
+            words = "needs `runup`: it bounds the carrier on the way there and back"
+            problems.add("bounds", "deviation", words)
+        if not deviation.model_fields_set:
+            problems.add("bounds", "deviation", "expected linear, angular, or both")
+    missing = [
+        f'"{s.name}"'
+        for s, weight in zip(stand.flywheels, table.objective.power or (), strict=False)
+        if weight > 0.0 and (s.motor is None or not s.motor.constant or s.motor.resistance is None)
+    ]
+    if missing:
+        which = f"flywheel {missing[0]} has" if len(missing) == 1 else f"flywheels {', '.join(missing)} have"
+        problems.add(
+            "objective",
+            "power",
+            f"{which} no motor with `constant` and `resistance`: give them in the stand file, or weight 0",
+        )
 
 
-def _units(top: Section) -> tuple[str | None, str | None]:
-    """Units of the linear and the angular numbers; None: SI, or each its own."""
-    section = top.section("units")
-    if section is None:
-        return None, None
-    section.only(("linear", "angular"))
-    found: list[str | None] = []
-    for key, dimension in (("linear", LENGTH), ("angular", ANGLE)):
-        raw = section.given.get(key)
-        try:
-            if raw is not None and not isinstance(raw, str):
-                raise QuantityError(
-                    f"expected a unit such as {show('mm' if key == 'linear' else 'mrad')}, found {show(raw)}"
-                )
-            if raw is not None:
-                factor(raw, dimension)
-            found.append(raw)
-        except QuantityError as error:
-            section.refuse(key, str(error))
-            found.append(None)
-    return found[0], found[1]
-
-
-def _six(top: Section, where: str, raw: Any, units: tuple[str | None, str | None]) -> Array | None:
-    """Six coordinates, m and rad."""
-    if not isinstance(raw, list) or len(raw) != 6:
-        top.refuse(where, f"expected 6 numbers, found {len(raw) if isinstance(raw, list) else show(raw)}")
-        return None
-    values = []
-    for i, each in enumerate(raw):
-        dimension: Dimension = LENGTH if i < 3 else ANGLE
-        try:
-            values.append(number(each, dimension, units[i // 3]))
-        except QuantityError as error:
-            top.refuse(where, f"[{i}]: {error}")
-    return np.array(values) if len(values) == 6 else None
-
-
-def _course(
-    top: Section, periodic: bool, span: float | None, units: tuple[str | None, str | None]
-) -> Harmonics | Sampled | None:
-    given = [key for key in ("harmonics", "samples") if key in top]
-    if len(given) != 1:
-        top.problems.add(f"expected one of harmonics, samples, found {' and '.join(given) or 'none'}")
-        return None
-    if given == ["samples"]:
-        return _samples(top, periodic, span, units)
-    if not periodic:
-        top.refuse("harmonics", 'goes not with type "finite", which has `samples`')
-        return None
-    return _harmonics(top, span, units)
-
-
-def _harmonics(top: Section, span: float | None, units: tuple[str | None, str | None]) -> Harmonics | None:
-    ks: list[int] = []
-    cos, sin = [], []
-    good = isinstance(top.given["harmonics"], list)
-    for i, raw in enumerate(top.rows("harmonics")):
-        where = f"harmonics[{i}]"
-        if not isinstance(raw, dict):
-            top.refuse(where, f"expected an object, found {show(raw)}")
-            good = False
-            continue
-        section = Section(top.problems, raw, (where,))
-        section.only(("k", "cos", "sin"))
-        k = section.integer("k", raw["k"]) if section.has("k") else None
-        if k is not None and not 1 <= k <= HIGHEST:
-            section.refuse("k", f"expected 1 to {HIGHEST}, found {k}" + ("; a constant is `mean`" if k == 0 else ""))
-            k = None
-        if k in ks:
-            section.refuse("k", f"{k} is there twice")
-        pair = [_six(section, key, raw.get(key, [0] * 6), units) for key in ("cos", "sin")]
-        if k is None or pair[0] is None or pair[1] is None:
-            good = False
-            continue
-        ks.append(k)
-        cos.append(pair[0])
-        sin.append(pair[1])
-    if not good or span is None:
-        return None
-    return Harmonics(span, tuple(ks), np.array(cos).reshape(-1, 6), np.array(sin).reshape(-1, 6))
-
-
-def _samples(top: Section, periodic: bool, span: float | None, units: tuple[str | None, str | None]) -> Sampled | None:
-    section = top.section("samples")
-    if section is None:
-        return None
-    section.only(("t", "q"))
-    if not section.has("t", "q"):
-        return None
-    times, rows = section.rows("t"), section.rows("q")
-    t = section.numbers("t", times, len(times), TIME)
-    q = [_six(section, f"q[{i}]", row, units) for i, row in enumerate(rows)]
-    if len(times) != len(rows):
-        section.refuse("q", f"{len(rows)} rows, but t has {len(times)} numbers")
-        return None
-    if t is None or span is None or any(row is None for row in q):
-        return None
-    found = Sampled(span, periodic, np.array(t), np.array(q).reshape(-1, 6))
-    reason = samples.problem(found)
-    if reason is not None:
-        section.refuse(*reason)
-        return None
-    return found
-
-
-def _free_mean(top: Section) -> tuple[bool, ...]:
-    raw = top.given.get("free_mean", [True] * 6)
-    if not isinstance(raw, list) or len(raw) != 6 or not all(isinstance(each, bool) for each in raw):
-        top.refuse("free_mean", f"expected 6 of true, false, found {show(raw)}")
-        return (True,) * 6
-    return tuple(raw)
-
-
-def _winding(top: Section, N: int, periodic: bool) -> Winding | None:
-    raw = top.given.get("winding", "any")
-    if "winding" in top and not periodic:
-        top.refuse("winding", 'goes not with type "finite": winding is turns a period')
-        return "any"
-    if isinstance(raw, str):
-        if raw in WINDINGS:
-            return cast("Winding", raw)
-        top.refuse("winding", f"unknown {show(raw)}{meant(raw, WINDINGS)}")
-        return None
-    if not isinstance(raw, list) or len(raw) != N:
-        found = f"{len(raw)} numbers" if isinstance(raw, list) else show(raw)
-        top.refuse("winding", f'expected {N} whole numbers (one a flywheel), "any", "spin" or "rock", found {found}')
-        return None
-    turns = [top.integer(f"winding[{i}]", each) for i, each in enumerate(raw)]
-    return tuple(n for n in turns if n is not None) if None not in turns else None
+def _course(table: MotionTable, periodic: bool, span: float, problems: Problems) -> Harmonics | Sampled | None:
+    if table.samples is not None:
+        t, q = np.array(table.samples.t), np.array(table.samples.q).reshape(-1, 6)
+        if len(t) != len(q):
+            problems.add("samples", "q", f"{len(q)} rows, but t has {len(t)} numbers")
+            return None
+        found = Sampled(span, periodic, t, q)
+        reason = samples.problem(found)
+        if reason is not None:
+            problems.add("samples", *reason)
+            return None
+        return found
+    given = table.harmonics or []
+    ks = tuple(one.k for one in given)
+    for i, k in enumerate(ks):
+        if k in ks[:i]:
+            problems.add(f"harmonics[{i}]", "k", f"{k} is there twice")
+    cos, sin = (np.array([getattr(one, key) for one in given]).reshape(-1, 6) for key in ("cos", "sin"))
+    return Harmonics(span, ks, cos, sin)

@@ -7,8 +7,8 @@ import math
 import numpy as np
 from markupsafe import Markup
 
+from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
-from mahovik.core.stand.physical import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.summary import Summary, UnbalanceRow, summarize
 from mahovik.out.report.stand.markup import Cell, definitions, figure, figures, paragraph, table, verdict
 from mahovik.out.report.stand.material import Material

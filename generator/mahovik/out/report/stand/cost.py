@@ -84,9 +84,10 @@ def _introduction(origin: str) -> Markup:
 
 def _operations(stand: Stand) -> Markup:
     lines: list[list[Cell]] = []
-    for function in generated(stand).program.functions:
+    program = generated(stand).program
+    for function in program.functions:
         if function.public:
-            c = cost(function)
+            c = cost(function, program.functions)
             counts = (c.additions, c.multiplications, c.divisions, c.comparisons, c.total)
             lines.append([Markup("<code>{}</code>").format(function.name), *map(_count, counts)])
     head = ("function", "additions>", "products>", "divisions>", "comparisons>", "all>")

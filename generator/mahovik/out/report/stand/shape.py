@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.definite import mount_of, placement
+from mahovik.core.stand.frames import mount_of, placement
+from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Stand
-from mahovik.core.stand.physical import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.summary import summarize
 
 Array = NDArray[np.float64]

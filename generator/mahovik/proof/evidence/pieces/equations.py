@@ -45,7 +45,7 @@ PIECE = Piece(
     shows="Which function computes which equation of the paper, and where it stands: what to read beside the paper.",
     limits=(
         "That the lines are right: other pieces judge that. Which tests notice a change in each function was found by "
-        "mutation, for the example stands: `docs/traceability.md` of the project."
+        "mutation, for the example stands: `docs/results/traceability.md` of the project."
     ),
     command=lambda s: f"mahovik evidence {s.stand_file} --only equations -o again{s.option}",
     run=_run,

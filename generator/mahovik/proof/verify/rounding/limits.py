@@ -12,4 +12,4 @@ in one number would pass by the tolerance alone.
 """
 
 MARGIN = 3.0
-"""A tolerance of `verify` is at least so many times what C and judge may differ by (docs/rounding.md)."""
+"""A tolerance of `verify` is at least so many times what C and judge may differ by (docs/results/rounding.md)."""

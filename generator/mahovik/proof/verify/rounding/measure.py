@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 from flint import ctx
 
+from mahovik.contract.functions import FUNCTIONS, wants_of
 from mahovik.core.program.types import Precision
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference, rigorous
 from mahovik.proof.rigorous.evaluate import BITS, Balls, enclose
-from mahovik.proof.second import WANTS as SECOND_WANTS
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.c_backend import CBackend
@@ -109,7 +109,7 @@ class Ruler:
     @property
     def wants(self) -> tuple[str, ...]:
         """What the C offers and has an enclosure."""
-        return tuple(want for want in rigorous.WANTS if want in self._backend.wants)
+        return tuple(want for want in wants_of("rigorous") if want in self._backend.wants)
 
     def measure(self, name: str, state: State) -> None:
         """Note the errors of all wants at a state; one that the reference refuses is no test."""
@@ -175,7 +175,7 @@ class Ruler:
             found = [reference.evaluate(self._stand, state, [want], at)]
         except (StateError, np.linalg.LinAlgError, ArithmeticError):
             return []
-        if want in SECOND_WANTS:
+        if "second" in FUNCTIONS[want].judges:
             with suppress(StateError):  # `verify` reports that
                 found.append(self._second.evaluate(state, (want,)))
         return found

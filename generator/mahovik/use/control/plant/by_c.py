@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.status import status_words
 from mahovik.core.motion.motor import drive, steepness
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.verify.program_backend import STATUS_NAMES
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.flywheels import tables_of
 from mahovik.use.simulate.by_c import compiled_backend
@@ -42,7 +42,7 @@ class PlantByC:
         self._motors = [(s, each.motor) for s, each in enumerate(stand.flywheels) if each.motor is not None]
         self._fastest = _steepest_rate(stand)
         known: dict[str, Any] = {
-            "stand": own.library.default("default"),
+            "table": own.library.default("default"),
             "x": self._x,
             "tau": ffi.cast(f"{stand.name}_real *", self._drive.ctypes.data),
             "locked": ffi.new(f"int[{N}]"),
@@ -69,7 +69,7 @@ class PlantByC:
             status = self._step(*arguments)
             if status < 0:
                 raise StateError(
-                    f"at t = {begin:.6g} s a step returned {STATUS_NAMES[status]}: the motion leaves its ranges"
+                    f"at t = {begin:.6g} s a step returned {status_words(status)}: the motion leaves its ranges"
                 )
             self._rate = (self.phi_dot - before) / h
             turned, expected = self._wrapped - phase, 0.5 * h * (before + self.phi_dot)

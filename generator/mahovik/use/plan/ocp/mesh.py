@@ -91,8 +91,6 @@ class Mesh:
         """(columns, K): a state times this is the jump between each interval's start and the end of the one before.
 
         The last entry is the column of the end.
-
-        The last: the column of the end.
         """
         ends = _with_end(csc_matrix(block_diag([self._basis(np.ones(1)).T] * self.K)))
         start = (np.arange(self.K) + 1) * (self.degree + 1)

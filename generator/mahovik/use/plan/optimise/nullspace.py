@@ -30,8 +30,6 @@ class Range:
         """Range by QR of A^T; by singular values if rows depend on each other or outnumber the unknowns.
 
         null: whether its basis is needed; otherwise it may be missing.
-
-        null: whether its basis is wanted; else it may be missing.
         """
         r, n = A.shape
         if r <= n:

@@ -15,7 +15,7 @@ from mahovik.use.plan.residual.damping import damping_rate
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed import Mechanics
-from mahovik.use.plan.residual.spatial import both, motor_cross, skew, turn
+from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
 from mahovik.use.plan.residual.ties import Slopes, ties
 
 
@@ -71,7 +71,7 @@ def _flywheels(tables: Tables, at: Twists, phi: Array, phi_dot: Array) -> tuple[
     by_V_r = motor_cross(at.V_r)[:, None] @ Theta + momentum_cross(momentum) + Theta_dot
     for s, damping in enumerate(tables.damping):
         if damping is not None:
-            L = tables.Lm[s] @ both(turn(0, phi[:, s]))
+            L = tables.Lm[s] @ block_diagonal(turn(0, phi[:, s]))
             twist = (at.V_r[:, None, :] @ L)[:, 0, :] + phi_dot[:, s, None] * f
             by_V_r[:, s] -= L @ damping_rate(damping, twist) @ np.swapaxes(L, 1, 2)
     return by_V_r, Theta, -np.einsum("hms,hsij->msij", h, tables.weight)

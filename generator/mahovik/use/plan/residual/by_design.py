@@ -15,11 +15,11 @@ from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.damping import damping_rate, damping_wrench
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
-from mahovik.use.plan.residual.flywheels import Tables, f, slope, turned, waves, weighed
+from mahovik.use.plan.residual.flywheels import Tables, f, inertia_harmonics, slope, waves, weight_harmonics
 from mahovik.use.plan.residual.kinematics import Coordinates, Twists, twists
 from mahovik.use.plan.residual.prescribed import Mechanics, Prescribed, Shifted, harmonics_at
 from mahovik.use.plan.residual.spatial import (
-    both,
+    block_diagonal,
     flywheel_transfer,
     mount_axes,
     place,
@@ -77,8 +77,8 @@ def table_rates(stand: Stand, tables: Tables) -> TableRates:
         spin[s, :PLACING] = -np.einsum("i,kij->kj", tables.spin[s], X)
         coupling[:, s, :PLACING] = np.einsum("kij,hj->hki", X, tables.coupling[:, s])
         mass, moment, J = mass_rates(wheel)
-        Theta[:, s, PLACING:] = turned(spatial_inertia(mass, moment, J), tables.Lm[s])
-        weight[:, s, PLACING:] = weighed(mass, moment, tables.Lm[s])
+        Theta[:, s, PLACING:] = inertia_harmonics(spatial_inertia(mass, moment, J), tables.Lm[s])
+        weight[:, s, PLACING:] = weight_harmonics(mass, moment, tables.Lm[s])
         coupling[:, s, PLACING:] = Theta[:, s, PLACING:] @ tables.spin[s]
     return TableRates(Theta, coupling, weight, spin, motor)
 
@@ -91,7 +91,7 @@ def motors(stand: Stand, wheel: Flywheel) -> Array:
     X = np.zeros((PLACING, 6, 6))
     X[:3, 3:, :3] = skew(mount.T)
     T, back = transfer(O, np.eye(3)), transfer(-O, np.eye(3))
-    X[3:] = T @ both(skew(C.T)) @ back
+    X[3:] = T @ block_diagonal(skew(C.T)) @ back
     return X
 
 
@@ -159,7 +159,7 @@ def _damping_rates(tables: Tables, rates: TableRates, s: int, V_r: Array, phi: A
     """Derivatives (6, M, 6) by place and mounting of the damping wrench of flywheel s in E1."""
     damping, Lm, X = tables.damping[s], tables.Lm[s], rates.motor[s]
     assert damping is not None
-    R = both(turn(0, phi))  # (M, 6, 6)
+    R = block_diagonal(turn(0, phi))  # (M, 6, 6)
     v = ((V_r @ Lm)[:, None, :] @ R)[:, 0, :] + phi_dot[:, None] * f
     wrench = (Lm @ (R @ damping_wrench(damping, v)[:, :, None]))[:, :, 0]
     felt = np.einsum("mi,kij->mkj", V_r, X) @ Lm  # X^T V_r in the frame at phi = 0

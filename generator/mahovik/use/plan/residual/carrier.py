@@ -13,12 +13,12 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.damping import damping_wrench
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.spatial import (
-    afloat,
     attitude,
     fixed_axes,
-    heaviness,
+    gravity_wrench_matrix,
     inertia,
     motor_cross,
+    net_weight,
     transfer,
 )
 
@@ -50,7 +50,7 @@ class Housing:
             K += L @ inertia(body) @ L.T
             if body.added_mass is not None:
                 K += np.array(body.added_mass)
-            heavy += L @ heaviness(*afloat(body)) @ L[:3, :3].T
+            heavy += L @ gravity_wrench_matrix(*net_weight(body)) @ L[:3, :3].T
             if body.damping is not None:
                 damped.append((L, body.damping))
         return Housing(stand, K, heavy, tuple(damped))

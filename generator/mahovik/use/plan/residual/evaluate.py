@@ -10,9 +10,9 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.damping import damping_rate, damping_wrench
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.prescribed import Prescribed
-from mahovik.use.plan.residual.spatial import both, skew, turn
+from mahovik.use.plan.residual.spatial import block_diagonal, skew, turn
 
-_SPIN = both(skew(np.array([1.0, 0.0, 0.0])))  # [<e>] of (5)
+_SPIN = block_diagonal(skew(np.array([1.0, 0.0, 0.0])))  # [<e>] of (5)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +85,7 @@ def flywheel_damping(tables: Tables, s: int, V_r: Array, phi: Array, phi_dot: Ar
     """
     damping, Lm = tables.damping[s], tables.Lm[s]
     assert damping is not None
-    turned = both(turn(0, phi))  # E_s in the frame at phi = 0
+    turned = block_diagonal(turn(0, phi))  # E_s in the frame at phi = 0
     v = ((V_r @ Lm)[:, None, :] @ turned)[:, 0, :] + phi_dot[:, None] * f
     P, rate = damping_wrench(damping, v), damping_rate(damping, v)
     by_phi = P @ _SPIN.T - (rate @ (v @ _SPIN.T)[:, :, None])[:, :, 0]  # turned' = turned [<e>]

@@ -2,7 +2,7 @@
 
 Theta(phi) = T0 + T1 cos phi + T2 sin phi + T3 cos 2 phi + T4 sin 2 phi, five constant matrices; likewise I_s and the
 weight's moment. They are linear in every mass property: derivatives by design (positions, mountings, unbalance) are
-tables of the same shape, `by_design`, of `turned` and `weighed`.
+tables of the same shape, `by_design`, of `inertia_harmonics` and `weight_harmonics`.
 """
 
 from __future__ import annotations
@@ -13,11 +13,17 @@ import numpy as np
 
 from mahovik.core.stand.model import Damping, Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.spatial import afloat, both, flywheel_transfer, heaviness, inertia
+from mahovik.use.plan.residual.spatial import (
+    block_diagonal,
+    flywheel_transfer,
+    gravity_wrench_matrix,
+    inertia,
+    net_weight,
+)
 
-_STILL = both(np.diag([1.0, 0.0, 0.0]))  # diag(C1, C1)(phi) = _STILL + _COS cos phi + _SIN sin phi
-_COS = both(np.diag([0.0, 1.0, 1.0]))
-_SIN = both(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]))
+_STILL = block_diagonal(np.diag([1.0, 0.0, 0.0]))  # diag(C1, C1)(phi) = _STILL + _COS cos phi + _SIN sin phi
+_COS = block_diagonal(np.diag([0.0, 1.0, 1.0]))
+_SIN = block_diagonal(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]))
 f = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0])
 """Every flywheel spins about its own first axis."""
 
@@ -54,8 +60,8 @@ def tables_of(stand: Stand) -> Tables:
     """The tables of a stand's flywheels."""
     wheels = stand.flywheels
     Lm = np.array([flywheel_transfer(stand, s) for s in wheels]).reshape(-1, 6, 6)
-    Theta = np.array([turned(inertia(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 6)
-    weight = np.array([weighed(*afloat(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 3)
+    Theta = np.array([inertia_harmonics(inertia(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 6)
+    weight = np.array([weight_harmonics(*net_weight(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 3)
     return Tables(
         Theta=np.swapaxes(Theta, 0, 1),
         weight=np.swapaxes(weight, 0, 1),
@@ -68,7 +74,7 @@ def tables_of(stand: Stand) -> Tables:
     )
 
 
-def turned(Theta: Array, Lm: Array) -> Array:
+def inertia_harmonics(Theta: Array, Lm: Array) -> Array:
     """Harmonics (5, ..., 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T, Theta (..., 6, 6)."""
     parts = [Lm @ R for R in (_STILL, _COS, _SIN)]
     still, cos, sin = ([a @ Theta @ b.T for b in parts] for a in parts)
@@ -83,12 +89,12 @@ def turned(Theta: Array, Lm: Array) -> Array:
     )
 
 
-def weighed(mass: Array | float, moment: Array, Lm: Array) -> Array:
+def weight_harmonics(mass: Array | float, moment: Array, Lm: Array) -> Array:
     """Harmonics (5, ..., 6, 3) of the wrench by gravity on masses (..., kg) with first moments (..., 3; kg m)."""
     C = Lm[:3, :3]
     harmonics = np.zeros((5, *np.shape(mass), 6, 3))
     for h, (share, R) in enumerate(((1.0, _STILL), (0.0, _COS), (0.0, _SIN))):
-        harmonics[h] = Lm @ heaviness(share * np.asarray(mass), moment @ R[:3, :3].T) @ C.T
+        harmonics[h] = Lm @ gravity_wrench_matrix(share * np.asarray(mass), moment @ R[:3, :3].T) @ C.T
     return harmonics
 
 

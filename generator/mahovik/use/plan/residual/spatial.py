@@ -44,7 +44,7 @@ def motor_cross(V: Array) -> Array:
     return P
 
 
-def both(C: Array) -> Array:
+def block_diagonal(C: Array) -> Array:
     """diag(C, C) (..., 6, 6) of C (..., 3, 3)."""
     D = np.zeros((*C.shape[:-2], 6, 6))
     D[..., :3, :3] = D[..., 3:, 3:] = C
@@ -53,7 +53,7 @@ def both(C: Array) -> Array:
 
 def transfer(O: Vec3 | Array, C: Array) -> Array:
     """L (6, 6) of a child frame at O (3, m) with axes C (3, 3): wrenches child to parent; L^T twists to the child."""
-    L = both(C)
+    L = block_diagonal(C)
     L[3:, :3] = skew(np.asarray(O, dtype=np.float64)) @ C
     return L
 
@@ -112,7 +112,7 @@ def spatial_inertia(mass: Array, moment: Array, J: Array) -> Array:
     return Theta
 
 
-def afloat(body: Body) -> tuple[float, Array]:
+def net_weight(body: Body) -> tuple[float, Array]:
     """What gravity acts on: mass less displaced mass (kg), and first moment less that of the displaced (3, kg m)."""
     if body.buoyancy is None:
         return body.mass, first_moment(body)
@@ -120,7 +120,7 @@ def afloat(body: Body) -> tuple[float, Array]:
     return body.mass - displaced, first_moment(body) - displaced * np.array(body.buoyancy.center)
 
 
-def heaviness(mass: Array | float, moment: Array) -> Array:
+def gravity_wrench_matrix(mass: Array | float, moment: Array) -> Array:
     """Matrix (..., 6, 3) that makes a wrench of gravity: (mass g; moment x g), `moment` (..., 3; kg m)."""
     H = np.zeros((*np.shape(mass), 6, 3))
     H[..., :3, :], H[..., 3:, :] = np.asarray(mass)[..., None, None] * np.eye(3), skew(moment)

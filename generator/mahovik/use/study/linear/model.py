@@ -16,13 +16,13 @@ from mahovik.use.plan.residual import Linear, Mechanics, linear
 from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
 from mahovik.use.plan.residual.kinematics import Twists
 from mahovik.use.plan.residual.prescribed import prescribed_at
-from mahovik.use.plan.residual.spatial import both, fixed_axes, skew, transfer, turn
+from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, skew, transfer, turn
 from mahovik.use.study.linear.channels import Channel, inputs, outputs, states
 from mahovik.use.study.linear.points import output_rows, places
 
 Array = NDArray[np.float64]
 
-SPIN = both(skew(np.array([1.0, 0.0, 0.0])))
+SPIN = block_diagonal(skew(np.array([1.0, 0.0, 0.0])))
 """[<e>] (6, 6) of (5): derivative of a flywheel's axes as it turns."""
 
 STEADY = 1e-9
@@ -162,7 +162,7 @@ def _run_time(mechanics: Mechanics, state: State) -> tuple[Array, Array, Array]:
     for p in stand.instruments:
         total += transfer(p.position, fixed_axes(p.angles)) @ np.array(state.wrench.get(p.name, none))
     for k, s in enumerate(stand.flywheels):
-        P, L = np.array(state.wrench.get(s.name, none)), mechanics.tables.Lm[k] @ both(turn(0, state.phi[k]))
+        P, L = np.array(state.wrench.get(s.name, none)), mechanics.tables.Lm[k] @ block_diagonal(turn(0, state.phi[k]))
         total += L @ P
         by_phi[:, k] = L @ SPIN @ P
         about[k] = P[3]

@@ -13,6 +13,9 @@ from mahovik.use.study.rest import reduced_basis
 
 Array = NDArray[np.float64]
 
+SAME = 1e-9
+"""Relative difference below which two magnitudes of eigenvalues are equal but for rounding."""
+
 FREE = 1e-6
 """Part of the largest eigenvalue below which one is zero: a pair of zeros scatters by the root of rounding."""
 
@@ -86,7 +89,7 @@ def _by_size(values: NDArray[np.complex128]) -> list[int]:
     """Indices of eigenvalues by magnitude; of magnitudes that only rounding tells apart, the growing one first."""
     order = np.argsort(np.abs(values), kind="stable")
     sizes = np.abs(values)[order]
-    group = np.concatenate([[0], np.cumsum(np.diff(sizes) > FREE * sizes[1:])]).astype(int)
+    group = np.concatenate([[0], np.cumsum(np.diff(sizes) > SAME * sizes[1:])]).astype(int)
     return [int(order[i]) for i in np.lexsort((-values[order].real, group))]
 
 

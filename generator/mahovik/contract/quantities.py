@@ -1,0 +1,164 @@
+"""Quantities that functions take and give: symbol, unit, axes, accepted range, ordinary range, how tests draw them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A bound on the magnitude of an input, a named constant of the emitted C. `single`: in float, where it differs."""
+
+    name: str
+    value: float
+    unit: str
+    comment: str
+    single: float | None = None
+
+    def at(self, real: str) -> float:
+        """The bound for an element type, "double" or "float"."""
+        return self.single if real == "float" and self.single is not None else self.value
+
+
+BOUNDS = {
+    bound.name: bound
+    for bound in (
+        Bound("MAX_POSITION", 1e6, "m", "each component of the position of O1"),
+        Bound("MAX_VELOCITY", 1e4, "m/s", "each component of v"),
+        Bound("MAX_SPEED", 1e5, "rad/s", "each component of omega, each phi_dot"),
+        Bound("MAX_PHASE", 1e7, "rad", "each phase and attitude angle", single=1e3),
+        Bound("MAX_ACCELERATION", 1e9, "rad/s2", "each phi_ddot"),
+        Bound("MAX_WRENCH", 1e9, "N, N m", "each component of a run-time wrench"),
+        Bound("MAX_STEP", 10.0, "s", "a time step"),
+        Bound("MAX_PARAMETER", 1e15, "SI", "each mass, length and moment of inertia"),
+        Bound("MAX_WEIGHT", 1e6, "", "the weight of a flywheel in inverse"),
+    )
+}
+"""Bounds by name. Phases in float: it has no digits left for large angles, wrap them first."""
+
+
+class Draw(Enum):
+    """How the self-test and the fuzz harness draw an input."""
+
+    REALS = "reals in +-largest: 24 bits, exactly scaled"
+    FLAGS = "integers: one in four is 1, the others 0"
+    ATTITUDE = "the square of a quaternion of small integers, divided by its length: one rounding"
+    TURNS = "sines, and with them cosines: the square of a complex number of small integers, by its length"
+    INTEGER = "an integer from lowest to lowest + span - 1"
+    ORDER = "2 or 4"
+    STEP = "a constant"
+    FACTOR = "1 + a real in +-largest"
+    NEVER = "not drawn by itself"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A quantity by its symbol, which is its name in C, Python and `eval`.
+
+    unit      SI; of the linear and of the angular half where they differ
+    axes      the frame of its components, or what they stand beside
+    count     numbers of one state: a number, "N" (flywheels), "W" (six a body with a run-time wrench), "" for a scalar
+    bounds    names of BOUNDS: of all components, or of the linear and of the angular half; empty where none
+    ordinary  largest ordinary magnitude, SI, for proofs by intervals
+    drawn     largest magnitude in the self-test: a power of two, so that scaling is exact
+    spread    standard deviation of random states, of all components or of both halves; 0: drawn otherwise
+    draw      how the self-test draws it
+    integers  least and largest ordinary integer, for proofs by intervals
+    whole     lowest integer that the self-test draws, and how many there are from it
+    shared    whether all states of a batch have it in common; otherwise each state has its own
+    input     whether a line of `eval` may give it
+    """
+
+    symbol: str
+    unit: str
+    axes: str
+    count: str
+    bounds: tuple[str, ...] = ()
+    ordinary: float = 1.0
+    drawn: float = 1.0
+    spread: tuple[float, ...] = ()
+    draw: Draw = Draw.REALS
+    integers: tuple[int, int] = (-(1 << 20), 1 << 20)
+    whole: tuple[int, int] = (0, 1)
+    shared: bool = False
+    input: bool = False
+
+    def limits(self, real: str) -> tuple[float, ...]:
+        """Bounds of the six components, or one for all of them; empty where there are none."""
+        values = tuple(BOUNDS[name].at(real) for name in self.bounds)
+        return values if len(values) < 2 else tuple(value for value in values for _ in range(3))
+
+
+_ANGULAR = ("MAX_ACCELERATION",)
+
+QUANTITIES = {
+    row.symbol: row
+    for row in (
+        # what a state holds
+        Quantity("position", "m", "O1 in E0", "3", ("MAX_POSITION",), 100.0, 2.0, (1.0,), input=True),
+        Quantity("attitude", "", "unit quaternion, w first, of x0 = C x1", "4", draw=Draw.ATTITUDE),
+        Quantity("angles", "rad", "psi, theta, phi of the sequence of the stand", "3", ("MAX_PHASE",), 7.0, input=True),
+        Quantity(
+            "V", "m/s, rad/s", "E1, about O1", "6", ("MAX_VELOCITY", "MAX_SPEED"), 20.0, 2.0, (1.0, 2.0), input=True
+        ),
+        Quantity("phi", "rad", "flywheels", "N", ("MAX_PHASE",), 100.0, 16.0, input=True),
+        Quantity("phi_dot", "rad/s", "flywheels", "N", ("MAX_SPEED",), 1000.0, 256.0, (100.0,), input=True),
+        # what is given with a state
+        Quantity("phi_ddot", "rad/s2", "flywheels", "N", _ANGULAR, 1e4, 512.0, (300.0,), input=True),
+        Quantity("V_dot", "m/s2, rad/s2", "E1, about O1", "6", _ANGULAR, 1e3, 16.0, (5.0, 20.0), input=True),
+        Quantity("tau", "N m", "flywheels", "N", ("MAX_WRENCH",), 100.0, 2.0, (1.0,), input=True),
+        Quantity("wrench", "N, N m", "each body, about its origin", "W", ("MAX_WRENCH",), 1e3, 8.0, (5.0,), input=True),
+        Quantity("sine", "", "flywheels", "N", draw=Draw.TURNS),
+        Quantity("cosine", "", "flywheels", "N", draw=Draw.NEVER),
+        Quantity("q_dot", "m/s, rad/s", "O1 in E0, then psi, theta, phi", "6", ("MAX_VELOCITY",), 20.0, 2.0),
+        Quantity("q_ddot", "m/s2, rad/s2", "O1 in E0, then psi, theta, phi", "6", _ANGULAR, 1e3, 16.0),
+        # what all states of a batch share
+        Quantity("table", "", "numbers of the stand, prepared", "", draw=Draw.NEVER, shared=True),
+        Quantity("mounting", "", "the prepared mountings", "", draw=Draw.NEVER, shared=True),
+        Quantity("options", "", "how inverse chooses", "", draw=Draw.NEVER, shared=True),
+        Quantity("locked", "", "flywheels", "N", draw=Draw.FLAGS, integers=(0, 1), shared=True),
+        Quantity("dt", "s", "", "", ("MAX_STEP",), draw=Draw.STEP, shared=True),
+        Quantity("order", "", "", "", draw=Draw.ORDER, integers=(2, 4), shared=True),
+        # members of tables and options
+        Quantity("stream", "m/s", "E0", "3", ("MAX_VELOCITY",), 10.0),
+        Quantity("weight", "", "flywheels", "N", ("MAX_WEIGHT",)),
+        Quantity("limit", "rad/s2", "flywheels", "N", _ANGULAR),
+        # encoders
+        Quantity("count", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 20), 1 << 21)),
+        Quantity("per_turn", "", "", "", draw=Draw.INTEGER, integers=(-100000, 100000), whole=(4000, 97)),
+        Quantity("zero", "", "counts at phi = 0", "", ordinary=1000.0),
+        Quantity("moved", "", "", "", draw=Draw.INTEGER, whole=(-512, 1 << 10)),
+        Quantity("counter", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 15), 1 << 16)),
+        Quantity("bits", "", "", "", draw=Draw.INTEGER, integers=(0, 32), whole=(16, 1)),
+        Quantity("place", "", "", "", draw=Draw.INTEGER, whole=(0, 4000)),
+    )
+}
+"""Quantities by symbol. Others than these are results, or of ordinary magnitude 1 and drawn as reals."""
+
+ORDINARY_STEP = (1e-6, 1e-3)
+"""s: ordinary time steps, for proofs by intervals."""
+
+DRAWN_STEP = 2.0**-14
+"""s: time step of the self-test, short enough for light flywheels in strong laws of damping."""
+
+UNIT_LENGTH = 1e-3
+"""A quaternion, and a pair of sine and cosine, may be off unit length by so much."""
+
+SINGULAR_BELOW = 1e-6
+"""|cos theta| (Euler: |sin theta|) below which an attitude is refused as singular."""
+
+
+def ordinary(symbol: str) -> float:
+    """Largest ordinary magnitude of a quantity, SI; 1 for one without a row."""
+    return QUANTITIES[symbol].ordinary if symbol in QUANTITIES else 1.0
+
+
+def limits_of(symbol: str, real: str = "double") -> tuple[float, ...]:
+    """Accepted magnitudes: of the six components, of every component, or none."""
+    return QUANTITIES[symbol].limits(real) if symbol in QUANTITIES else ()
+
+
+def shared(symbol: str) -> bool:
+    """Whether all states of a batch have an argument in common."""
+    return symbol in QUANTITIES and QUANTITIES[symbol].shared

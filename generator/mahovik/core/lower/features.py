@@ -1,0 +1,187 @@
+"""What a stand of some structure has: flywheels, sensors, kinds of wrench. No number of a stand is in reach."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from mahovik.core.program.types import NamedCount, Precision
+from mahovik.core.stand.structure import Structure
+
+
+@dataclass(frozen=True)
+class LocalWrenchBody:
+    """An instrument or flywheel with a wrench in its own frame.
+
+    `index` in the stand's bodies; `instrument`, `flywheel` its number among those, `input` its row of the run-time
+    wrenches; -1 where it is or has none.
+    """
+
+    index: int
+    instrument: int
+    flywheel: int
+    input: int
+
+
+@dataclass(frozen=True)
+class Features:
+    """What stands of one structure have, at one precision."""
+
+    structure: Structure
+    precision: Precision
+    lanes: int = 1
+    """Flywheels side by side in the loops that add them up; 1: one after the other."""
+
+    @property
+    def blocks(self) -> NamedCount:
+        return NamedCount("BLOCKS", -(-int(self.count) // self.lanes), "blocks of flywheels")
+
+    @property
+    def lane_count(self) -> NamedCount:
+        return NamedCount("LANES", self.lanes, "flywheels side by side in a block")
+
+    @property
+    def room(self) -> NamedCount:
+        """Places for flywheels in whole blocks."""
+        room = int(self.blocks) * self.lanes
+        if room == int(self.count):
+            return self.count
+        return NamedCount("ROOM", room, "places for flywheels: whole blocks")
+
+    @cached_property
+    def count(self) -> NamedCount:
+        return NamedCount("N", len(self.structure.flywheels), "flywheels, in the order of the stand file")
+
+    @property
+    def lane_counts(self) -> tuple[NamedCount, ...]:
+        """Lanes, blocks, and places in them, where flywheels are side by side."""
+        if self.lanes == 1:
+            return ()
+        padded = (self.room,) if int(self.room) > int(self.count) else ()
+        return (self.lane_count, self.blocks, *padded)
+
+    @property
+    def flywheels(self) -> bool:
+        return bool(self.structure.flywheels)
+
+    @property
+    def instruments(self) -> int:
+        return len(self.structure.instruments)
+
+    @property
+    def added_mass(self) -> bool:
+        return self.structure.added_mass
+
+    @property
+    def weight(self) -> bool:
+        return self.structure.weight
+
+    @property
+    def stream(self) -> bool:
+        return self.structure.stream
+
+    @property
+    def suspended(self) -> bool:
+        return self.structure.suspension
+
+    @property
+    def legs(self) -> int:
+        return self.structure.legs
+
+    @property
+    def buoyancy(self) -> bool:
+        """Any displaced mass under gravity."""
+        return self.structure.buoyancy or self.flywheel_buoyancy
+
+    @property
+    def flywheel_buoyancy(self) -> bool:
+        return bool(self.structure.flywheel_buoyancy)
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Bodies with a run-time wrench, in the order of the stand."""
+        return tuple(self.structure.bodies[i] for i in self.structure.wrench_inputs)
+
+    @property
+    def sine_input(self) -> bool:
+        """Some functions take sines and cosines of the phases."""
+        return self.flywheels and self.structure.phase_input == "sincos"
+
+    @property
+    def carrier_input(self) -> bool:
+        return 0 in self.structure.wrench_inputs
+
+    @property
+    def input_count(self) -> NamedCount:
+        return NamedCount("WRENCHES", len(self.inputs), "bodies with a run-time wrench")
+
+    @cached_property
+    def own(self) -> tuple[LocalWrenchBody, ...]:
+        """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
+        inputs = self.structure.wrench_inputs
+        indices = sorted({*self.structure.damped, *inputs} - {0})
+        fixed = 1 + self.instruments
+        return tuple(
+            LocalWrenchBody(i, i - 1 if i < fixed else -1, i - fixed if i >= fixed else -1, _position(i, inputs))
+            for i in indices
+        )
+
+    @property
+    def damped(self) -> bool:
+        return bool(self.structure.damped)
+
+    @property
+    def carrier_damped(self) -> bool:
+        return 0 in self.structure.damped
+
+    @property
+    def own_damped(self) -> bool:
+        return any(i > 0 for i in self.structure.damped)
+
+    @property
+    def own_inputs(self) -> bool:
+        return any(o.input >= 0 for o in self.own)
+
+    @property
+    def own_turning(self) -> bool:
+        return any(o.flywheel >= 0 for o in self.own)
+
+    @property
+    def own_fixed(self) -> bool:
+        return any(o.instrument >= 0 for o in self.own)
+
+    @property
+    def linear_damping(self) -> bool:
+        return bool(self.structure.linear_damping)
+
+    @property
+    def quadratic_damping(self) -> bool:
+        return bool(self.structure.quadratic_damping)
+
+    @property
+    def terms(self) -> int:
+        """Hydrodynamic derivatives of all bodies."""
+        return sum(len(kinds) for _, kinds in self.structure.damping_terms)
+
+    @property
+    def attitude_needed(self) -> bool:
+        """The equations depend on the attitude."""
+        return self.weight or self.stream or self.suspended or bool(self.legs)
+
+    @property
+    def wrenches(self) -> bool:
+        """Any external wrench at all."""
+        return self.weight or self.damped or bool(self.inputs) or self.suspended or bool(self.legs)
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Instruments and points, which `measure` reads."""
+        return (*self.structure.instruments, *self.structure.points)
+
+    @property
+    def sensor_count(self) -> NamedCount:
+        return NamedCount("SENSORS", len(self.sensors), "instruments and points, which measure reads")
+
+
+def _position(index: int, indices: tuple[int, ...]) -> int:
+    return indices.index(index) if index in indices else -1

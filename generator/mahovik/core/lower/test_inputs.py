@@ -1,0 +1,238 @@
+"""Inputs of the self-test, drawn from an integer generator by exact operations: the target draws the same bits.
+
+A plan says in which order which inputs of the public functions are drawn and how. Python follows it here; `emit`
+prints it as C.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from math import prod
+from typing import Any
+
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Program
+from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
+
+SEED = 0x6D61686F
+"""Of the first state of a sweep; a state begins where the one before has stopped."""
+
+FAST_EVERY, FAST = 4, 32
+"""Each fourth state of a sweep has phases and speeds 32 times as large."""
+
+REFUSED_EVERY = 16
+"""Each sixteenth has an attitude of twice the unit length, which is out of range."""
+
+FAST_INPUTS = ("phi", "phi_dot")
+
+CONSTANTS = ("table", "mount_table", "parameters", "inverse_options")
+"""Structs that are not drawn: what the stand file gives, and what is made of it."""
+
+MASS_FACTOR = "mass_factor"
+"""Name of the factor by which masses and inertias of the default parameters are multiplied."""
+
+SCALED = ("mass", "inertia")
+"""Members of a body that the factor multiplies: a body remains one that can exist."""
+
+_LARGEST = {
+    "position": 2.0,
+    "V": 2.0,
+    "phi": 16.0,
+    "phi_dot": 256.0,
+    "phi_ddot": 512.0,
+    "V_dot": 16.0,
+    "tau": 2.0,
+    "wrench": 8.0,
+    "q_dot": 2.0,
+    "q_ddot": 16.0,
+}
+"""Sensible magnitudes by name, SI: powers of two, so that scaling is exact. Others: 1."""
+
+STEP = 2.0**-14
+"""Time step, s: short enough for light flywheels in strong laws of damping."""
+
+SINE, COSINE = "sine", "cosine"
+"""Names of inputs that are drawn together."""
+
+_INTEGERS = {
+    "count": (-(1 << 20), 1 << 21),
+    "counter": (-(1 << 15), 1 << 16),
+    "per_turn": (4000, 97),
+    "bits": (16, 1),
+    "moved": (-512, 1 << 10),
+    "place": (0, 4000),
+}
+"""Integers by name: lowest, and how many. Other integers are flags."""
+
+
+class Rule(Enum):
+    """How an input is drawn."""
+
+    REALS = "reals in +-largest: 24 bits, exactly scaled"
+    FLAGS = "integers: one in four is 1, the others 0"
+    ATTITUDE = "the square of a quaternion of small integers, divided by its length: one rounding"
+    TURNS = "sines, and with them cosines: the square of a complex number of small integers, by its length"
+    INTEGER = "an integer from lowest to lowest + span - 1"
+    ORDER = "2 or 4"
+    STEP = "a constant"
+    FACTOR = "1 + a real in +-largest"
+
+
+@dataclass(frozen=True)
+class Input:
+    """One input: where it stands among the inputs, and how it is drawn."""
+
+    path: tuple[str, ...]
+    rule: Rule
+    shape: tuple[int | NamedCount, ...] = ()
+    largest: float = 1.0
+    lowest: int = 0
+    span: int = 1
+
+    @property
+    def name(self) -> str:
+        return self.path[-1]
+
+    @property
+    def count(self) -> int:
+        return prod(int(n) for n in self.shape)
+
+
+def inputs(program: Program) -> tuple[Argument, ...]:
+    """What the public functions take and a test must choose, each argument once. Raises ValueError.
+
+    Arguments of one name are one input: the functions of a stand give one name to one thing.
+    """
+    found: dict[str, Argument] = {}
+    for function in program.functions:
+        for a in function.arguments if function.public else ():
+            if a.direction == "out" or (isinstance(a.type, Struct) and a.type.name in CONSTANTS):
+                continue
+            known = found.setdefault(a.name, a)
+            if (known.type, known.shape) != (a.type, a.shape):
+                raise ValueError(f"{function.name}: {a.name} is something else than in another function")
+    return tuple(found.values())
+
+
+def plan(program: Program) -> tuple[Input, ...]:
+    """All inputs in the order in which they are drawn."""
+    found = [each for a in inputs(program) for each in _drawn(a.name, a.type, a.shape, ())]
+    return (*found, Input((MASS_FACTOR,), Rule.FACTOR, (), 0.125))
+
+
+def _drawn(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: tuple[str, ...]) -> Iterator[Input]:
+    path = (*within, name)
+    if isinstance(type_, Struct):
+        if shape:
+            raise ValueError(f"{name}: arrays of structs are not drawn")
+        for f in type_.fields:
+            yield from _drawn(f.name, f.type, f.shape, path)
+    elif type_ is Kind.INT and name in _INTEGERS:
+        yield Input(path, Rule.INTEGER, shape, 1.0, *_INTEGERS[name])
+    elif type_ is Kind.INT:
+        yield Input(path, Rule.ORDER if name == "order" else Rule.FLAGS, shape)
+    elif name == SINE:
+        yield Input(path, Rule.TURNS, shape)
+    elif name == COSINE:
+        return  # drawn with the sines
+    elif name == "attitude":
+        yield Input(path, Rule.ATTITUDE, shape)
+    elif name == "dt":
+        yield Input(path, Rule.STEP, shape)
+    else:
+        yield Input(path, Rule.REALS, shape, _LARGEST.get(name, 1.0))
+
+
+class Generator:
+    """xorshift32: the same integers on every machine."""
+
+    def __init__(self, seed: int = SEED) -> None:
+        self._word = seed
+
+    def word(self) -> int:
+        """The next 32 bits, never 0."""
+        x = self._word
+        x ^= x << 13 & 0xFFFFFFFF
+        x ^= x >> 17
+        x ^= x << 5 & 0xFFFFFFFF
+        self._word = x
+        return x
+
+    def real(self, largest: float) -> float:
+        """The upper 24 bits as a real in [-largest, largest): exact for a power of two."""
+        return largest * (((self.word() >> 8) - (1 << 23)) / (1 << 23))
+
+    def attitude(self, precision: Precision) -> list[Any]:
+        """A unit quaternion."""
+        word = self.word()
+        a = 2 * (word >> 25) - 127  # odd: the sum of squares is not 0
+        b, c, d = ((word >> shift & 0xFF) - 128 for shift in (16, 8, 0))
+        length = precision.scalar(a * a + b * b + c * c + d * d)
+        parts = (a * a - b * b - c * c - d * d, 2 * a * b, 2 * a * c, 2 * a * d)
+        return [precision.scalar(part) / length for part in parts]
+
+    def turn(self, precision: Precision) -> tuple[float, float]:
+        """Sine and cosine of an angle."""
+        word = self.word()
+        a, b = 2 * (word >> 25) - 127, (word >> 16 & 0xFF) - 128
+        length = precision.scalar(a * a + b * b)
+        return float(precision.scalar(2 * a * b) / length), float(precision.scalar(a * a - b * b) / length)
+
+
+def draw(
+    planned: tuple[Input, ...], generator: Generator, precision: Precision, factors: Mapping[str, float] | None = None
+) -> dict[str, Any]:
+    """Inputs by argument name. `factors` multiply those of a name, exactly where they are powers of two."""
+    found: dict[str, Any] = {}
+    for each in planned:
+        factor = (factors or {}).get(each.name, 1.0)
+        place = found
+        for name in each.path[:-1]:
+            place = place.setdefault(name, {})
+        if each.rule is Rule.TURNS:
+            turns = [generator.turn(precision) for _ in range(each.count)]
+            place[SINE], place[COSINE] = [s * factor for s, _ in turns], [c * factor for _, c in turns]
+        else:
+            place[each.name] = _value(each, generator, precision, factor)
+    return found
+
+
+def _value(each: Input, generator: Generator, precision: Precision, factor: float) -> Any:
+    match each.rule:
+        case Rule.ATTITUDE:
+            return [float(x) * factor for x in generator.attitude(precision)]
+        case Rule.INTEGER:
+            return int((each.lowest + generator.word() % each.span) * factor)
+        case Rule.ORDER:
+            return 4 if generator.word() & 0x100 else 2
+        case Rule.STEP:
+            return STEP * factor
+        case Rule.FACTOR:
+            return (1.0 + generator.real(each.largest)) * factor
+        case Rule.FLAGS:
+            numbers: list[Any] = [int(generator.word() >> 30 == 0) for _ in range(each.count)]
+        case _:
+            numbers = [generator.real(each.largest) * factor for _ in range(each.count)]
+    return _shaped(numbers, each.shape)
+
+
+def _shaped(numbers: list[Any], shape: tuple[Any, ...]) -> Any:
+    """Numbers in rows, a scalar where there is no shape."""
+    if not shape:
+        return numbers[0]
+    if len(shape) == 1:
+        return numbers
+    size = len(numbers) // int(shape[0])
+    return [_shaped(numbers[i : i + size], shape[1:]) for i in range(0, len(numbers), size)]
+
+
+def sweep_factors(state: int) -> dict[str, float]:
+    """What is multiplied in a state of a sweep, by its number from 0."""
+    factors: dict[str, float] = {}
+    if state % FAST_EVERY == FAST_EVERY - 1:
+        factors |= dict.fromkeys(FAST_INPUTS, float(FAST))
+    if state % REFUSED_EVERY == REFUSED_EVERY - 1:
+        factors["attitude"] = 2.0
+    return factors

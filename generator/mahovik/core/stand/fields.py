@@ -1,0 +1,124 @@
+"""What the keys of a stand file's tables take: vocabulary of every table, those of the laws among them.
+
+A field holds its value in SI already.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated, Any, TypeVar
+
+from pydantic import BaseModel, ConfigDict, PlainValidator
+from pydantic_core import PydanticCustomError
+
+from mahovik.core.stand import units
+from mahovik.core.stand.model import Mat3, Mat6, Vec3
+from mahovik.core.stand.names import name_problem, stand_name_problem
+from mahovik.core.stand.shapes import Blocks, direction, matrix6, symmetric3, vec3
+from mahovik.core.stand.units import Dimension, QuantityError, number, show
+
+T = TypeVar("T")
+
+ADDED_MASS: Blocks = (
+    (Dimension("an added mass", "kg"), Dimension("an added first moment", "kg m")),
+    (Dimension("an added first moment", "kg m"), Dimension("an added inertia", "kg m^2")),
+)
+LINEAR: Blocks = (
+    (Dimension("a linear damping", "N s/m"), Dimension("a linear damping", "N s/rad")),
+    (Dimension("a linear damping", "N s"), Dimension("a linear damping", "N m s/rad")),
+)
+QUADRATIC: Blocks = (
+    (Dimension("a quadratic damping", "N s^2/m^2"), Dimension("a quadratic damping", "N s^2/rad^2")),
+    (Dimension("a quadratic damping", "N s^2/m"), Dimension("a quadratic damping", "N m s^2/rad^2")),
+)
+
+
+def refuse(error: str, key: str = "") -> PydanticCustomError:
+    """The error that pydantic is to report, of `key` inside the table where one is named."""
+    return PydanticCustomError("stand", "{reason}", {"reason": error, "key": key})
+
+
+def validator(read: Callable[[Any], T]) -> PlainValidator:
+    """A validator that reads a raw value by `read`, which raises QuantityError."""
+
+    def validate(raw: Any) -> T:
+        try:
+            return read(raw)
+        except QuantityError as error:
+            raise refuse(str(error)) from None
+
+    return PlainValidator(validate)
+
+
+def scalar(
+    dimension: Dimension, *, least: float | None = None, above: float | None = None, most: float | None = None
+) -> PlainValidator:
+    """A validator of a number within bounds."""
+
+    def read(raw: Any) -> float:
+        value = number(raw, dimension)
+        if least is not None and value < least:
+            raise QuantityError(f"{value:.17g} is negative" if least == 0 else f"{value:.17g} is below {least:g}")
+        if above is not None and value <= above:
+            raise QuantityError(f"{value:.17g} is not above {above:g}")
+        if most is not None and value > most:
+            raise QuantityError(f"{value:.17g} is above {most:g}")
+        return value
+
+    return validator(read)
+
+
+def integer(raw: Any) -> int:
+    """A whole number. Raises QuantityError."""
+    if isinstance(raw, bool) or not isinstance(raw, int):
+        raise QuantityError(f"expected a whole number, found {show(raw)}")
+    return raw
+
+
+def text(raw: Any) -> str:
+    """A string. Raises QuantityError."""
+    if not isinstance(raw, str):
+        raise QuantityError(f"expected a string, found {show(raw)}")
+    return raw
+
+
+def flag(raw: Any) -> bool:
+    """true or false. Raises QuantityError."""
+    if not isinstance(raw, bool):
+        raise QuantityError(f"expected true or false, found {show(raw)}")
+    return raw
+
+
+def _stand_name(raw: Any) -> str:
+    problem = stand_name_problem(text(raw))
+    if problem is not None:
+        raise QuantityError(problem)
+    return str(raw)
+
+
+def _name(raw: Any) -> str:
+    problem = name_problem(text(raw))
+    if problem is not None:
+        raise QuantityError(problem)
+    return str(raw)
+
+
+Name = Annotated[str, validator(_name)]
+StandName = Annotated[str, validator(_stand_name)]
+Text = Annotated[str, validator(text)]
+Flag = Annotated[bool, validator(flag)]
+Length3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.LENGTH))]
+Angle3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.ANGLE))]
+Direction = Annotated[Vec3, validator(direction)]
+Mass = Annotated[float, scalar(units.MASS, least=0.0)]
+Inertia3 = Annotated[Mat3, validator(lambda raw: symmetric3(raw, units.INERTIA))]
+AddedMass = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, ADDED_MASS, symmetric=True))]
+LinearDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, LINEAR))]
+QuadraticDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, QUADRATIC))]
+ZERO3: Vec3 = (0.0, 0.0, 0.0)
+
+
+class Table(BaseModel):
+    """Base of all tables: a key that is no field is an error."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)

@@ -1,0 +1,59 @@
+"""The rows of public functions are what the programs of stands have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+
+from mahovik.contract.functions import FUNCTIONS, WANTS, PublicFunction, wants_of
+from mahovik.core.lower.program import lower
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.read import load
+from mahovik.proof.rigorous.evaluate import ANSWERS
+from mahovik.proof.second.evaluate import PROBLEMS
+from mahovik.proof.verify.c_backend import with_all_inputs
+from mahovik.stands import path
+
+
+def public_functions() -> Iterator[Function]:
+    """Public functions of example stands, with phases and with their sines and cosines as input."""
+    for name in ("demo3", "sat4"):
+        for phase_input in ("angle", "sincos"):
+            stand = replace(with_all_inputs(load(path(name))), phase_input=phase_input)
+            yield from (f for f in lower(stand, DOUBLE).functions if f.public)
+
+
+@pytest.fixture(scope="module")
+def programs() -> list[Function]:
+    return list(public_functions())
+
+
+def test_every_public_function_has_a_row_and_every_row_a_function(programs: list[Function]) -> None:
+    assert {f.name for f in programs} == set(FUNCTIONS)
+
+
+def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Function]) -> None:
+    seen: dict[str, set[str]] = {}
+    for f in programs:
+        row = FUNCTIONS[f.name]
+        taken = [a.name for a in f.arguments if a.direction != "out"]
+        assert [name for name in row.takes if name in taken] == taken, f.name
+        assert f.equation == row.equation, f.name
+        seen.setdefault(row.name, set()).update(taken)
+    assert {name: taken for name, taken in seen.items() if taken != set(FUNCTIONS[name].takes)} == {}
+
+
+def test_a_want_without_a_referee_is_refused() -> None:
+    with pytest.raises(ValueError, match="a want needs a judge"):
+        PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ("differences",), want=True)
+    with pytest.raises(ValueError, match="expected judges among"):
+        PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ())
+
+
+def test_referees_answer_the_wants_of_their_rows_and_no_others() -> None:
+    assert set(PROBLEMS) | {"generalized"} == set(wants_of("second"))
+    assert set(ANSWERS) == set(wants_of("rigorous"))
+    assert set(wants_of("reference")) == set(WANTS)

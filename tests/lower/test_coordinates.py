@@ -1,0 +1,96 @@
+"""target and inverse_fast: (10) against the reference, and the cheap inverse against the careful one."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from lower.test_inverse import ask, made
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.stand import rest_state
+from mahovik.core.stand.random import BARE, random_stand
+from mahovik.proof.verify.c_backend import CBackend
+
+
+@cache
+def of_sequence(angles: str) -> CBackend:
+    """A small stand with that sequence of angles."""
+    from dataclasses import replace
+
+    return CBackend(replace(random_stand(np.random.default_rng(3), 1, BARE, name="turned"), angles=angles))
+
+
+@pytest.mark.parametrize("theta", [0.7, 2.5, -0.7, -2.5])
+@pytest.mark.parametrize("angles", ["ship", "aircraft", "euler"])
+def test_state_from_coordinates_inverts_the_generalized_form(angles: str, theta: float) -> None:
+    """q' and q'' of `attitude` at some V, V* lead back to V, V*; on both sides of the singularities."""
+    c = of_sequence(angles)
+    rng = np.random.default_rng(4)
+    x = {"position": [1.0, 2.0, 3.0], "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}
+    x |= {"phi": [0.3], "phi_dot": [10.0]}
+    at = [0.4, theta, -0.2]
+    given = {"table": c.library.default("default"), "x": x, "phi_ddot": [5.0]}
+    found = c.call("generalized", given | {"angles": at})[1]["out"]
+    quaternion = c.call("quaternion", {"angles": at})[1]["attitude"]
+    forward = c.call("forward", given | {"x": x | {"attitude": quaternion}})[1]["V_dot"]
+    asked = {"position": [4.0, 5.0, 6.0], "angles": at, "q_dot": found["q_dot"], "q_ddot": found["q_ddot"], "x": x}
+    status, out = c.library.run(c.program.function("state_from_coordinates"), asked)
+    assert status == 0
+    assert out["x"]["position"] == [4.0, 5.0, 6.0]
+    assert out["x"]["attitude"] == quaternion
+    assert out["x"]["phi"] == x["phi"]
+    # one multiplication by A and its inverse: some units in the last place of numbers of order 1 to 100
+    assert np.array(out["x"]["V"]) == pytest.approx(np.array(x["V"]), abs=1e-13)
+    assert np.array(out["V_dot"]) == pytest.approx(np.array(forward), rel=1e-12, abs=1e-12 * np.abs(forward).max())
+
+
+@pytest.mark.parametrize(("angles", "theta"), [("ship", np.pi / 2), ("aircraft", -np.pi / 2), ("euler", 0.0)])
+def test_a_singular_attitude_is_refused(angles: str, theta: float) -> None:
+    c = of_sequence(angles)
+    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0], "phi_dot": [0.0]}
+    asked = {"position": [0.0] * 3, "angles": [0.1, theta, 0.2], "q_dot": [0.0] * 6, "q_ddot": [0.0] * 6, "x": x}
+    status, out = c.library.run(c.program.function("state_from_coordinates"), asked, fill=7.5)
+    assert status == STATUS_VALUES["SINGULAR_ATTITUDE"]
+    assert out["x"] == x
+    assert out["V_dot"] == [7.5] * 6
+
+
+@pytest.mark.parametrize("count", [1, 5, 6, 7, 12])
+def test_the_cheap_inverse_agrees_with_the_careful_one(count: int) -> None:
+    """Well away from singularity both give the same answer; the condition is squared on the way."""
+    c = made(count)
+    compared = 0
+    for seed in range(6):
+        given, _, out = ask(c, seed)
+        ratio = out["sigma"][0] / out["sigma"][-1]
+        if ratio > 300:
+            continue
+        status, fast = c.call("inverse_fast", given)
+        assert status == 0
+        scale = np.abs(out["phi_ddot"]).max()
+        # eps times the condition squared, with room for some tens of such errors
+        assert np.array(fast["phi_ddot"]) == pytest.approx(np.array(out["phi_ddot"]), abs=1e-14 * ratio**2 * scale)
+        compared += 1
+    assert compared >= 2
+
+
+def test_damping_of_the_cheap_inverse_lowers_the_answer() -> None:
+    c = made(6)
+    given, _, out = ask(c, damping=0.3)
+    status, fast = c.call("inverse_fast", given)
+    assert status == 0
+    assert np.linalg.norm(fast["phi_ddot"]) < np.linalg.norm(out["phi_ddot"])
+
+
+def test_weights_of_the_stand_file_are_the_default_options() -> None:
+    from dataclasses import replace
+
+    stand = random_stand(np.random.default_rng(8), 2, BARE, name="weighted")
+    heavy = replace(stand.flywheels[1], inverse_weight=4.0)
+    c = CBackend(replace(stand, flywheels=(stand.flywheels[0], heavy)))
+    options = c.library.default("default_options")
+    assert list(options.weight) == [1.0, 4.0]
+    state = rest_state(stand)
+    assert c.call("inverse", c.arguments(state) | {"options": options})[0] >= 0
