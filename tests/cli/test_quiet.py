@@ -99,7 +99,7 @@ def test_out_of_reach_says_what_binds(tmp_path: Path) -> None:
     """Exit status 1, nothing is written."""
     out = tmp_path / "r.toml"
     error = refused("quiet", SAT4, *ASKED, "--momentum", "0 0 40", "-o", str(out), status=1)
-    assert "momentum out of reach: it takes 1.443 times the speed limits" in error
+    assert "momentum out of reach: it needs 1.443 times the speed limits" in error
     assert not out.exists()
 
 
