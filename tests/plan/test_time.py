@@ -113,7 +113,7 @@ def test_ctrl_c_in_the_verification_waits_for_its_end(where: str, monkeypatch: p
     place = "mahovik.use.plan.planner.certify"
     if where == "finite":
         stand, motion = campaign_stand(5000, 8), campaign_move(5000, 8)
-        place = "mahovik.use.plan.finite.plan.certify"
+        place = "mahovik.use.plan.finite_planner.certify"
     monkeypatch.setattr(place, pressing(1))
     found = plan_motion(stand, motion)
     assert found.interrupted and found.programmes[0].report["verified"]

@@ -1,4 +1,4 @@
-"""`mahovik quiet`: speeds and phases of redundant flywheels by which a point is quiet."""
+"""`mahovik quiet`: speeds and phases of redundant flywheels that make a point quiet."""
 
 from __future__ import annotations
 
@@ -21,43 +21,68 @@ if TYPE_CHECKING:
 
 @click.command()
 @stand_argument
-@click.option("--point", metavar="NAME", required=True, help="Point or instrument that shall be quiet.")
+@click.option("--point", metavar="NAME", required=True, help="Point or instrument to be quiet.")
 @click.option("--band", metavar="LOW..HIGH", required=True, help='"20..200Hz".')
-@click.option("--momentum", metavar='"X Y Z"', help="Of the flywheels, in E1, N m s: kept; default: that of --speeds.")
-@click.option("--speeds", metavar='"1 2 .. rpm"', help="Before, rad/s or with a unit; default: least for the momentum.")
-@click.option("--axis", "axes", metavar="LETTERS|X,Y,Z", default="xyz", show_default=True, help="Of the point.")
+@click.option(
+    "--momentum", metavar='"X Y Z"', help="Momentum of the flywheels to hold, in E1, N m s; default: that of --speeds."
+)
+@click.option(
+    "--speeds",
+    metavar='"1 2 .. rpm"',
+    help="Present speeds, rad/s or with a unit; default: the smallest for the momentum.",
+)
+@click.option("--axis", "axes", metavar="LETTERS|X,Y,Z", default="xyz", show_default=True, help="Axes of the point.")
 @click.option(
     "--measure",
     type=click.Choice(["acceleration", "velocity", "displacement", "rate", "angle"]),
     default="acceleration",
     show_default=True,
-    help="What is called jitter.",
+    help="Kind of jitter.",
 )
-@click.option("--limit", metavar="SPEED", help='Of every speed, "5000 rpm"; default: no-load speeds of the motors.')
-@click.option("--least", metavar="SPEED", default="0", help="No flywheel turns slower.")
-@click.option("--change", metavar="SPEED", help="Most that a speed may change.")
-@click.option("--reduction", metavar="X", type=float, help="Enough: the least change of speeds that is X times lower.")
-@click.option("--avoid", multiple=True, metavar="F|LOW..HIGH|modes", help='"35Hz", "30..40Hz", or those of the stand.')
-@click.option("--margin", metavar="PART", default="10%", show_default=True, help="Around one frequency to be avoided.")
-@click.option("--orders", metavar="1,2", default="1,2", show_default=True, help="Of a speed that avoid them.")
-@click.option("--guard", metavar="PART", default="2%", show_default=True, help="Of a speed from the band's ends.")
-@click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True)
-@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Cuts the search.")
 @click.option(
-    "--backend", type=click.Choice(["c", "scipy", "none"]), default="c", show_default=True, help="Of the simulation."
+    "--limit", metavar="SPEED", help='Limit of every speed, "5000 rpm"; default: no-load speeds of the motors.'
 )
-@click.option("-o", "output", metavar="REGIME.toml", type=click.Path(), help="What `simulate --regime` reads.")
-@click.option("--state", "state_file", metavar="S.json", type=click.Path(), help="What `simulate --start` reads.")
+@click.option("--least", metavar="SPEED", default="0", help="Least speed of every flywheel.")
+@click.option("--change", metavar="SPEED", help="Largest change of a speed.")
+@click.option(
+    "--reduction", metavar="X", type=float, help="Find the least change of speeds that makes it X times lower."
+)
+@click.option(
+    "--avoid",
+    multiple=True,
+    metavar="F|LOW..HIGH|modes",
+    help='Frequencies to avoid: "35Hz", "30..40Hz", or modes of the stand.',
+)
+@click.option(
+    "--margin", metavar="PART", default="10%", show_default=True, help="Margin around a single avoided frequency."
+)
+@click.option("--orders", metavar="1,2", default="1,2", show_default=True, help="Orders of a speed that avoid them.")
+@click.option(
+    "--guard", metavar="PART", default="2%", show_default=True, help="Distance of lines from the band's ends."
+)
+@click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True)
+@click.option(
+    "--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Time limit of the search."
+)
+@click.option(
+    "--backend",
+    type=click.Choice(["c", "scipy", "none"]),
+    default="c",
+    show_default=True,
+    help="Backend of the simulation.",
+)
+@click.option("-o", "output", metavar="REGIME.toml", type=click.Path(), help="Output for `simulate --regime`.")
+@click.option("--state", "state_file", metavar="S.json", type=click.Path(), help="Output for `simulate --start`.")
 @json_option()
 def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: bool, **options: Any) -> None:
     """Quiet a point by speeds and phases of flywheels.
 
-    Of redundant flywheels, so that their unbalance cancels at the point. The momentum is kept exactly; what is free
-    are speeds that hold none, and phases of flywheels that turn together. Jitter before and after is checked by a
-    simulation of the whole stand.
+    The unbalance of redundant flywheels cancels at the point. Their momentum is kept exactly: only combinations of
+    speeds without momentum change, and phases of flywheels that turn together. A simulation of the whole stand checks
+    the jitter before and after.
 
-    Exit status: 0 lower, and as simulated; 1 nothing allowed, not lower or not as wanted, or the simulation disagrees;
-    2 bad input; 130 Ctrl-C.
+    Exit status: 0 lower, and confirmed by simulation; 1 no allowed speeds, not lower or not as low as wanted, or the
+    simulation disagrees; 2 bad input; 130 Ctrl-C.
     """
     import json
 
@@ -91,7 +116,7 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
 
 
 def _quiet_options(options: dict[str, Any], N: int) -> Any:
-    """The options as a wish. Raises UsageError."""
+    """The options as QuietOptions. Raises UsageError."""
     from mahovik.use.study.quiet import QuietOptions
 
     margin = fraction("--margin", options["margin"])
@@ -153,7 +178,7 @@ def _report(found: QuietResult) -> None:
     words = f"{ratio:.4g} times lower" if ratio >= 1.0 else f"{1.0 / ratio:.4g} times higher"
     out.print(f"{words}; momentum within {found.momentum_error:.1g} N m s")
     if found.hold is not None:
-        out.print(f"phases off by {found.hold * 180.0 / 3.141592653589793:.3g} deg rms double what is left")
+        out.print(f"phases off by {found.hold * 180.0 / 3.141592653589793:.3g} deg rms double the remaining jitter")
 
 
 def _lines(found: QuietResult) -> Any:
@@ -170,7 +195,7 @@ def _lines(found: QuietResult) -> Any:
             sizes = (2.0 * line.apart) ** 0.5, (2.0 * line.mean_square) ** 0.5
             names = " ".join(found.wheels.names[s] for s in line.flywheels)
             last = "-" if simulated is None else f"{simulated:.4g}"
-            where = "" if in_band(line.frequency, found.options.band) else "out of the band"
+            where = "" if in_band(line.frequency, found.options.band) else "outside the band"
             rows.add_row(name, f"{line.frequency:.4f}", Text(names), *(f"{x:.4g}" for x in sizes), last, where)
 
     add("before", found.before)
@@ -184,16 +209,16 @@ def _end(found: QuietResult) -> None:
         click.echo("interrupted: this is the best so far, not simulated", err=True)
         raise SystemExit(INTERRUPTED)
     if found.broken:
-        click.echo(f"warning: the speeds before are not allowed themselves: {', '.join(found.broken)}", err=True)
+        click.echo(f"warning: the present speeds break their own limits: {', '.join(found.broken)}", err=True)
     if found.cut:
         click.echo("warning: --time cut the search: another run may find more", err=True)
     if not found.agrees:
         click.echo("error: the simulation differs from first order by more than 1 % of the RMS before", err=True)
         raise SystemExit(1)
     if found.reduction < 1.0:
-        click.echo("error: nothing that is allowed is lower than before; this is the lowest of it", err=True)
+        click.echo("error: no allowed speeds are lower than before; these are the lowest", err=True)
         raise SystemExit(1)
     wanted = found.options.reduction
     if wanted is not None and found.reduction < wanted:
-        click.echo(f"error: not {wanted:g} times lower within what is allowed; this is the lowest found", err=True)
+        click.echo(f"error: not {wanted:g} times lower within the limits; this is the lowest found", err=True)
         raise SystemExit(1)

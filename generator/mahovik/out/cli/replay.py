@@ -26,13 +26,15 @@ if TYPE_CHECKING:
 )
 @click.option("--step", "wanted", metavar="K", type=int, help="Show step K: its line for `eval`, all bits in hex.")
 @click.option("--emit-test", "tested", metavar="K", type=int, help="Write NAME_step_K.c: step K as a unit test in C.")
-@click.option("--against", metavar="DIR", type=click.Path(), help="Replay the C in DIR, the folder that flew.")
+@click.option(
+    "--against", metavar="DIR", type=click.Path(), help="Replay the C in DIR, the folder that was used in flight."
+)
 @click.option(
     "--backend",
     type=click.Choice(["c", "interpreter"]),
     default="c",
     show_default=True,
-    help="interpreter: without a compiler, slow.",
+    help="interpreter: needs no compiler, slow.",
 )
 @json_option()
 def replay(
@@ -47,11 +49,11 @@ def replay(
 ) -> None:
     """Replay a flight log.
 
-    Repeats every step that NAME_recorder.c has logged, and compares each state with the log's, bit for bit. LOG is
-    binary, or text of a serial console with lines @89a0.... Without STAND.toml the file is looked for by the name and
-    physics in the log: here, beside the log, among the examples.
+    Repeats every step logged by NAME_recorder.c, and compares each state with the log's, bit for bit. LOG is binary,
+    or text of a serial console with lines @89a0.... Without STAND.toml the stand file is found by the name and physics
+    in the log: in this folder, beside the log, or among the examples.
 
-    Exit status 1 where a state differs or the log is damaged; an end in the middle of a record is only noted.
+    Exit status 1 if a state differs or the log is damaged; an end in the middle of a record is only noted.
     """
     from mahovik.proof.verify.files import probe
     from mahovik.use.simulate import flight_log
@@ -110,7 +112,7 @@ def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]
 
 
 class _Session:
-    """Counts, shows and writes what a replay finds."""
+    """Counts, shows and writes the results of a replay."""
 
     def __init__(
         self, stand: Stand, machine: Machine, start: Start, wanted: int | None, tested: int | None, output: Path | None
@@ -177,7 +179,7 @@ class _Session:
         self._said.append(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")
 
     def finish(self, notes: list[str], as_json: bool) -> None:
-        """Files and the last line. Exit status 1 where a state differs or something is missing."""
+        """Write files and the last line. Exit status 1 if a state differs or something is missing."""
         from mahovik.proof.verify.files import write
         from mahovik.use.simulate.replay import explain
         from mahovik.use.simulate.replay_output import csv_heading
