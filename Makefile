@@ -18,7 +18,7 @@ help:
 	@echo "make generated  write generated/ anew from the example stands"
 	@echo "make targets    install compilers and emulators of the targets (Debian)"
 	@echo "make verify-targets  the same bits on every target, of the other stands on some: minutes"
-	@echo "make targets-table   the same, written into README.md and docs/results/targets.md"
+	@echo "make targets-table   the same, written into docs/results/targets.md"
 	@echo "make cost       measure the example stands, COST.md in generated/; ACCEPT=--accept accepts what has risen"
 	@echo "make cost-check fails where the cost of an example stand has risen"
 	@echo "make verify-campaign  fifty random stands, compiled, against both derivations"

@@ -18,7 +18,8 @@ from pathlib import Path
 
 import campaign
 
-from mahovik.core.emit.eva import CLAIMED, Driver, drivers, eva_files
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
@@ -80,7 +81,7 @@ def page(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...
         wanted = dict.fromkeys(d for key in columns for d in every[key] if d.claimed == claimed)
         if not claimed:
             wanted = {d: None for d in wanted if any((*key, d) in found for key in columns)}
-        order = sorted(wanted, key=lambda d: list(CLAIMED).index(d.function) if d.function in CLAIMED else 99)
+        order = sorted(wanted, key=lambda d: list(FUNCTIONS).index(d.function) if d.set != "routine" else 99)
         return [
             [
                 f"`{d.function}`",

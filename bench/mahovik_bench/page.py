@@ -37,7 +37,7 @@ independent calls unless a table says *chained*, where each call waits for the r
   Jacobian is given for two flywheels only, since its C grows too large to compile in the time there is; `inverse` and
   `step` are nothing that the peers offer in C.
 * Straight code of the *native* builds may be fused by gcc 12 in spite of `-ffp-contract=off`; where the bits matter it
-  takes [one more flag](../targets.md#what-breaks-it).
+  takes [one more flag](../targets.md#what-changes-the-bits).
 * *batch* takes 64 states in a call, side by side in vectors: its times are a state's, and none is chained. Its bits
   are those of single calls, so it has no fused multiply-add, which bounds it where a peer's build may use them.
 * Instructions are those of one call at one state, counted by callgrind, which knows no AVX-512: builds for this

@@ -176,7 +176,7 @@ static void untouched(const auv6_real *x, int count)
 static void normal_state(auv6_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    reals(&x->attitude[0], 4, 1.0);
+    quaternion(x->attitude, 2.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 6, 100.0);
     reals(&x->phi_dot[0], 6, 1.0e3);
@@ -185,7 +185,7 @@ static void normal_state(auv6_state *x)
 static void any_state(auv6_state *x)
 {
     reals(&x->position[0], 3, AUV6_LARGEST);
-    reals(&x->attitude[0], 4, AUV6_LARGEST);
+    quaternion(x->attitude, AUV6_LARGEST);
     reals(&x->V[0], 6, AUV6_LARGEST);
     reals(&x->phi[0], 6, AUV6_LARGEST);
     reals(&x->phi_dot[0], 6, AUV6_LARGEST);

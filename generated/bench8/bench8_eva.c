@@ -191,7 +191,7 @@ static void untouched(const bench8_real *x, int count)
 static void normal_state(bench8_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    reals(&x->attitude[0], 4, 1.0);
+    quaternion(x->attitude, 2.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 8, 100.0);
     reals(&x->phi_dot[0], 8, 1.0e3);
@@ -200,7 +200,7 @@ static void normal_state(bench8_state *x)
 static void any_state(bench8_state *x)
 {
     reals(&x->position[0], 3, BENCH8_LARGEST);
-    reals(&x->attitude[0], 4, BENCH8_LARGEST);
+    quaternion(x->attitude, BENCH8_LARGEST);
     reals(&x->V[0], 6, BENCH8_LARGEST);
     reals(&x->phi[0], 8, BENCH8_LARGEST);
     reals(&x->phi_dot[0], 8, BENCH8_LARGEST);

@@ -161,7 +161,7 @@ static void untouched(const demo3_real *x, int count)
 static void normal_state(demo3_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    reals(&x->attitude[0], 4, 1.0);
+    quaternion(x->attitude, 2.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 3, 100.0);
     reals(&x->phi_dot[0], 3, 1.0e3);
@@ -170,7 +170,7 @@ static void normal_state(demo3_state *x)
 static void any_state(demo3_state *x)
 {
     reals(&x->position[0], 3, DEMO3_LARGEST);
-    reals(&x->attitude[0], 4, DEMO3_LARGEST);
+    quaternion(x->attitude, DEMO3_LARGEST);
     reals(&x->V[0], 6, DEMO3_LARGEST);
     reals(&x->phi[0], 3, DEMO3_LARGEST);
     reals(&x->phi_dot[0], 3, DEMO3_LARGEST);

@@ -166,7 +166,7 @@ static void untouched(const sat4_real *x, int count)
 static void normal_state(sat4_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    reals(&x->attitude[0], 4, 1.0);
+    quaternion(x->attitude, 2.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 4, 100.0);
     reals(&x->phi_dot[0], 4, 1.0e3);
@@ -175,7 +175,7 @@ static void normal_state(sat4_state *x)
 static void any_state(sat4_state *x)
 {
     reals(&x->position[0], 3, SAT4_LARGEST);
-    reals(&x->attitude[0], 4, SAT4_LARGEST);
+    quaternion(x->attitude, SAT4_LARGEST);
     reals(&x->V[0], 6, SAT4_LARGEST);
     reals(&x->phi[0], 4, SAT4_LARGEST);
     reals(&x->phi_dot[0], 4, SAT4_LARGEST);

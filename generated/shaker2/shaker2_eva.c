@@ -161,7 +161,7 @@ static void untouched(const shaker2_real *x, int count)
 static void normal_state(shaker2_state *x)
 {
     reals(&x->position[0], 3, 100.0);
-    reals(&x->attitude[0], 4, 1.0);
+    quaternion(x->attitude, 2.0);
     reals(&x->V[0], 6, 20.0);
     reals(&x->phi[0], 2, 100.0);
     reals(&x->phi_dot[0], 2, 1.0e3);
@@ -170,7 +170,7 @@ static void normal_state(shaker2_state *x)
 static void any_state(shaker2_state *x)
 {
     reals(&x->position[0], 3, SHAKER2_LARGEST);
-    reals(&x->attitude[0], 4, SHAKER2_LARGEST);
+    quaternion(x->attitude, SHAKER2_LARGEST);
     reals(&x->V[0], 6, SHAKER2_LARGEST);
     reals(&x->phi[0], 2, SHAKER2_LARGEST);
     reals(&x->phi_dot[0], 2, SHAKER2_LARGEST);

@@ -1,4 +1,4 @@
-"""docs/comparison.md: what it says of another tool's mechanics, where that can be tried."""
+"""docs/limits.md: what it says of another tool's mechanics, where that can be tried."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 
 from docs.pages import ROOT
 
-PAGE = (ROOT / "docs" / "comparison.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "limits.md").read_text(encoding="utf-8")
 
 ELLIPSOID = """<mujoco><option density="{}" gravity="0 0 0"/><worldbody><body><freejoint/>
 <geom type="ellipsoid" size=".3 .1 .1" mass="12" fluidshape="ellipsoid"/></body></worldbody></mujoco>"""

@@ -1,4 +1,4 @@
-"""docs/equations.md names, of each equation, the code that has it: in each derivation, and in the C."""
+"""docs/model.md names, of each equation, the code that has it: in each derivation, and in the C."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 from docs.pages import ROOT
 from traceability.equations import EQUATIONS, REFERENCE, SECOND, called
 
-PAGE = (ROOT / "docs" / "equations.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "model.md").read_text(encoding="utf-8")
 HEADER = (ROOT / "generated" / "bench8" / "bench8.h").read_text(encoding="ascii")
 
 

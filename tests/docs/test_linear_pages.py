@@ -42,5 +42,5 @@ def test_steady_states_are_those_of_simulation() -> None:
     ],
 )
 def test_numbers_are_those_of_the_code(value: float, words: str) -> None:
-    page = " ".join((ROOT / "docs" / "response.md").read_text(encoding="utf-8").split())
+    page = " ".join((ROOT / "docs" / "studies.md").read_text(encoding="utf-8").split())
     assert words.format(value).replace("1e-0", "1e-") in page

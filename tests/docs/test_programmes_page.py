@@ -8,7 +8,7 @@ import re
 from docs.pages import ROOT, blocks, cells, tables
 from mahovik import stands
 from mahovik.core.motion.programme import read as programme
-from mahovik.core.motion.required import limits, read
+from mahovik.core.motion.required import read
 from mahovik.core.stand import load
 from mahovik.proof.verify.programme.finding import Tolerance, tolerance_for
 
@@ -26,10 +26,10 @@ def table(first: str, holds: str) -> dict[str, list[str]]:
 
 
 def test_keys_of_both_files() -> None:
-    assert set(table("key", "harmonics")) == set(read.KEYS)
-    assert set(table("key", "fourier")) | {"schema", "report"} == set(programme.KEYS)
+    assert set(table("key", "harmonics")) == {*read.MotionTable.model_fields, "schema", "bounds", "objective"}
+    assert set(table("key", "fourier")) | {"report"} == set(programme.ProgrammeTable.model_fields)
     text = PAGE.read_text(encoding="utf-8")
-    assert all(f"`{key}`" in text for key in (*limits.BOUNDS, *limits.WEIGHTS, "bias", "start"))
+    assert all(f"`{key}`" in text for key in (*read.BoundsTable.model_fields, *read.ObjectiveTable.model_fields))
 
 
 def test_the_motion_is_one() -> None:

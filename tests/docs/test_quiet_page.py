@@ -1,4 +1,4 @@
-"""docs/quiet.md: its first table is that of tools/quiet_campaign.py, row by row, and what is required is reached."""
+"""docs/results/quiet.md: the first table is that of tools/quiet_campaign.py; what is required is reached."""
 
 from __future__ import annotations
 

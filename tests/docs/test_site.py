@@ -31,8 +31,8 @@ def test_every_page_is_in_one_index_once() -> None:
 def test_headings_of_the_index() -> None:
     """Those of the tables of contents, in this order."""
     heads = re.findall(r"^## (.*)$", INDEX.read_text(encoding="utf-8"), re.MULTILINE)
-    assert heads[0] == "Start"
-    assert {"How-to", "Mathematics", "Reference", "How do we know it is right", "Around it"} <= set(heads)
+    assert heads == ["Start", "How-to", "Reference", "Studies and programmes", "Evidence", "Inside"]
+    assert len(listed(INDEX)) <= 30
 
 
 class Loads(HTMLParser):

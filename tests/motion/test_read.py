@@ -114,14 +114,14 @@ def test_tables(tmp_path: Path) -> None:
         (left("hold = false"), "expected true"),
         (left("ramp = 5"), "ramp: expected a table with from, to"),
         (left("ramp = { to = 5 }"), "ramp, duration: required, but missing"),
-        (left("ramp = { to = 5, duration = 0 }"), "duration: 0 is not above 0"),
-        (left("ramp = { to = 5, duration = 1, start = -1 }"), "start: -1 is negative"),
+        (left("ramp = { to = 5, duration = 0 }"), "duration: 0 s is not above 0"),
+        (left("ramp = { to = 5, duration = 1, start = -1 }"), "start: -1 s is negative"),
         (left("ramp = { too = 5, to = 5, duration = 1 }"), 'unknown key "too", did you mean "to"?'),
-        (left('sweep = { from = 1, to = 5, duration = 1, scale = "dec" }'), 'expected "linear" or "log"'),
+        (left('sweep = { from = 1, to = 5, duration = 1, scale = "dec" }'), 'scale: unknown "dec"'),
         (left('sweep = { from = 0, to = 5, duration = 1, scale = "log" }'), "two speeds of one sign"),
         (left('sweep = { from = "1 m", to = 5, duration = 1 }'), 'sweep, from: unit "m" does not fit'),
-        (left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 is not above 0"),
-        (left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 is negative"),
+        (left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 N m is not above 0"),
+        (left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 rad/s is negative"),
         (left("speed = 1e300"), 'left", speed: a speed of 1e+300 rad/s is out of range, at most 100000 in magnitude'),
         (left("speed = -2e5"), "a speed of 200000 rad/s is out of range"),
         (left("ramp = { to = 2e5, duration = 1 }"), "ramp: a speed of 200000 rad/s"),
@@ -139,7 +139,7 @@ def test_tables(tmp_path: Path) -> None:
             HEAD + REST + "[wrench]\ncarrier = [0, 0, 1e12, 0, 0, 0]",
             'wrench "carrier", Z: a force of 1e+12 N is out of',
         ),
-        (left("speed = 1\ninitial_speed = 2"), "initial_speed: goes with a law of torque"),
+        (left("speed = 1\ninitial_speed = 2"), "initial_speed: not allowed with `speed`"),
         (left("table = 3"), "expected the name of a CSV file"),
         (HEAD + "flywheel = 3\n" + REST, "flywheel: expected a table of flywheels"),
         (HEAD + REST + "[wrench]\ncarier = [0, 0, 0, 0, 0, 0]", 'unknown body "carier", did you mean "carrier"?'),
@@ -218,7 +218,7 @@ def test_a_key_of_json_that_is_there_twice(text: str) -> None:
 def test_missing_files(tmp_path: Path) -> None:
     (line,) = problems(left('table = "none.csv"'), tmp_path)
     assert "cannot be read: No such file" in line
-    with pytest.raises(RegimeError, match="cannot be read"):
+    with pytest.raises(RegimeError, match="no such file"):
         load(tmp_path / "none.toml", SHAKER, 1.0)
 
 

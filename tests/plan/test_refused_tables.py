@@ -31,7 +31,7 @@ def test_what_is_refused_is_left_out_and_nothing_else() -> None:
     left = drop_refused_tables(replace(made, report=report))
     assert left.runup is made.runup and left.rundown is None
     reason = "refused by the verification: run-down end not finite, at most 1e-05, no equilibrium to start from"
-    assert left.report["rundown"] == {"reason": f"run-down: one was found and {reason}"}
+    assert left.report["rundown"] == {"reason": f"run-down: found, but {reason}"}
     assert [each["name"] for each in left.report["verification"]] == ["residual", "run-up end", "run-up bound speed"]
     assert left.report["verified"] is False and left.report["runup"] == made.report["runup"]
     assert failed_items(left) == ""

@@ -38,7 +38,7 @@ def apart(a: Run, b: Run, quantity: str) -> float:
 
 @pytest.mark.parametrize("torque", [3.0, *(pytest.param(x, marks=pytest.mark.slow) for x in (0.3, 20.0))])
 def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
-    """The figures of docs/simulation.md. Torques of 20 N m settle to 0.03 N m, so both are asked of them."""
+    """The figures of docs/studies.md. Torques of 20 N m settle to 0.03 N m, so both are asked of them."""
     judge = simulate(case(run_up(torque)), "scipy")
     found = simulate(case(run_up(torque)))
     assert apart(found, judge, "tau") < 1e-4

@@ -68,6 +68,7 @@ class Quantity:
     whole     lowest integer that the self-test draws, and how many there are from it
     shared    whether all states of a batch have it in common; otherwise each state has its own
     input     whether a line of `eval` may give it
+    struct    the struct type of a table of numbers of the stand, and `default`: the constant of the C that holds it
     """
 
     symbol: str
@@ -83,6 +84,8 @@ class Quantity:
     whole: tuple[int, int] = (0, 1)
     shared: bool = False
     input: bool = False
+    struct: str = ""
+    default: str = ""
 
     def limits(self, real: str) -> tuple[float, ...]:
         """Bounds of the six components, or one for all of them; empty where there are none."""
@@ -114,9 +117,45 @@ QUANTITIES = {
         Quantity("q_dot", "m/s, rad/s", "O1 in E0, then psi, theta, phi", "6", ("MAX_VELOCITY",), 20.0, 2.0),
         Quantity("q_ddot", "m/s2, rad/s2", "O1 in E0, then psi, theta, phi", "6", _ANGULAR, 1e3, 16.0),
         # what all states of a batch share
-        Quantity("table", "", "numbers of the stand, prepared", "", draw=Draw.NEVER, shared=True),
-        Quantity("mounting", "", "the prepared mountings", "", draw=Draw.NEVER, shared=True),
-        Quantity("options", "", "how inverse chooses", "", draw=Draw.NEVER, shared=True),
+        Quantity(
+            "table",
+            "",
+            "numbers of the stand, prepared",
+            "",
+            draw=Draw.NEVER,
+            shared=True,
+            struct="table",
+            default="default",
+        ),
+        Quantity(
+            "mounting",
+            "",
+            "mountings of the flywheels, prepared",
+            "",
+            draw=Draw.NEVER,
+            shared=True,
+            struct="mount_table",
+        ),
+        Quantity(
+            "options",
+            "",
+            "how inverse chooses",
+            "",
+            draw=Draw.NEVER,
+            shared=True,
+            struct="inverse_options",
+            default="default_options",
+        ),
+        Quantity(
+            "parameters",
+            "",
+            "what the tables are made of",
+            "",
+            draw=Draw.NEVER,
+            shared=True,
+            struct="parameters",
+            default="default_parameters",
+        ),
         Quantity("locked", "", "flywheels", "N", draw=Draw.FLAGS, integers=(0, 1), shared=True),
         Quantity("dt", "s", "", "", ("MAX_STEP",), draw=Draw.STEP, shared=True),
         Quantity("order", "", "", "", draw=Draw.ORDER, integers=(2, 4), shared=True),
@@ -136,6 +175,9 @@ QUANTITIES = {
 }
 """Quantities by symbol. Others than these are results, or of ordinary magnitude 1 and drawn as reals."""
 
+TABLES = {row.struct: row for row in QUANTITIES.values() if row.struct}
+"""Arguments that hold numbers of the stand, by the name of their struct type."""
+
 ORDINARY_STEP = (1e-6, 1e-3)
 """s: ordinary time steps, for proofs by intervals."""
 
@@ -152,6 +194,11 @@ SINGULAR_BELOW = 1e-6
 def ordinary(symbol: str) -> float:
     """Largest ordinary magnitude of a quantity, SI; 1 for one without a row."""
     return QUANTITIES[symbol].ordinary if symbol in QUANTITIES else 1.0
+
+
+def ordinary_integers(symbol: str) -> tuple[int, int]:
+    """Least and largest ordinary integer of a quantity."""
+    return QUANTITIES[symbol].integers if symbol in QUANTITIES else Quantity.integers
 
 
 def limits_of(symbol: str, real: str = "double") -> tuple[float, ...]:

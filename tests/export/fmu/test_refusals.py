@@ -69,7 +69,7 @@ def test_by_every_interface(version: str, kind: Any, values: dict[str, float], e
 
 @pytest.mark.slow
 def test_the_page_shows_what_is_said() -> None:
-    page = (Path(__file__).resolve().parents[3] / "docs" / "fmi.md").read_text(encoding="utf-8")
+    page = (Path(__file__).resolve().parents[3] / "docs" / "other-programs.md").read_text(encoding="utf-8")
     wrong = ({"carrier.mass": -3.0}, {"carrier.attitude[1]": 0.5}, {"w2.inertia.J22": 5.0}, {"w1.tau": math.nan})
     for values in wrong:
         with fmus.instance("bench8", "2.0", "cs", "torque") as one:

@@ -10,27 +10,19 @@ from typing import Any
 import numpy as np
 
 from mahovik import __version__
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.quantities import shared
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
-from mahovik.core.lower.batch import ALIKE, BATCHED
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, Order, member, members, record
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-
-LOOPED = (
-    "wrench", "matrices", "momentum", "step_driven", "inverse", "mounts", "points", "forward_jacobian",
-    "coupled_jacobian", "quaternion", "generalized",
-)  # fmt: skip
-"""Functions that have no batch, where the stand has them."""
-
-_ALIKE = (*ALIKE, "options", "mounting")
-"""Arguments that are the same for all states."""
 
 TABLES = ("table", "mounting")
 """Those that hold the numbers of a stand; all else is of its structure."""
@@ -42,8 +34,8 @@ def array_functions(generated: Generated) -> tuple[ArrayFunction, ...]:
         ArrayFunction(
             f.name,
             f.purpose,
-            f.name in BATCHED,
-            tuple(_passed(a, generated, f.name in BATCHED) for a in f.arguments),
+            FUNCTIONS[f.name].batched,
+            tuple(_passed(a, generated, FUNCTIONS[f.name].batched) for a in f.arguments),
         )
         for f in _functions(generated)
     )
@@ -73,7 +65,7 @@ def array_source(stand: Stand, generated: Generated) -> dict[str, str]:
 
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
-    return [public[name] for name in (*BATCHED, *LOOPED) if name in public]
+    return [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
 
 
 def _passed(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
@@ -87,7 +79,7 @@ def _passed(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
 
 
 def _order(a: Argument, generated: Generated, wide: bool) -> Order:
-    if a.name in _ALIKE:
+    if shared(a.name):
         return "alike"
     return "components" if wide or a.direction == "in" or a.type is generated.layout.state else "states"
 
@@ -109,7 +101,7 @@ class _Call:
     def __init__(self, f: Function, generated: Generated, names: Names) -> None:
         self._f = f
         self._names = names
-        self._wide = f.name in BATCHED
+        self._wide = FUNCTIONS[f.name].batched
         self._pairs = [(i, a, _passed(a, generated, self._wide)) for i, a in enumerate(f.arguments)]
         self._state = generated.layout.state
 

@@ -8,6 +8,8 @@ from math import prod, sqrt
 from typing import Any
 
 from mahovik import __version__
+from mahovik.contract.functions import ANY, BITS, FUNCTIONS, NORMAL
+from mahovik.contract.quantities import ORDINARY_STEP, TABLES, ordinary, ordinary_integers
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.names import Names
@@ -19,8 +21,8 @@ from mahovik.core.program.function import Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import Identities
 
-NORMAL, ANY, BITS, ROUTINE = "normal", "any", "bits", "routine"
-"""Sets of inputs; the last are drivers of the routines that work on bits."""
+ROUTINE = "routine"
+"""Set of the drivers of the routines that work on bits; the other sets are those of the contract."""
 
 ROUTINES = ("sincos", "sqrt", "atan2")
 
@@ -29,45 +31,6 @@ _UNROLLED = 6
 
 _MERGED = ("solve_coupled", "check_inertia")
 """Functions with a status whose branches need not be kept apart; those without a status are merged as well."""
-
-CLAIMED = {
-    "forward": (NORMAL, ANY, BITS),
-    "coupled": (NORMAL, ANY),
-    "torque": (NORMAL, ANY),
-    "momentum": (NORMAL, ANY),
-    "wrap": (NORMAL, ANY, BITS),
-    "step": (BITS,),
-    "prepare": (NORMAL, BITS),
-}
-"""What must be without alarm. Far out, numbers inside `step` and `prepare` may overflow, to be refused later: there
-anything means bits, where that is no alarm. Over the stages of a step intervals grow too wide to show more of most
-stands, even of ordinary magnitudes."""
-
-_SIZES = {
-    "position": 100.0,
-    "V": 20.0,
-    "phi": 100.0,
-    "phi_dot": 1000.0,
-    "phi_ddot": 1e4,
-    "V_dot": 1e3,
-    "tau": 100.0,
-    "wrench": 1e3,
-    "angles": 7.0,
-    "q_dot": 20.0,
-    "q_ddot": 1e3,
-    "stream": 10.0,
-    "zero": 1000.0,
-}
-"""Ordinary magnitudes by name, SI; others: 1."""
-
-_STEP = (1e-6, 1e-3)
-"""s: ordinary time steps."""
-
-_INTEGERS = {"locked": (0, 1), "order": (2, 4), "bits": (0, 32), "per_turn": (-100000, 100000)}
-_COUNTS = (-(1 << 20), 1 << 20)
-"""Ordinary integers by name; and of counts."""
-
-_CONSTANTS = {"parameters": "default_parameters", "inverse_options": "default_options"}
 
 
 @dataclass(frozen=True)
@@ -85,7 +48,7 @@ class Driver:
     @property
     def claimed(self) -> bool:
         """Must it be without alarm? Others are tried."""
-        return self.set == ROUTINE or self.set in CLAIMED.get(self.function, ())
+        return self.set == ROUTINE or self.set in FUNCTIONS[self.function].claimed
 
     @property
     def finite(self) -> bool:
@@ -235,8 +198,8 @@ class _Writer:
         name = f"{kind}_{struct.name}"
         if name not in self.fills:
             middle = ""
-            if struct.name in _CONSTANTS and kind == NORMAL:
-                middle = f"{self._names.function(_CONSTANTS[struct.name])}."
+            if struct.name in TABLES and kind == NORMAL:
+                middle = f"{self._names.function(TABLES[struct.name].default)}."
             lines = (line for f in struct.fields for line in self._member("x->", f, kind, middle))
             self.fills[name] = self._shared(name, f"{self._names.type(struct)} *x", lines)
         return name
@@ -264,11 +227,11 @@ class _Writer:
         first = self._first(place, f.shape)
         number = prod(int(n) for n in f.shape)
         if f.type is Kind.INT:
-            low, high = _INTEGERS.get(f.name, _COUNTS) if kind == NORMAL else ("INT_MIN", "INT_MAX")
+            low, high = ordinary_integers(f.name) if kind == NORMAL else ("INT_MIN", "INT_MAX")
             yield f"integers({first}, {number}, {low}, {high});"
         elif middle:
             yield f"about({first}, {self._first(middle, f.shape)}, {number});"
-        elif f.name == "generalized" and kind != BITS:
+        elif f.name == "attitude" and kind != BITS:
             size = self.real(2.0) if kind == NORMAL else self._names.constant("LARGEST")
             yield f"quaternion({place}, {size});"
         elif kind == BITS and not f.shape:
@@ -276,11 +239,11 @@ class _Writer:
         elif kind == BITS:
             yield f"all_bits({first}, {number});"
         elif f.name == "dt" and kind == NORMAL:
-            yield f"{place} = real_in({self.real(_STEP[0])}, {self.real(_STEP[1])});"
+            yield f"{place} = real_in({self.real(ORDINARY_STEP[0])}, {self.real(ORDINARY_STEP[1])});"
         else:
             size = self._names.constant("LARGEST")
             if kind == NORMAL:
-                size = self.real(_SIZES.get(f.name, 1.0))
+                size = self.real(ordinary(f.name))
             yield f"reals({first}, {number}, {size});"
 
     def _passed(self, a: Argument) -> str:

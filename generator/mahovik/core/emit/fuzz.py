@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik import __version__
-from mahovik.contract.quantities import QUANTITIES
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.quantities import QUANTITIES, TABLES, Draw
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.declaration import pointed
 from mahovik.core.emit.layout import wrapped
@@ -20,23 +21,11 @@ from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.limits import limits
-from mahovik.core.lower.test_inputs import Input, Rule
+from mahovik.core.lower.test_inputs import Input
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import Identities
-
-UNREAD = {
-    "generalized": "the attitude of its state",
-    "state_from_coordinates": "what its state holds before",
-    "inverse": "infinity, which is no limit at all",
-    "inverse_fast": "near and limits",
-    "inverse_fast_at": "near and limits",
-}
-"""Functions that may succeed though a real among their arguments is NaN or infinite, and what it is: see the header."""
-
-_CONSTANTS = {"table": "table", "mount_table": "mounting", "parameters": "parameters", "inverse_options": "options"}
-"""Where the harness keeps structs that are not drawn member by member."""
 
 
 def fuzz_harness(program: Program, identities: Identities) -> str:
@@ -116,23 +105,23 @@ class _Harness:
 
     def _draw(self, each: Input, place: str) -> Iterator[str]:
         match each.rule:
-            case Rule.ATTITUDE:
+            case Draw.ATTITUDE:
                 yield f"{STEP}draw_attitude(from, {place});"
-            case Rule.TURNS:
+            case Draw.TURNS:
                 yield f"{STEP}draw_turns(from, {place}, {_given(test_inputs.COSINE)}, {self._size(each.shape)});"
-            case Rule.INTEGER:
+            case Draw.INTEGER:
                 yield f"{STEP}{place} = draw_int(from, {each.lowest}, {each.span}u);"
-            case Rule.ORDER:
+            case Draw.ORDER:
                 yield f"{STEP}{place} = draw_order(from);"
-            case Rule.STEP:
+            case Draw.STEP:
                 yield f"{STEP}{place} = draw_step(from);"
-            case Rule.REALS | Rule.FLAGS | Rule.FACTOR:
+            case Draw.REALS | Draw.FLAGS | Draw.FACTOR:
                 outer = each.shape[:-1]
                 loop, element, inner = loops(place, len(outer), [length(self._names, n) for n in outer], STEP)
                 yield from loop
                 address = element if each.shape else f"&{element}"
                 size = self._size(each.shape)
-                if each.rule is Rule.FLAGS:
+                if each.rule is Draw.FLAGS:
                     yield f"{inner}draw_flags(from, {address}, {size});"
                 else:
                     yield f"{inner}draw_reals(from, {address}, {size}, {self._largest(each.name)});"
@@ -192,7 +181,7 @@ class _Harness:
             ],
             "refusals": self._mask(f, negative=True, more=("BAD_ARGUMENT",) if pointers else ()),
             "bits": self._mask(f, negative=False),
-            "may_ignore": UNREAD.get(f.name, ""),
+            "may_ignore": FUNCTIONS[f.name].unread,
             "overlap": wrapped(self._overlapping(f, state), STEP * 2) if state else [],
             "state": self._result(f, next(a for a in results if a.name == state)) if state else "",
         }
@@ -211,7 +200,7 @@ class _Harness:
 
     def _source(self, a: Argument) -> str:
         kind = a.type.name if isinstance(a.type, Struct) else ""
-        return _given(_CONSTANTS.get(kind, a.name))
+        return _given(TABLES[kind].symbol if kind in TABLES else a.name)
 
     def _draws(self, f: Function) -> list[str]:
         """Names of what is drawn for a function, constants first: what prepare refuses is not used."""

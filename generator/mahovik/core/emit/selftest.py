@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik import __version__
+from mahovik.contract.quantities import DRAWN_STEP, TABLES, Draw
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.literal import real_literal
@@ -15,7 +16,7 @@ from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.golden import ACCEPTED, CASES, FAR, LISTED, SWEPT, Golden, tested
-from mahovik.core.lower.test_inputs import Input, Rule
+from mahovik.core.lower.test_inputs import Input
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind, Struct
@@ -148,13 +149,11 @@ class _SelfTest:
     def _source(self, a: Argument) -> str:
         """Where an input stands: in what was drawn, or among the constants of the stand."""
         kind = a.type.name if isinstance(a.type, Struct) else ""
-        constants = {
-            "table": self._names.function("default"),
-            "inverse_options": self._names.function("default_options"),
-            "mount_table": "mounting",
-            "parameters": "parameters",
-        }
-        return constants.get(kind, f"in.{a.name}")
+        table = TABLES.get(kind)
+        if table is None:
+            return f"in.{a.name}"
+        varied = table.symbol in ("mounting", "parameters")  # masses are multiplied in each state
+        return table.symbol if varied else self._names.function(table.default)
 
     def _passed(self, f: Function, a: Argument) -> str:
         place = self._source(a) if a.direction == "in" else f"results.{f.name}.{a.name}"
@@ -192,26 +191,26 @@ class _SelfTest:
 
     def _draw(self, each: Input, place: str) -> Iterator[str]:
         match each.rule:
-            case Rule.ATTITUDE:
+            case Draw.ATTITUDE:
                 yield f"{STEP}draw_attitude(seed, {place}, refused);"
-            case Rule.TURNS:
+            case Draw.TURNS:
                 cosine = "in." + ".".join((*each.path[:-1], test_inputs.COSINE))
                 yield f"{STEP}draw_turns(seed, {place}, {cosine}, {length(self._names, each.shape[-1])});"
-            case Rule.INTEGER:
+            case Draw.INTEGER:
                 yield f"{STEP}{place} = {each.lowest} + (int)(draw_word(seed) % {each.span}u);"
-            case Rule.ORDER:
+            case Draw.ORDER:
                 yield f"{STEP}{place} = (draw_word(seed) & 0x100u) != 0u ? 4 : 2;"
-            case Rule.STEP:
-                yield f"{STEP}{place} = {hex_literal(test_inputs.STEP, self._program.precision)};"
-            case Rule.FACTOR:
+            case Draw.STEP:
+                yield f"{STEP}{place} = {hex_literal(DRAWN_STEP, self._program.precision)};"
+            case Draw.FACTOR:
                 yield f"{STEP}{place} = {self._real(1.0)} + draw_real(seed, {self._real(each.largest)});"
-            case Rule.REALS | Rule.FLAGS:
+            case Draw.REALS | Draw.FLAGS:
                 outer = each.shape[:-1]
                 loop, element, inner = loops(place, len(outer), [length(self._names, n) for n in outer], STEP)
                 yield from loop
                 address = element if each.shape else f"&{element}"
                 count = length(self._names, each.shape[-1]) if each.shape else "1"
-                if each.rule is Rule.FLAGS:
+                if each.rule is Draw.FLAGS:
                     yield f"{inner}draw_flags(seed, {address}, {count});"
                 else:
                     size = self._real(each.largest) + (" * fast" if each.name in test_inputs.FAST_INPUTS else "")

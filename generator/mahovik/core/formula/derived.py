@@ -1,7 +1,9 @@
-"""The functions of derive/ by module, their results as formulas: from the cache where they are there.
+"""The modules of derive/, whose functions give formulas here: from the cache if they are there, else derived.
 
-`carrier.momentum(True)` is `mahovik.core.derive.carrier.momentum(True)` in the order of formula/ordered. Arguments are
-names and flags, so that a call is a key of the cache. Without `use_cache` everything is derived anew.
+`carrier.momentum(True)` is `mahovik.core.derive.carrier.momentum(True)` with its operations in the order of
+formula/ordered. Type checkers and editors see the module of derive/ itself, so that names and arguments are checked and
+a definition is found. Arguments are names and flags, so that a call is a key of the cache. Without `use_cache`
+everything is derived anew.
 """
 
 from __future__ import annotations
@@ -9,14 +11,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.cache import Cache
 from mahovik.core.formula.tree import as_json, from_json
 
 
-class Derived:
-    """A module of derive/: its functions return formulas, and matrices, tuples, dicts and records of these."""
+class FormulaModule:
+    """A module of derive/ by its name. Its functions give formulas, and matrices, tuples, dicts and records of them."""
 
     def __init__(self, module: str) -> None:
         self._module = module
@@ -27,9 +30,18 @@ class Derived:
         return partial(_recalled, self._module, name)
 
 
-accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = map(
-    Derived, ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "sensitivity", "wrench")
-)
+MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "sensitivity", "wrench")
+"""Modules of derive/ that give formulas."""
+
+if TYPE_CHECKING:
+    from mahovik.core.derive import accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench
+else:  # without SymPy, until a formula has to be derived
+    accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = map(FormulaModule, MODULES)
+
+__all__ = [
+    "FormulaModule", "accumulate", "attitude", "carrier", "carrying", "drive", "leave_cache", "motion", "point",
+    "sensitivity", "use_cache", "without_cache", "wrench",
+]  # fmt: skip
 
 
 @dataclass
@@ -78,8 +90,6 @@ def _recalled(module: str, name: str, *arguments: str | bool) -> Any:
 
 
 def _derived(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
-    from mahovik.core import derive
-    from mahovik.core.derive import accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench  # noqa: F401  read from the package
     from mahovik.core.formula.ordered import ordered
 
-    return ordered(getattr(getattr(derive, module), name)(*arguments))
+    return ordered(getattr(import_module(f"mahovik.core.derive.{module}"), name)(*arguments))

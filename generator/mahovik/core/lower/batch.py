@@ -4,18 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from mahovik.contract.functions import BATCHED
+from mahovik.contract.quantities import shared
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.refusal import without_returns
 from mahovik.core.program.walk import reachable
 from mahovik.core.program.wide import Wide
 from mahovik.core.program.widen import RESERVED, Widener
-
-BATCHED = ("forward", "coupled", "torque", "step")
-"""Functions that have a batch, where the stand has them."""
-
-ALIKE = ("table", "locked", "dt", "order")
-"""Arguments that are the same for all states."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +45,7 @@ def batches(program: Program) -> Batches:
     found = []
     for each in (False, True):
         for narrow in sorted(entries, key=lambda f: BATCHED.index(f.name)):
-            varying = [a.name for a in narrow.arguments if a.name not in ALIKE or (each and a.name == "table")]
+            varying = [a.name for a in narrow.arguments if not shared(a.name) or (each and a.name == "table")]
             found.append(Batch(narrow, widener.function(inliner[narrow.name], varying), each))
     wide = Program(program.name, program.precision, (), (), widener.functions)
     return Batches(wide, tuple(found), widener)

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from enum import Enum
 from math import prod
 from typing import Any
 
+from mahovik.contract.quantities import DRAWN_STEP, QUANTITIES, TABLES, Draw, Quantity
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
@@ -27,57 +27,14 @@ REFUSED_EVERY = 16
 
 FAST_INPUTS = ("phi", "phi_dot")
 
-CONSTANTS = ("table", "mount_table", "parameters", "inverse_options")
-"""Structs that are not drawn: what the stand file gives, and what is made of it."""
-
 MASS_FACTOR = "mass_factor"
 """Name of the factor by which masses and inertias of the default parameters are multiplied."""
 
 SCALED = ("mass", "inertia")
 """Members of a body that the factor multiplies: a body remains one that can exist."""
 
-_LARGEST = {
-    "position": 2.0,
-    "V": 2.0,
-    "phi": 16.0,
-    "phi_dot": 256.0,
-    "phi_ddot": 512.0,
-    "V_dot": 16.0,
-    "tau": 2.0,
-    "wrench": 8.0,
-    "q_dot": 2.0,
-    "q_ddot": 16.0,
-}
-"""Sensible magnitudes by name, SI: powers of two, so that scaling is exact. Others: 1."""
-
-STEP = 2.0**-14
-"""Time step, s: short enough for light flywheels in strong laws of damping."""
-
 SINE, COSINE = "sine", "cosine"
 """Names of inputs that are drawn together."""
-
-_INTEGERS = {
-    "count": (-(1 << 20), 1 << 21),
-    "counter": (-(1 << 15), 1 << 16),
-    "per_turn": (4000, 97),
-    "bits": (16, 1),
-    "moved": (-512, 1 << 10),
-    "place": (0, 4000),
-}
-"""Integers by name: lowest, and how many. Other integers are flags."""
-
-
-class Rule(Enum):
-    """How an input is drawn."""
-
-    REALS = "reals in +-largest: 24 bits, exactly scaled"
-    FLAGS = "integers: one in four is 1, the others 0"
-    ATTITUDE = "the square of a quaternion of small integers, divided by its length: one rounding"
-    TURNS = "sines, and with them cosines: the square of a complex number of small integers, by its length"
-    INTEGER = "an integer from lowest to lowest + span - 1"
-    ORDER = "2 or 4"
-    STEP = "a constant"
-    FACTOR = "1 + a real in +-largest"
 
 
 @dataclass(frozen=True)
@@ -85,7 +42,7 @@ class Input:
     """One input: where it stands among the inputs, and how it is drawn."""
 
     path: tuple[str, ...]
-    rule: Rule
+    rule: Draw
     shape: tuple[int | NamedCount, ...] = ()
     largest: float = 1.0
     lowest: int = 0
@@ -108,7 +65,7 @@ def inputs(program: Program) -> tuple[Argument, ...]:
     found: dict[str, Argument] = {}
     for function in program.functions:
         for a in function.arguments if function.public else ():
-            if a.direction == "out" or (isinstance(a.type, Struct) and a.type.name in CONSTANTS):
+            if a.direction == "out" or (isinstance(a.type, Struct) and a.type.name in TABLES):
                 continue
             known = found.setdefault(a.name, a)
             if (known.type, known.shape) != (a.type, a.shape):
@@ -119,7 +76,7 @@ def inputs(program: Program) -> tuple[Argument, ...]:
 def plan(program: Program) -> tuple[Input, ...]:
     """All inputs in the order in which they are drawn."""
     found = [each for a in inputs(program) for each in _drawn(a.name, a.type, a.shape, ())]
-    return (*found, Input((MASS_FACTOR,), Rule.FACTOR, (), 0.125))
+    return (*found, Input((MASS_FACTOR,), Draw.FACTOR, (), 0.125))
 
 
 def _drawn(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: tuple[str, ...]) -> Iterator[Input]:
@@ -129,20 +86,12 @@ def _drawn(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: tupl
             raise ValueError(f"{name}: arrays of structs are not drawn")
         for f in type_.fields:
             yield from _drawn(f.name, f.type, f.shape, path)
-    elif type_ is Kind.INT and name in _INTEGERS:
-        yield Input(path, Rule.INTEGER, shape, 1.0, *_INTEGERS[name])
-    elif type_ is Kind.INT:
-        yield Input(path, Rule.ORDER if name == "order" else Rule.FLAGS, shape)
-    elif name == SINE:
-        yield Input(path, Rule.TURNS, shape)
-    elif name == COSINE:
-        return  # drawn with the sines
-    elif name == "attitude":
-        yield Input(path, Rule.ATTITUDE, shape)
-    elif name == "dt":
-        yield Input(path, Rule.STEP, shape)
-    else:
-        yield Input(path, Rule.REALS, shape, _LARGEST.get(name, 1.0))
+        return
+    row = QUANTITIES.get(name)
+    draw = row.draw if row else Draw.FLAGS if type_ is Kind.INT else Draw.REALS
+    if draw is not Draw.NEVER:
+        lowest, span = row.whole if row else Quantity.whole
+        yield Input(path, draw, shape, row.drawn if row else 1.0, lowest, span)
 
 
 class Generator:
@@ -191,7 +140,7 @@ def draw(
         place = found
         for name in each.path[:-1]:
             place = place.setdefault(name, {})
-        if each.rule is Rule.TURNS:
+        if each.rule is Draw.TURNS:
             turns = [generator.turn(precision) for _ in range(each.count)]
             place[SINE], place[COSINE] = [s * factor for s, _ in turns], [c * factor for _, c in turns]
         else:
@@ -201,17 +150,17 @@ def draw(
 
 def _value(each: Input, generator: Generator, precision: Precision, factor: float) -> Any:
     match each.rule:
-        case Rule.ATTITUDE:
+        case Draw.ATTITUDE:
             return [float(x) * factor for x in generator.attitude(precision)]
-        case Rule.INTEGER:
+        case Draw.INTEGER:
             return int((each.lowest + generator.word() % each.span) * factor)
-        case Rule.ORDER:
+        case Draw.ORDER:
             return 4 if generator.word() & 0x100 else 2
-        case Rule.STEP:
-            return STEP * factor
-        case Rule.FACTOR:
+        case Draw.STEP:
+            return DRAWN_STEP * factor
+        case Draw.FACTOR:
             return (1.0 + generator.real(each.largest)) * factor
-        case Rule.FLAGS:
+        case Draw.FLAGS:
             numbers: list[Any] = [int(generator.word() >> 30 == 0) for _ in range(each.count)]
         case _:
             numbers = [generator.real(each.largest) * factor for _ in range(each.count)]

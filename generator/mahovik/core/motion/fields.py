@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Sequence
 from decimal import Decimal
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, PlainValidator, ValidationInfo
+from pydantic import BaseModel, BeforeValidator, PlainValidator, ValidationInfo
 
 from mahovik.core.stand.fields import integer, refuse, text, validator
 from mahovik.core.stand.shapes import vector
@@ -171,6 +171,18 @@ def or_false(keys: Collection[str]) -> BeforeValidator:
         if raw is not False and not isinstance(raw, dict):
             raise refuse(f"expected a table with {', '.join(keys)}, or false, found {show(raw)}")
         return None if raw is False else raw
+
+    return BeforeValidator(read)
+
+
+def table_with(table: type[BaseModel]) -> BeforeValidator:
+    """A validator of a table, whose keys the message names."""
+
+    def read(raw: Any) -> Any:
+        if not isinstance(raw, dict):
+            keys = (info.alias or name for name, info in table.model_fields.items())
+            raise refuse(f"expected a table with {', '.join(keys)}, found {show(raw)}")
+        return raw
 
     return BeforeValidator(read)
 

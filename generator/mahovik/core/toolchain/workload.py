@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import dimensions
@@ -19,7 +20,7 @@ LONG_CALL = 100_000
 
 MANY = 50
 
-_OF_THE_STAND = {"table": "default", "parameters": "default_parameters", "options": "default_options"}
+_OF_THE_STAND = {row.symbol: row.default for row in TABLES.values() if row.default}
 """Arguments that the emitted C has constants for."""
 
 

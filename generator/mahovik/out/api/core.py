@@ -9,6 +9,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.stand.model import TWIST_LETTERS, Stand
 from mahovik.errors import InputError
@@ -101,11 +102,14 @@ class Built:
         """What this stand's C offers."""
         found = []
         for function, f in self._made.functions.items():
-            method = function
-            if method != "quaternion":
+            if "x" in FUNCTIONS[function].takes:
                 takes = tuple(a.name for a in f.arguments if a.direction == "in" and a.name not in self._made.tables)
-                gives = ("states",) if "step" in method else tuple(g.name for g in self._call.fields(function))
-                found.append(Offered(method, takes, gives, f.wide))
+                gives = (
+                    ("states",)
+                    if FUNCTIONS[function].gives == ("next",)
+                    else tuple(g.name for g in self._call.fields(function))
+                )
+                found.append(Offered(function, takes, gives, f.wide))
         return tuple(found)
 
     # -- states ------------------------------------------------------------------------------------------------------
@@ -196,7 +200,7 @@ class Built:
         """Outputs, statuses, and whether they are of a single state."""
         f = self._made.functions.get(function)
         if f is None:
-            what = "instruments or points" if function == "points" else "flywheels"
+            what = {"sensors": "instruments or points"}.get(needs := FUNCTIONS[function].needs, needs)
             raise InputError(f"{function}: the stand has no {what}")
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}

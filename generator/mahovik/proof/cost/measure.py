@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
 from mahovik.core.program.types import Kind, NamedCount, Struct
@@ -167,7 +168,7 @@ def _function(stand: Stand, found: Footprint, lines: Sequence[Line], name: str) 
 
 def _flywheel(made: Generated, width: int) -> dict[str, int]:
     """Bytes that one flywheel adds to each table of constants, by the table's C name without prefix."""
-    tables = {"table": "default", "parameters": "default_parameters", "inverse_options": "default_options"}
+    tables = {row.struct: row.default for row in TABLES.values() if row.default}
     found = {}
     for struct in made.program.structs:
         if struct.name in tables and made.layout.flywheels:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, cast
+from typing import Annotated, Any
 
 import numpy as np
+from pydantic import Field
 
-from mahovik.core.motion.document import text_of
+from mahovik.core.motion.document import checked, document_of, text_of
+from mahovik.core.motion.fields import NOT_NULL, choice, chosen, context_validator, quantity, short_integer, whole
 from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.fields import Flag, Table, refuse, validator
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
-from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import (
     ANGLE,
     LENGTH,
@@ -29,10 +32,8 @@ from mahovik.errors import DesignError
 from mahovik.nearest import meant
 from mahovik.use.design.freedom import MIRRORS, PARTS, WIDTH, Freedom, Key, Limits, Tie, Weights
 from mahovik.use.design.limits import nearest_two
-from mahovik.use.design.section import Section
 from mahovik.use.design.space import flywheel_numbers
 
-TOP = ("schema", "number", "phase", "speed", "harmonics", "quality", "free", "group", "limits", "cost")
 CHOICES = ("phase", "speed", "number")
 DIMENSIONS: dict[Key, Dimension] = {
     "position": LENGTH,
@@ -43,7 +44,132 @@ DIMENSIONS: dict[Key, Dimension] = {
     "inertia": PLAIN,
 }
 MOST_FLYWHEELS, MOST_HARMONICS, FASTEST = 24, 8, 1000
-HARMONICS, QUALITY = 3, 1e-3
+
+Box = bool | tuple[tuple[float, ...], tuple[float, ...]]
+"""Whether a key is free, with default bounds; or its bounds."""
+
+
+def _box(key: Key) -> Any:
+    """A validator of a `Box`."""
+    width, dimension = PARTS[key].stop - PARTS[key].start, DIMENSIONS[key]
+
+    def bound(raw: dict[str, Any], side: str) -> tuple[float, ...]:
+        if side not in raw:
+            raise refuse("required, but missing", side)
+        try:
+            return (number(raw[side], dimension),) if width == 1 else vector(raw[side], (width,), dimension)
+        except QuantityError as error:
+            raise refuse(str(error), side) from None
+
+    def read(raw: Any) -> Box:
+        if isinstance(raw, bool):
+            return raw
+        if not isinstance(raw, dict):
+            raise QuantityError(f"expected true, false or {{ min = .., max = .. }}, found {show(raw)}")
+        for name in raw:
+            if name not in ("min", "max"):
+                raise QuantityError(f"unknown key {show(name)}{meant(name, ('min', 'max'))}")
+        low, high = bound(raw, "min"), bound(raw, "max")
+        for a, b in zip(low, high, strict=True):
+            if a > b:
+                raise QuantityError(f"min {a:g} is above max {b:g} {dimension.si}".rstrip())
+        if key in ("unbalance", "mass", "inertia") and low[0] < 0.0:
+            raise QuantityError(f"min {low[0]:g} is negative")
+        if key in ("mass", "inertia") and low[0] == 0.0:
+            raise QuantityError("min 0: expected a minimum above 0")
+        return low, high
+
+    return validator(read)
+
+
+def _same(raw: Any) -> tuple[Key, ...]:
+    if not isinstance(raw, list):
+        raise QuantityError(f"expected a list, found {show(raw)}")
+    for key in raw:
+        if key not in PARTS:
+            raise QuantityError(f"unknown key {show(key)}{meant(str(key), PARTS)}")
+    return tuple(key for key in PARTS if key in raw)
+
+
+def _speeds(raw: Any) -> tuple[int, ...] | None:
+    if isinstance(raw, bool):
+        return (-2, -1, 0, 1, 2) if raw else None
+    if not isinstance(raw, list) or not raw:
+        raise QuantityError(f"expected turns a period to choose from, as [-1, 1], found {show(raw)}")
+    for turns in raw:
+        if abs(short_integer(turns)) > FASTEST:
+            raise QuantityError(f"expected at most {FASTEST} turns a period, found {turns}")
+    return tuple(sorted(set(raw)))
+
+
+def _number(raw: Any, context: dict[str, Any]) -> tuple[int, int]:
+    N = len(context["names"])
+    if isinstance(raw, bool):
+        return (1, N) if raw else (N, N)
+    if not isinstance(raw, list) or len(raw) != 2:
+        raise QuantityError(f"expected least and most, as [2, 4], found {show(raw)}")
+    least, most = map(short_integer, raw)
+    if not 1 <= least <= MOST_FLYWHEELS or not 1 <= most <= MOST_FLYWHEELS:
+        raise QuantityError(f"expected 1 to {MOST_FLYWHEELS} flywheels, found {least}, {most}")
+    if least > most:
+        raise QuantityError(f"least {least} is above most {most}")
+    if most > N:
+        raise QuantityError(f"{most} flywheels, but the stand has {N}: copy one of its tables for each new one")
+    return least, most
+
+
+Flywheels = Annotated[tuple[int, ...], context_validator(lambda raw, context: chosen(raw, context["names"]))]
+Mass = Annotated[float | None, quantity(MASS, least=0.0)]
+Weight = Annotated[float, quantity(PLAIN, least=0.0)]
+
+
+class FreeTable(Table):
+    """One `[[free]]`: what is free of some flywheels, or of all."""
+
+    flywheels: Flywheels | None = None
+    position: Annotated[Box, _box("position")] = False
+    angles: Annotated[Box, _box("angles")] = False
+    unbalance: Annotated[Box, _box("unbalance")] = False
+    unbalance_at: Annotated[Box, _box("unbalance_at")] = False
+    mass: Annotated[Box, _box("mass")] = False
+    inertia: Annotated[Box, _box("inertia")] = False
+
+
+class GroupTable(Table):
+    """One `[[group]]` of flywheels that are tied."""
+
+    flywheels: Flywheels
+    same: Annotated[tuple[Key, ...], validator(_same)] = ()
+    mirror: Annotated[str | None, choice(*MIRRORS)] = None
+
+
+class LimitsTable(Table):
+    """`[limits]` of the whole stand."""
+
+    distance: Annotated[float | None, quantity(LENGTH, least=0.0)] = None
+    total_mass: Mass = None
+    total_unbalance: Annotated[float | None, quantity(STATIC_UNBALANCE, least=0.0)] = None
+
+
+class CostTable(Table):
+    """`[cost]`: weights."""
+
+    unbalance: Weight = 0.0
+    torque: Weight = 0.0
+
+
+class FreedomTable(Table):
+    """A freedom file."""
+
+    number: Annotated[tuple[int, int] | None, context_validator(_number)] = None
+    phase: Flag = False
+    speed: Annotated[tuple[int, ...] | None, validator(_speeds)] = None
+    harmonics: Annotated[int, whole(0, MOST_HARMONICS)] = 3
+    quality: Annotated[float, quantity(PLAIN, above=0.0, most=0.1)] = 1e-3
+    free: list[FreeTable] = Field(default_factory=list)
+    group: list[GroupTable] = Field(default_factory=list)
+    limits: Annotated[LimitsTable | None, NOT_NULL] = None
+    cost: Annotated[CostTable | None, NOT_NULL] = None
 
 
 def load_freedom(path: str | Path, stand: Stand) -> Freedom:
@@ -54,20 +180,7 @@ def load_freedom(path: str | Path, stand: Stand) -> Freedom:
 
 def read_freedom(text: str, stand: Stand, source: str = "free") -> Freedom:
     """Read and check a freedom given as text; `source` names it in messages. Raises DesignError."""
-    try:
-        document = parse(text)
-    except (RecursionError, ValueError) as error:
-        raise DesignError([f"{source}: not TOML: {error}"]) from None
-    problems = Problems(source)
-    top = Section(problems, document)
-    top.only(TOP)
-    if top.has("schema") and (isinstance(document["schema"], bool) or document["schema"] != 1):
-        top.refuse("schema", f"expected 1, found {show(document['schema'])}")
-    reader = _FreedomReader(top, stand)
-    freedom = reader.freedom()
-    if problems.lines:
-        raise DesignError(problems.lines)
-    return freedom
+    return _freedom(document_of(text, source, DesignError, is_json=False), stand, Problems(source))
 
 
 def freedom_of_keys(keys: str, stand: Stand) -> Freedom:
@@ -75,275 +188,115 @@ def freedom_of_keys(keys: str, stand: Stand) -> Freedom:
     known = (*PARTS, *CHOICES)
     names = [key.strip() for key in keys.split(",")]
     problems = Problems(f"--free {keys}")
-    document: dict[str, Any] = {"schema": 1}
-    free: dict[str, Any] = {}
     for name in names:
         if name not in known:
             problems.add(f"unknown key {show(name)}{meant(name, known)} The name of a freedom file ends in .toml")
-        elif name in CHOICES:
-            document[name] = True
-        else:
-            free[name] = True
-    if free:
-        document["free"] = [free]
-    freedom = _FreedomReader(Section(problems, document), stand).freedom()
+    document: dict[str, Any] = {name: True for name in names if name in CHOICES}
+    free = {name: True for name in names if name in PARTS}
+    return _freedom(document | ({"free": [free]} if free else {}), stand, problems)
+
+
+def _freedom(document: dict[str, Any], stand: Stand, problems: Problems) -> Freedom:
+    """The freedom of a document. Raises DesignError with its problems, and those noted before."""
+    if not stand.flywheels:
+        problems.add(f"stand {stand.name} has no flywheels: there is nothing to design")
+        raise DesignError(problems.lines)
+    table = checked(FreedomTable, document, problems, names=[s.name for s in stand.flywheels])
+    if table is None or problems.lines:
+        raise DesignError(problems.lines)
+    N = len(stand.flywheels)
+    numbers = table.number or (N, N)
+    bounds = _Bounds(stand, problems)
+    for i, each in enumerate(table.free):
+        bounds.free_by(f"free[{i}]", each)
+    choosing = table.phase or table.speed is not None or table.number is not None
+    if not bounds.free.any() and not choosing and not problems.lines:
+        problems.add(f"nothing is free: free one of {', '.join((*PARTS, *CHOICES))}")
+    ties = tuple(_ties(table.group, stand, problems))
+    limits = bounds.limits(table.limits or LimitsTable(), numbers[0])
+    weights = Weights(**dict(table.cost)) if table.cost is not None and table.cost.model_fields_set else Weights()
     if problems.lines:
         raise DesignError(problems.lines)
-    return freedom
+    return Freedom(
+        bounds.least, bounds.most, bounds.free, ties, limits, weights,
+        table.phase, table.speed, numbers, table.harmonics, table.quality,
+    )  # fmt: skip
 
 
-class _FreedomReader:
-    """Reads one document; after a problem was noted, the values read are not used."""
+class _Bounds:
+    """Bounds of the numbers of every flywheel, which the tables `free` widen one after another."""
 
-    def __init__(self, top: Section, stand: Stand) -> None:
-        self.top, self.stand, self.N = top, stand, len(stand.flywheels)
-        self.names = [s.name for s in stand.flywheels]
-        now = np.array([flywheel_numbers(s) for s in stand.flywheels]).reshape(self.N, WIDTH)
-        self.least, self.most, self.free = now.copy(), now.copy(), np.zeros((self.N, WIDTH), dtype=bool)
-        self.current = now
+    def __init__(self, stand: Stand, problems: Problems) -> None:
+        self._stand, self._problems = stand, problems
+        self._current = np.array([flywheel_numbers(s) for s in stand.flywheels]).reshape(-1, WIDTH)
+        self.least, self.most = self._current.copy(), self._current.copy()
+        self.free = np.zeros(self._current.shape, dtype=bool)
 
-    def freedom(self) -> Freedom:
-        """The whole document."""
-        top = self.top
-        if not self.N:
-            top.problems.add(f"stand {self.stand.name} has no flywheels: there is nothing to design")
-            return Freedom(self.least, self.most, self.free)
-        number = self._number()
-        for where, section in self._tables("free"):
-            section.only(("flywheels", *PARTS))
-            chosen = self._flywheels(section)
-            for key in PARTS:
-                if key in section:
-                    self._free(where, section, chosen, key)
-            if "unbalance" in section and "unbalance_at" not in section and section.given["unbalance"] is not False:
-                self._free_direction(chosen, "unbalance_at")
-        phase = self._flag("phase")
-        speeds = self._speeds()
-        choosing = phase or speeds is not None or "number" in top
-        if not self.free.any() and not choosing and not top.problems.lines:
-            top.problems.add(f"nothing is free: free one of {', '.join((*PARTS, *CHOICES))}")
-        return Freedom(
-            self.least, self.most, self.free, self._ties(), self._limits(), self._weights(), phase, speeds, number,
-            self._integer("harmonics", HARMONICS, 0, MOST_HARMONICS), self._quality(),
-        )  # fmt: skip
-
-    def _tables(self, key: str) -> list[tuple[str, Section]]:
-        found = []
-        for i, raw in enumerate(self.top.rows(key)):
-            where = f"{key}[{i}]"
-            if isinstance(raw, dict):
-                found.append((where, Section(self.top.problems, raw, (where,))))
-            else:
-                self.top.refuse(where, f"expected a table, found {show(raw)}")
-        return found
-
-    def _flywheels(self, section: Section) -> list[int]:
-        """Numbers of the flywheels that a table names; all if it names none."""
-        if "flywheels" not in section:
-            return list(range(self.N))
-        found: list[int] = []
-        for name in section.rows("flywheels"):
-            if name not in self.names:
-                section.refuse("flywheels", f"unknown {show(name)}{meant(str(name), self.names)}")
-            elif self.names.index(name) in found:
-                section.refuse("flywheels", f"{show(name)} is named twice; name it once")
-            else:
-                found.append(self.names.index(name))
-        return found
-
-    def _free(self, where: str, section: Section, chosen: list[int], key: Key) -> None:
-        """Read one key of one table."""
-        raw = section.given[key]
-        if raw is False:
-            return
-        if key == "unbalance" and any(self.stand.flywheels[s].mass <= 0.0 for s in chosen):
-            section.refuse(key, "a flywheel without mass has no unbalance")
-            return
-        if raw is True:
-            self._default(section, chosen, key)
-            return
-        if not isinstance(raw, dict):
-            section.refuse(key, f"expected true, false or {{ min = .., max = .. }}, found {show(raw)}")
-            return
-        box = Section(section.problems, raw, (where, key))
-        box.only(("min", "max"))
-        if not box.has("min", "max"):
-            return
-        low, high = (self._bound(box, side, key) for side in ("min", "max"))
-        if low is None or high is None:
-            return
-        for a, b, unit in zip(low, high, (DIMENSIONS[key].si,) * len(low), strict=True):
-            if a > b:
-                section.refuse(key, f"min {a:g} is above max {b:g} {unit}".rstrip())
-                return
-        if key in ("unbalance", "mass", "inertia") and low[0] < 0.0:
-            section.refuse(key, f"min {low[0]:g} is negative")
-            return
-        if key in ("mass", "inertia") and low[0] == 0.0:
-            section.refuse(key, "min 0: expected a minimum above 0")
-            return
-        for s in chosen:
-            self.least[s, PARTS[key]], self.most[s, PARTS[key]] = low, high
-            self.free[s, PARTS[key]] = True
-
-    def _bound(self, box: Section, side: str, key: Key) -> tuple[float, ...] | None:
-        part = PARTS[key]
-        width = part.stop - part.start
-        try:
-            if width == 1:
-                return (number(box.given[side], DIMENSIONS[key]),)
-            return vector(box.given[side], (width,), DIMENSIONS[key])
-        except QuantityError as error:
-            box.refuse(side, str(error))
-            return None
-
-    def _default(self, section: Section, chosen: list[int], key: Key) -> None:
-        """Default bounds, for a key that is just `true`."""
-        if key in ("angles", "unbalance_at"):
-            self._free_direction(chosen, key)
-            return
-        low, high = self.current[:, PARTS[key]], self.current[:, PARTS[key]]
-        if key == "position":
-            far = float(np.abs(low).max())
-            low, high = np.full_like(low, -far), np.full_like(high, far)
-        elif key == "unbalance":
-            low, high = np.zeros_like(low), np.full_like(high, 2.0 * float(high.max()))
-        else:
-            low, high = 0.5 * low, 2.0 * high
-        if not np.any(high > low):
-            section.refuse(key, "all values in the stand are zero: give { min = .., max = .. } instead of true")
-            return
-        for s in chosen:
-            self.least[s, PARTS[key]], self.most[s, PARTS[key]] = low[s], high[s]
-            self.free[s, PARTS[key]] = True
-
-    def _free_direction(self, chosen: list[int], key: Key) -> None:
-        """Free angles in any direction."""
-        for s in chosen:
-            self.least[s, PARTS[key]], self.most[s, PARTS[key]] = -math.inf, math.inf
-            self.free[s, PARTS[key]] = True
-
-    def _ties(self) -> tuple[Tie, ...]:
-        found = []
-        for _, section in self._tables("group"):
-            section.only(("flywheels", "same", "mirror"))
-            if not section.has("flywheels"):
+    def free_by(self, where: str, table: FreeTable) -> None:
+        """Free what one table frees; what it cannot free is noted."""
+        flywheels = list(range(len(self.free)) if table.flywheels is None else table.flywheels)
+        for key in PARTS:
+            box: Box = getattr(table, key)
+            if box is False:
                 continue
-            chosen = self._flywheels(section)
-            same = section.rows("same")
-            for key in same:
-                if not isinstance(key, str) or key not in PARTS:
-                    section.refuse("same", f"unknown key {show(key)}{meant(str(key), PARTS)}")
-            mirror = section.given.get("mirror")
-            if mirror is not None and mirror not in MIRRORS:
-                section.refuse("mirror", f"expected one of {', '.join(MIRRORS)}, found {show(mirror)}")
-            elif mirror is not None and len(chosen) != 2:
-                section.refuse("mirror", f"needs two flywheels, found {len(chosen)}")
-            elif mirror is not None and {"position", "angles"} & set(map(str, same)):
-                section.refuse("mirror", "contradicts `same` about position and angles")
-            elif len(chosen) < 2:
-                section.refuse("flywheels", f"a group needs two or more flywheels, found {len(chosen)}")
-            elif mirror is None and not same:
-                section.problems.add(*section.path, "nothing is tied: expected `same`, `mirror` or both")
-            elif len({self.stand.flywheels[s].mount for s in chosen}) > 1:
-                section.refuse("flywheels", "all flywheels of a group need the same mount")
-            else:
-                keys = tuple(key for key in PARTS if key in same)
-                found.append(Tie(tuple(chosen), keys, mirror))
-        return tuple(found)
+            if key == "unbalance" and any(self._stand.flywheels[s].mass <= 0.0 for s in flywheels):
+                self._problems.add(where, key, "a flywheel without mass has no unbalance")
+                continue
+            least, most = self._default(key) if box is True else (np.array(side) for side in box)
+            if box is True and not np.any(most > least):
+                words = "all values in the stand are zero: give { min = .., max = .. } instead of true"
+                self._problems.add(where, key, words)
+                continue
+            for s in flywheels:
+                self.least[s, PARTS[key]] = least[s] if box is True else least
+                self.most[s, PARTS[key]] = most[s] if box is True else most
+                self.free[s, PARTS[key]] = True
+        if table.unbalance is not False and "unbalance_at" not in table.model_fields_set:
+            self.free_by(where, FreeTable.model_construct(flywheels=table.flywheels, unbalance_at=True))
 
-    def _limits(self) -> Limits:
-        section = self.top.section("limits")
-        if section is None:
-            return Limits()
-        kinds = {"distance": LENGTH, "total_mass": MASS, "total_unbalance": STATIC_UNBALANCE}
-        section.only(tuple(kinds))
-        found = {key: section.number(key, unit) if key in section else None for key, unit in kinds.items()}
-        for key, limit in found.items():
-            if limit is not None and limit < 0.0:
-                section.refuse(key, f"{limit:g} {kinds[key].si} is negative")
-        for key, k in (("total_mass", 7), ("total_unbalance", 5)):
-            limit, least = found[key], float(self.least[: self._number()[0], k].sum())
+    def _default(self, key: Key) -> tuple[Any, Any]:
+        """Default bounds of all flywheels, for a key that is just `true`."""
+        now = self._current[:, PARTS[key]]
+        if key in ("angles", "unbalance_at"):
+            return np.full_like(now, -math.inf), np.full_like(now, math.inf)
+        if key == "position":
+            far = float(np.abs(now).max())
+            return np.full_like(now, -far), np.full_like(now, far)
+        if key == "unbalance":
+            return np.zeros_like(now), np.full_like(now, 2.0 * float(now.max()))
+        return 0.5 * now, 2.0 * now
+
+    def limits(self, table: LimitsTable, flywheels: int) -> Limits:
+        """Limits of the whole stand with at least so many flywheels; limits below the bounds are noted.
+
+        Without a limit, flywheels whose positions are free stay apart by half the least distance in the given stand.
+        """
+        for key, limit, unit, k in (
+            ("total_mass", table.total_mass, "kg", PARTS["mass"].start),
+            ("total_unbalance", table.total_unbalance, "kg m", PARTS["unbalance"].start),
+        ):
+            least = float(self.least[:flywheels, k].sum())
             if limit is not None and limit < least * (1.0 - 1e-12):
-                section.refuse(key, f"{limit:g} {kinds[key].si} is below the sum of the least, {least:g}")
-        if "distance" not in section and self.free[:, PARTS["position"]].any():
-            found["distance"] = self._default_distance()
-        return Limits(found["distance"] or None, found["total_mass"], found["total_unbalance"])
+                self._problems.add("limits", key, f"{limit:g} {unit} is below the sum of the least, {least:g}")
+        distance = table.distance
+        if distance is None and self.free[:, PARTS["position"]].any():
+            now = nearest_two(self._stand)
+            distance = None if now is None else 0.5 * now[0]
+        return Limits(distance or None, table.total_mass, table.total_unbalance)
 
-    def _default_distance(self) -> float:
-        """Default distance: half the least distance in the given stand, so that flywheels keep apart."""
-        nearest_now = nearest_two(self.stand)
-        return 0.5 * nearest_now[0] if nearest_now is not None else 0.0
 
-    def _weights(self) -> Weights:
-        section = self.top.section("cost")
-        if section is None or not section.given:
-            return Weights()
-        section.only(("unbalance", "torque"))
-        values = {}
-        for key in ("unbalance", "torque"):
-            value = section.number(key, PLAIN) if key in section else 0.0
-            if value is not None and value < 0.0:
-                section.refuse(key, f"{value:g} is negative, expected a weight")
-            values[key] = value or 0.0
-        return Weights(values["unbalance"], values["torque"])
-
-    def _flag(self, key: str) -> bool:
-        raw = self.top.given.get(key, False)
-        if not isinstance(raw, bool):
-            self.top.refuse(key, f"expected true or false, found {show(raw)}")
-        return raw is True
-
-    def _speeds(self) -> tuple[int, ...] | None:
-        raw = self.top.given.get("speed", False)
-        if isinstance(raw, bool):
-            return (-2, -1, 0, 1, 2) if raw else None
-        found = [self.top.integer("speed", each) for each in self.top.rows("speed")]
-        if not found:
-            self.top.refuse("speed", "expected turns a period to choose from, as [-1, 1]")
-        for turns in found:
-            if turns is not None and abs(turns) > FASTEST:
-                self.top.refuse("speed", f"expected at most {FASTEST} turns a period, found {turns}")
-        return tuple(sorted({turns for turns in found if turns is not None}))
-
-    def _number(self) -> tuple[int, int]:
-        raw = self.top.given.get("number", False)
-        if isinstance(raw, bool):
-            return (1, self.N) if raw else (self.N, self.N)
-        if isinstance(raw, list) and len(raw) == 2:
-            pair = [self.top.integer("number", each) for each in raw]
-            if None in pair:
-                return (self.N, self.N)
-            least, most = cast("list[int]", pair)
-            if not 1 <= least <= MOST_FLYWHEELS or not 1 <= most <= MOST_FLYWHEELS:
-                self.top.refuse(
-                    "number", f"expected 1 to {MOST_FLYWHEELS} flywheels, found {show(least)}, {show(most)}"
-                )
-            elif least > most:
-                self.top.refuse("number", f"least {least} is above most {most}")
-            elif most > self.N:
-                self.top.refuse(
-                    "number", f"{most} flywheels, but the stand has {self.N}: copy one of its tables for each new one"
-                )
-            else:
-                return least, most
+def _ties(groups: list[GroupTable], stand: Stand, problems: Problems) -> Iterator[Tie]:
+    for i, group in enumerate(groups):
+        where, chosen_ones, mirror = f"group[{i}]", group.flywheels, group.mirror
+        if mirror is not None and len(chosen_ones) != 2:
+            problems.add(where, "mirror", f"needs two flywheels, found {len(chosen_ones)}")
+        elif mirror is not None and {"position", "angles"} & set(group.same):
+            problems.add(where, "mirror", "contradicts `same` about position and angles")
+        elif len(chosen_ones) < 2:
+            problems.add(where, "flywheels", f"a group needs two or more flywheels, found {len(chosen_ones)}")
+        elif mirror is None and not group.same:
+            problems.add(where, "nothing is tied: expected `same`, `mirror` or both")
+        elif len({stand.flywheels[s].mount for s in chosen_ones}) > 1:
+            problems.add(where, "flywheels", "all flywheels of a group need the same mount")
         else:
-            self.top.refuse("number", f"expected least and most, as [2, 4], found {show(raw)}")
-        return (self.N, self.N)
-
-    def _integer(self, key: str, default: int, least: int, most: int) -> int:
-        if key not in self.top:
-            return default
-        found = self.top.integer(key, self.top.given[key])
-        if found is not None and not least <= found <= most:
-            self.top.refuse(key, f"expected {least} to {most}, found {found}")
-            return default
-        return default if found is None else found
-
-    def _quality(self) -> float:
-        if "quality" not in self.top:
-            return QUALITY
-        found = self.top.above_zero("quality", PLAIN)
-        if found is not None and found > 0.1:
-            self.top.refuse("quality", f"{found:g} is not a quality, expected a relative residual of at most 0.1")
-        return found or QUALITY
+            yield Tie(chosen_ones, group.same, mirror)

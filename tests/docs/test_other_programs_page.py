@@ -1,10 +1,10 @@
-"""docs/import.md names every option."""
+"""docs/other-programs.md names every option of import."""
 
 from __future__ import annotations
 
 from docs.pages import ROOT
 
-PAGE = ROOT / "docs" / "import.md"
+PAGE = ROOT / "docs" / "other-programs.md"
 
 
 def test_every_option_is_on_the_page() -> None:
