@@ -9,7 +9,7 @@ from mahovik.out.cli.json_output import json_option, print_json
 from mahovik.out.cli.progress import progress
 
 
-@click.command(short_help="List the tools on this machine, and how to install the others.")
+@click.command(short_help="List tools found, and how to install others.")
 @json_option("Print JSON.")
 def doctor(as_json: bool) -> None:
     """List the compilers, emulators, checkers and extras on this machine, and how to install the others.
