@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 import numpy as np
 from hypothesis import strategies as st
 
 from mahovik.core.stand import Stand, State
 from mahovik.core.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
 from mahovik.core.stand.random_state import MAX_PHASE
+from mahovik.laws import LAWS
 
 _SEEDS = st.integers(0, 2**32 - 1)
 
@@ -17,12 +21,11 @@ def features(
     fluid: bool | None = None,
     gravity: bool | None = None,
     stream: bool | None = None,
-    suspension: bool | None = None,
-    legs: int | None = None,
     instruments: int | None = None,
     points: int | None = None,
     wrench_inputs: bool | None = None,
     motors: bool | None = None,
+    laws: Mapping[str, int] = MappingProxyType({}),
 ) -> st.SearchStrategy[Features]:
     """Which kinds of wrench and body a stand has; what is not given is drawn, and shrinks to absent."""
 
@@ -39,11 +42,10 @@ def features(
         gravity=flag(gravity),
         stream=flag(stream),
         fluid=flag(fluid),
-        suspension=flag(suspension),
-        legs=count(legs),
         points=count(points),
         wrench_inputs=flag(wrench_inputs),
         motors=flag(motors),
+        laws=st.fixed_dictionaries({law: count(laws.get(law)) for law in LAWS}),
     )
 
 
@@ -56,12 +58,11 @@ def stands(
     fluid: bool | None = None,
     gravity: bool | None = None,
     stream: bool | None = None,
-    suspension: bool | None = None,
-    legs: int | None = None,
     instruments: int | None = None,
     points: int | None = None,
     wrench_inputs: bool | None = None,
     motors: bool | None = None,
+    laws: Mapping[str, int] = MappingProxyType({}),
 ) -> Stand:
     """General stands; options left None are drawn. Every body is a cloud of point masses off its origin."""
     has = draw(
@@ -69,12 +70,11 @@ def stands(
             fluid=fluid,
             gravity=gravity,
             stream=stream,
-            suspension=suspension,
-            legs=legs,
             instruments=instruments,
             points=points,
             wrench_inputs=wrench_inputs,
             motors=motors,
+            laws=laws,
         )
     )
     flywheels = draw(st.integers(min_flywheels, max_flywheels))

@@ -23,7 +23,7 @@ import numpy as np
 import sympy as sp
 
 import mahovik.proof.second
-from mahovik.core.derive import carrier, flywheel, wrench
+from mahovik.core.derive import carrier, flywheel
 from mahovik.core.derive.symbols import vector
 from mahovik.core.emit.generate import Generated
 from mahovik.core.lower import forward, wrenches
@@ -35,6 +35,9 @@ from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.structure import structure
 from mahovik.errors import StateError
+from mahovik.laws.leg import derive as leg_formulas
+from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof import reference
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.c_backend import InterpreterBackend
@@ -120,11 +123,11 @@ def from_zero(s: Flywheel) -> Flywheel:
 
 
 def hung(**parts: Any) -> Callable[[Stand], Stand]:
-    return lambda s: replace(s, suspension=replace(s.suspension, **parts)) if s.suspension else s
+    return lambda s: s.with_laws(replace(law, **parts)) if (law := s.law(Suspension)) else s
 
 
 def legs(**parts: Any) -> Callable[[Stand], Stand]:
-    return lambda s: replace(s, legs=tuple(replace(leg, **parts) for leg in s.legs))
+    return lambda s: s.with_laws(Legs(tuple(replace(leg, **parts) for leg in legs_of(s))))
 
 
 def negative(a: tuple[float, ...] | None) -> Any:
@@ -164,7 +167,7 @@ STANDS: dict[str, Callable[[Stand], Stand]] = {
     "suspension stiffness missing": hung(stiffness=ZERO66),
     "equilibrium attitude ignored": hung(angles=ZERO3),
     "equilibrium position ignored": hung(position=ZERO3),
-    "legs missing": lambda s: replace(s, legs=()),
+    "legs missing": lambda s: s.without_laws(Legs),
     "leg damping missing": legs(damping=0.0),
     "unstretched length ignored": legs(length=0.0),
     "sequence, ship": lambda s: replace(s, angles="ship"),
@@ -357,7 +360,7 @@ def no_lower_left(V: sp.Matrix, original: Callable[..., sp.Matrix] = carrier.Phi
     return made
 
 
-def leg_rate_reversed(original: Callable[..., Any] = wrench.leg) -> Any:
+def leg_rate_reversed(original: Callable[..., Any] = leg_formulas.leg) -> Any:
     return replace(original(), rate=-original().rate)
 
 
@@ -370,7 +373,7 @@ DERIVED: dict[str, tuple[Any, str, Any]] = {
     "weight at the hub": (wrenches, "_weight", hub_weight),
     "K* missing": (carrier, "mass_matrix_rate", lambda original=carrier.mass_matrix_rate: original() * 0),
     "v x p missing": (carrier, "Phi", no_lower_left),
-    "leg damping, sign": (wrench, "leg", leg_rate_reversed),
+    "leg damping, sign": (leg_formulas, "leg", leg_rate_reversed),
     "omega x u missing, drives too": (forward, "derived", SimpleNamespace(turning_velocity=lambda: sp.zeros(3, 1))),
     "Z0 about O1": (carrier, "momentum_in_E0", no_place),
 }

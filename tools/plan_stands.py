@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
 from mahovik.core.motion.required.course import Harmonics, Sampled
-from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Suspension, Vec3
+from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Vec3
+from mahovik.laws.suspension.data import Suspension
 
 Array = NDArray[np.float64]
 
@@ -37,16 +38,17 @@ def campaign_stand(seed: int, N: int, unbalance: float = 1.0) -> Stand:
         carrier=Carrier(
             **_body("carrier", 12.0, rng.normal(size=3) * 0.005, carrier_inertia, "center_of_mass"), added_mass=None
         ),
-        suspension=Suspension(
-            _diagonal(stiffness, turning),
-            _diagonal(0.15 * stiffness / 10, 0.15 * turning / 10),
-            (0.0, 0.0, mass * GRAVITY / stiffness),
-            (0.0, 0.0, 0.0),
-        ),
-        legs=(),
         instruments=(),
         flywheels=wheels,
         points=(),
+        laws=(
+            Suspension(
+                _diagonal(stiffness, turning),
+                _diagonal(0.15 * stiffness / 10, 0.15 * turning / 10),
+                (0.0, 0.0, mass * GRAVITY / stiffness),
+                (0.0, 0.0, 0.0),
+            ),
+        ),
     )
 
 

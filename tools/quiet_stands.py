@@ -8,7 +8,8 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, Motor, MountingAxes, Point, Stand, Suspension, Vec3
+from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, Motor, MountingAxes, Point, Stand, Vec3
+from mahovik.laws.suspension.data import Suspension
 
 Array = NDArray[np.float64]
 
@@ -36,8 +37,7 @@ def satellite(seed: int, N: int, suspended: float | None = None) -> Stand:
         carrier=Carrier(
             "carrier", mass, _vec(rng.normal(size=3) * 0.01), _mat(inertia), "center_of_mass", None, None, False, None
         ),
-        suspension=None if suspended is None else _suspension(suspended),
-        legs=(),
+        laws=() if suspended is None else (_suspension(suspended),),
         instruments=(),
         flywheels=wheels,
         points=(Point("bench", "carrier", _vec(place), _vec(rng.uniform(-1.0, 1.0, 3))),),

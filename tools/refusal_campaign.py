@@ -18,6 +18,7 @@ import numpy as np
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
 from mahovik.core.motion.required import Bounds
+from mahovik.laws.suspension.data import Suspension
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.choose import Improver
 from mahovik.use.plan.preflight import preflight
@@ -33,7 +34,7 @@ def unsupported(seed: int, N: int, factor: float) -> Problem:
     """Nothing carries the weight, or the mean height is held where the suspension does not carry it."""
     stand = campaign_stand(seed, N)
     if seed % 2:
-        return Problem.of(replace(stand, suspension=None), campaign_motion(seed, N))
+        return Problem.of(stand.without_laws(Suspension), campaign_motion(seed, N))
     motion = campaign_motion(seed, N)
     mean = np.array([0.0, 0.0, 1e-3 * factor, 0.0, 0.0, 0.0])
     return Problem.of(stand, replace(motion, mean=mean, free_mean=(True, True, False, True, True, True)))

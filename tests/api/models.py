@@ -15,7 +15,9 @@ def stand(name):
     """A stand by name: of some kinds of wrench, of all of them, a rigid body, or an example."""
     rng = np.random.default_rng(5)
     if name == "general":
-        return random_stand(rng, 2, Features("aircraft", 1, True, False, False, False, 0, 1, True, False), name)
+        return random_stand(
+            rng, 2, Features("aircraft", 1, True, False, False, 1, True, False, {"suspension": 0, "leg": 0}), name
+        )
     if name == "everything":
         return replace(random_stand(rng, 2, EVERYTHING, name), angles="euler")
     if name == "rigid":

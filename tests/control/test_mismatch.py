@@ -11,7 +11,7 @@ from mahovik import stands as examples
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.errors import UsageError
-from mahovik.use.control.mismatch import with_mismatch
+from mahovik.laws.suspension.data import Suspension
 from mahovik.use.plan.residual.spatial import mount_axes
 from strategies import stands
 
@@ -50,9 +50,10 @@ def test_every_number_that_is_measured_is_wrong() -> None:
         angle = np.arccos(np.clip((np.trace(turned) - 1.0) / 2.0, -1.0, 1.0))
         assert 0.0 < angle <= SHARE
         assert (own.motor, own.encoder, own.name) == (other.motor, other.encoder, other.name)
-    assert BENCH8.suspension is not None
-    assert found.suspension is not None
-    assert BENCH8.suspension.stiffness != found.suspension.stiffness
+    own, other = BENCH8.law(Suspension), found.law(Suspension)
+    assert own is not None
+    assert other is not None
+    assert own.stiffness != other.stiffness
     assert (BENCH8.gravity, BENCH8.name) == (found.gravity, found.name)
 
 

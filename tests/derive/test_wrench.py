@@ -12,6 +12,8 @@ from mahovik.core.derive.attitude import quaternion_product, rotation_of_quatern
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
 from mahovik.core.derive.symbols import from_six, matrix, six_of, symmetric, vector
+from mahovik.laws.leg import derive as leg
+from mahovik.laws.suspension import derive as suspension
 
 TIME = sp.Symbol("t")
 
@@ -106,7 +108,7 @@ def test_relative_quaternion_is_the_rotation_from_equilibrium() -> None:
     def turn(of: sp.Matrix) -> sp.Matrix:
         return rotation_of_quaternion().xreplace(table.bind("q", of) | {sp.Symbol("k"): sp.Integer(2)})
 
-    relative = derived.relative_quaternion()
+    relative = suspension.relative_quaternion()
     assert remainders(turn(relative) - turn(q_eq).T * turn(q), units) == []
     assert remainders(rotation(turn(relative)), units) == []
     assert remainders(quaternion_product(q_eq, relative) - q, units) == []
@@ -114,7 +116,7 @@ def test_relative_quaternion_is_the_rotation_from_equilibrium() -> None:
 
 def test_leg_rate_is_the_derivative_of_its_length() -> None:
     """length' = -direction . velocity, direction from the carrier's end to the ground; both terms of the tension."""
-    found = derived.leg()
+    found = leg.leg()
     ends = sp.Matrix([sp.Function(f"x{i}")(TIME) for i in range(3)])
     ground, distance = vector("ground"), sp.Symbol("distance", positive=True)
     span = ground - ends

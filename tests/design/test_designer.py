@@ -14,7 +14,8 @@ from mahovik.core.stand import loads
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError
-from mahovik.use.design import DesignOptions, Outcome, design_stand
+from mahovik.laws.suspension.data import Suspension
+from mahovik.use.design import Outcome, design_stand
 from mahovik.use.design.cost import Cost
 from mahovik.use.design.freedom import Weights
 from mahovik.use.design.pareto import Point, not_dominated
@@ -112,7 +113,7 @@ def test_a_motion_that_no_design_can_do_is_refused() -> None:
     with pytest.raises(DesignError, match=r"no design does this: along z it needs a first moment"):
         design_stand(shaker(), motion_of, little)
     with pytest.raises(DesignError, match=r"no design does this: a mean force of 68\.67 N along z"):
-        design_stand(replace(shaker(), suspension=None), motion_of, freedom())
+        design_stand(shaker().without_laws(Suspension), motion_of, freedom())
 
 
 def test_interrupted_before_anything_was_found() -> None:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -9,10 +10,12 @@ from mahovik import stands as examples
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import load
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
+from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.suspension.data import Suspension
 
-WET = Features("aircraft", 1, True, True, True, False, 0, 1, False, False)
-HUNG = Features("euler", 1, True, False, False, True, 2, 0, True, True)
-STREAM_ONLY = Features("ship", 0, False, True, False, False, 0, 0, False, False)
+WET = Features("aircraft", 1, True, True, True, 1, False, False, {"suspension": 0, "leg": 0})
+HUNG = Features("euler", 1, True, False, False, 0, True, True, {"suspension": 1, "leg": 2})
+STREAM_ONLY = Features("ship", 0, False, True, False, 0, False, False, {"suspension": 0, "leg": 0})
 DRAWN = Features()
 
 GENERAL = {
@@ -86,15 +89,16 @@ def other_numbers(given, rng):
             new["added_mass"] = scaled(old.added_mass, k)
         return new
 
-    suspension = given.suspension
+    laws: list[Any] = [
+        Legs(tuple(replace(leg, ground=vec(leg.ground), length=leg.length * 1.1) for leg in legs_of(given)))
+    ]
+    if (law := given.law(Suspension)) is not None:
+        laws.append(replace(law, stiffness=scaled(law.stiffness, 1.5), position=vec(law.position)))
     return replace(
-        given,
+        given.with_laws(*laws),
         gravity=tuple(x * 1.25 for x in given.gravity),
         stream=given.stream and vec(given.stream),
         carrier=replace(given.carrier, **body(given.carrier)),
-        suspension=suspension
-        and replace(suspension, stiffness=scaled(suspension.stiffness, 1.5), position=vec(suspension.position)),
-        legs=tuple(replace(leg, ground=vec(leg.ground), length=leg.length * 1.1) for leg in given.legs),
         instruments=tuple(
             replace(p, **body(p), position=vec(p.position), angles=vec(p.angles, 0.5)) for p in given.instruments
         ),

@@ -16,6 +16,7 @@ from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Sample
 from mahovik.core.motion.required import RequiredMotion, load_motion
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
+from mahovik.laws.suspension.data import Suspension
 from mahovik.out.export.programme import Exported, export_programme
 from toolchain.tools import compile_c
 
@@ -46,10 +47,11 @@ def _programme(course: Fourier | Samples, name: str = "shaker2_spin") -> Program
 def spin() -> Programme:
     """The programme of `motion`: constant speed, the phase behind by the damping of the suspension."""
     given = stand()
-    assert given.suspension is not None
+    held = given.law(Suspension)
+    assert held is not None
     omega = 2 * pi / PERIOD
     mass = given.carrier.mass + sum(w.mass for w in given.flywheels)
-    late = atan2(given.suspension.damping[2][2] * omega, mass * omega**2 - given.suspension.stiffness[2][2])
+    late = atan2(held.damping[2][2] * omega, mass * omega**2 - held.stiffness[2][2])
     left = -pi / 2 - late
     return _programme(Fourier(np.array([left, pi - left]), np.zeros((0, 2)), np.zeros((0, 2))))
 

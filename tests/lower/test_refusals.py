@@ -11,6 +11,7 @@ from lower.refusals import FILL, NOT_FINITE, accepts, get, numbers, refuses, spo
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
+from mahovik.laws.leg.data import legs_of
 
 NAMES = ("everything6", "hung5", "bare5", "everything0")
 LIMIT = {name: limit.value for name, limit in limits(DOUBLE).items()}
@@ -162,7 +163,7 @@ def test_singular_attitudes(c):
 
 def test_a_leg_of_no_length():
     c = compiled("hung5")
-    leg = c.stand.legs[1]
+    leg = legs_of(c.stand)[1]
     inputs = ordinary(c)
     inputs["x"] |= {
         "attitude": [1.0, 0.0, 0.0, 0.0],

@@ -19,7 +19,7 @@ from mahovik.core.toolchain.library import filled
 from mahovik.proof.verify.c_backend import CBackend
 
 FUNCTIONS = ("forward", "torque", "coupled", "inverse_fast")
-FLOATING = Features("ship", 1, True, True, True, True, 1, 1, True)
+FLOATING = Features("ship", 1, True, True, True, 1, True, laws={"suspension": 1, "leg": 1})
 STANDS = {"turned3": (3, EVERYTHING), "turned8": (8, FLOATING), "turned1": (1, BARE)}
 
 

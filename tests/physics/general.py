@@ -47,8 +47,7 @@ def isolated(stand):
         carrier=bare(stand.carrier),
         instruments=tuple(bare(p) for p in stand.instruments),
         flywheels=tuple(bare(s) for s in stand.flywheels),
-        suspension=None,
-        legs=(),
+        laws=(),
     )
 
 

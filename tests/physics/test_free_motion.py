@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof.reference import evaluate
 from physics.general import draw, isolated, without_wrench
 from physics.motions import rotation, vec
@@ -114,8 +115,8 @@ def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work():
 @pytest.mark.parametrize("seed", range(2))
 def test_undamped_legs_and_weight_keep_total_energy(seed):
     stand, state = draw(seed, 2)
-    legs = tuple(replace(leg, damping=0.0) for leg in stand.legs)
-    stand = replace(isolated(stand), gravity=stand.gravity, legs=legs)
+    legs = tuple(replace(leg, damping=0.0) for leg in legs_of(stand))
+    stand = replace(isolated(stand), gravity=stand.gravity, laws=(Legs(legs),))
     state = replace(without_wrench(state), tau=(0.0, 0.0))
 
     def free(t, now):
@@ -127,7 +128,7 @@ def test_undamped_legs_and_weight_keep_total_energy(seed):
         C, O1 = rotation(stand, now), np.array(now.position)
         mass = sum(body.mass for body in stand.bodies)
         potential = -mass * np.dot(stand.gravity, O1 + C @ values["center_of_mass"])
-        for leg in stand.legs:
+        for leg in legs_of(stand):
             length = np.linalg.norm(O1 + C @ np.array(leg.carrier) - np.array(leg.ground))
             potential += leg.stiffness * (length - leg.length) ** 2 / 2
         return values["energy"] + potential, values["energy"]

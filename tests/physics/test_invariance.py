@@ -7,6 +7,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Damping, MountingAxes
+from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.rotation import flywheel_rotation
 from physics.general import draw, isolated, rows
@@ -78,8 +80,10 @@ def redescribed(stand, d, R):
         else p
         for p in stand.points
     )
-    legs = tuple(replace(leg, carrier=place(leg.carrier)) for leg in stand.legs)
-    return replace(stand, carrier=carrier, instruments=instruments, flywheels=flywheels, points=points, legs=legs)
+    legs = tuple(replace(leg, carrier=place(leg.carrier)) for leg in legs_of(stand))
+    return replace(stand, carrier=carrier, instruments=instruments, flywheels=flywheels, points=points).with_laws(
+        Legs(legs)
+    )
 
 
 def redescribed_state(stand, state, d, R):
@@ -99,7 +103,7 @@ def redescribed_state(stand, state, d, R):
 def test_moving_O1_and_turning_E1_changes_nothing_observable(seed, stream):
     stand, state = draw(seed, 5, stream=stream)
     damping = replace(stand.carrier.damping, quadratic=None, terms=())
-    stand = replace(stand, suspension=None, carrier=replace(stand.carrier, damping=damping))
+    stand = replace(stand.without_laws(Suspension), carrier=replace(stand.carrier, damping=damping))
     rng = np.random.default_rng(seed)
     d, R = rng.uniform(-0.3, 0.3, 3), Rotation.from_rotvec(rng.uniform(-1, 1, 3)).as_matrix()
     other, other_state = redescribed(stand, d, R), redescribed_state(stand, state, d, R)

@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import MountingAxes, Suspension
+from mahovik.core.stand.model import MountingAxes
+from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference import evaluate
 from physics.general import draw, rows, without_added_mass
 from physics.motions import motion, rotation, second_rate, vec
@@ -96,7 +98,7 @@ def newton(stand, made, state, step=STEP):
 
 def drawn(seed):
     stand, state = draw(seed, 3, instruments=1)
-    stand, made = clouds(replace(stand, suspension=None, legs=()), seed)
+    stand, made = clouds(stand.without_laws(), seed)
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
     return stand, made, state
 
@@ -171,7 +173,7 @@ def test_suspension_and_legs_hold_the_points_up(seed):
         position=(0.1, 0.2, 0.3),
         angles=(0.4, 0.5, 0.6),
     )
-    stand = replace(stand, suspension=spring, legs=full.legs)
+    stand = stand.with_laws(spring, Legs(legs_of(full)))
     state = replace(state, V=(0.0,) * 6, phi_dot=(0.0,) * 3, wrench={})
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
     # stiff legs turn the stand by 1e3 rad/s2; rounding is 1e-16 / 1e-6 of the places
@@ -179,7 +181,7 @@ def test_suspension_and_legs_hold_the_points_up(seed):
     O1, C = np.array(state.position), rotation(stand, state)
     force = -k * (O1 - np.array(spring.position))
     moment = np.cross(O1, force)
-    for leg in stand.legs:
+    for leg in legs_of(stand):
         end = O1 + C @ np.array(leg.carrier)
         d = end - np.array(leg.ground)
         pull = -leg.stiffness * (np.linalg.norm(d) - leg.length) * d / np.linalg.norm(d)

@@ -21,7 +21,7 @@ from mahovik.use.plan.forward.collocation import Eliminated, integrate, split_bl
 from mahovik.use.plan.residual import Mechanics
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
-HELD = replace(EVERYTHING, legs=0, stream=False)
+HELD = replace(EVERYTHING, laws={"suspension": 1, "leg": 0}, stream=False)
 
 
 @dataclass(frozen=True, eq=False)

@@ -73,12 +73,12 @@ def _half(motion: RequiredMotion) -> Harmonics:
 
 def test_a_singular_attitude_is_told() -> None:
     """A leg that shrinks to nothing on the way has no direction."""
-    from mahovik.core.stand.model import Leg
+    from mahovik.laws.leg.data import Leg, Legs
 
     stand, motion = example("bench8")
     leg = Leg(ground=(0.0, 0.0, 0.0), carrier=(0.0, 0.0, 0.0), length=0.1, stiffness=1.0, damping=0.0)
     still = Harmonics(0.1, (), np.zeros((0, 6)), np.zeros((0, 6)))
-    found = plan_motion(replace(stand, legs=(leg,)), replace(motion, course=still), QUICK)
+    found = plan_motion(stand.with_laws(Legs((leg,))), replace(motion, course=still), QUICK)
     assert found.status == "SINGULAR_ATTITUDE"
     assert "its length is zero" in found.words[0]
 

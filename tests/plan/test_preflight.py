@@ -10,6 +10,7 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.core.motion.required.course import Harmonics
+from mahovik.laws.suspension.data import Suspension
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Problem
 from plan.examples import example, problem
@@ -43,7 +44,7 @@ def test_balanced_flywheels_give_no_force() -> None:
 def test_weight_needs_something_that_carries_it() -> None:
     """MEAN_WRENCH: without the suspension, or with a mean that is held off it."""
     stand, motion = example("bench8")
-    reason, words = refused(preflight(Problem.of(replace(stand, suspension=None), motion)))
+    reason, words = refused(preflight(Problem.of(stand.without_laws(Suspension), motion)))
     assert reason == "MEAN_WRENCH"
     weight = 9.81 * sum(body.mass for body in stand.bodies)
     assert f"{weight:.4g} N along z" in words
@@ -53,7 +54,7 @@ def test_weight_needs_something_that_carries_it() -> None:
     assert "`free_mean` holds the mean of z: free it" in words
     pinned = replace(motion, bounds=Bounds(bias=(1.0, 1.0, 0.0, 1.0, 1.0, 1.0)), mean=held.mean)
     assert "a bound 0 of `bias` holds the mean of z: free it" in refused(preflight(Problem.of(stand, pinned)))[1]
-    adrift = Problem.of(replace(stand, suspension=None), held)
+    adrift = Problem.of(stand.without_laws(Suspension), held)
     assert "a suspension, legs or buoyancy" in refused(preflight(adrift))[1]  # free or not, nothing carries it
 
 

@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Damping, DampingTerm, Factor, Leg, MountingAngles, Suspension
+from mahovik.core.stand.model import Damping, DampingTerm, Factor, MountingAngles
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
+from mahovik.laws.leg.data import Leg, Legs, legs_of
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.screw import wrench_to_parent
 from mahovik.proof.reference.wrenches import body_wrench, damping_terms, linear_damping, quadratic_damping
@@ -132,7 +134,7 @@ def test_fluid_at_rest_relative_to_the_carrier_exerts_no_damping():
 @pytest.mark.parametrize("seed", SEEDS)
 def test_suspension_by_hand(seed):
     stand, state = draw(seed, 1, stream=True)
-    suspension = stand.suspension
+    suspension = stand.law(Suspension)
     C = rotation(stand, state)
     C_eq = rotation(stand, replace(state, angles=suspension.angles, quaternion=None))
     shift = C.T @ (np.array(state.position) - np.array(suspension.position))
@@ -143,7 +145,7 @@ def test_suspension_by_hand(seed):
 
 def test_suspension_at_its_equilibrium_exerts_nothing():
     stand, state = draw(1, 1)
-    s = stand.suspension
+    s = stand.law(Suspension)
     still = replace(state, position=s.position, angles=s.angles, V=(0.0,) * 6)
     found = pieces(stand, still).terms["carrier"]["suspension"]
     np.testing.assert_allclose(found, 0, rtol=0, atol=1e-13)  # rounding of C_eq^T C times the stiffness
@@ -153,7 +155,7 @@ def test_isotropic_suspension_acts_about_the_axis_of_rotation():
     stand, state = draw(1, 1)
     stiff = rows(np.diag([0, 0, 0, 7.0, 7.0, 7.0]))
     s = Suspension(stiff, rows(np.zeros((6, 6))), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
-    stand = replace(stand, suspension=s, angles="ship")
+    stand = replace(stand, angles="ship").with_laws(s)
     turned = replace(state, angles=(0.0, 0.0, 2.5), V=(0.0,) * 6)
     expected = [0, 0, 0, -7.0 * 2.5, 0, 0]
     found = pieces(stand, turned).terms["carrier"]["suspension"]
@@ -166,11 +168,11 @@ def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed):
 
     def lengths(t):
         now = motion(stand, state)(t)
-        ends = [np.array(now.position) + rotation(stand, now) @ np.array(leg.carrier) for leg in stand.legs]
-        return np.array([np.linalg.norm(e - leg.ground) for e, leg in zip(ends, stand.legs, strict=True)])
+        ends = [np.array(now.position) + rotation(stand, now) @ np.array(leg.carrier) for leg in legs_of(stand)]
+        return np.array([np.linalg.norm(e - leg.ground) for e, leg in zip(ends, legs_of(stand), strict=True)])
 
     at, length_rates = pieces(stand, state), rate(lengths, STEP)
-    for number, leg in enumerate(stand.legs):
+    for number, leg in enumerate(legs_of(stand)):
         P = at.terms["carrier"][f"leg {number}"]
         tension = leg.stiffness * (lengths(0.0)[number] - leg.length) + leg.damping * length_rates[number]
         assert np.linalg.norm(P[:3]) == pytest.approx(abs(tension), rel=1e-9)  # rate by differences
@@ -180,11 +182,11 @@ def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed):
 
 def test_leg_of_no_length_is_reported():
     stand, _ = draw(1, 1)
-    stand = replace(stand, legs=(Leg((0.1, 0.2, 0.3), (0.1, 0.2, 0.3 + 0.9e-9), 0.5, 1.0, 0.0),))
+    stand = stand.with_laws(Legs((Leg((0.1, 0.2, 0.3), (0.1, 0.2, 0.3 + 0.9e-9), 0.5, 1.0, 0.0),)))
     with pytest.raises(StateError, match="leg"):
         evaluate(stand, rest_state(stand), ["forward"])
-    longer = replace(stand.legs[0], carrier=(0.1, 0.2, 0.3 + 1.1e-9))
-    assert "V_dot" in evaluate(replace(stand, legs=(longer,)), rest_state(stand), ["forward"])
+    longer = replace(legs_of(stand)[0], carrier=(0.1, 0.2, 0.3 + 1.1e-9))
+    assert "V_dot" in evaluate(stand.with_laws(Legs((longer,))), rest_state(stand), ["forward"])
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -15,6 +15,7 @@ from mahovik.contract.functions import wants_of
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.errors import StateError
+from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof import reference, rigorous
 from mahovik.proof.rigorous.ball import column, elements, length, number
 from mahovik.proof.rigorous.evaluate import BITS, MOST_BITS, enclose
@@ -171,11 +172,11 @@ def test_a_singular_mass_matrix_and_a_leg_without_length_are_refused() -> None:
     stand = random_stand(np.random.default_rng(1), 2, EVERYTHING)
     state = random_state(stand, np.random.default_rng(2))
     bare = replace(stand.carrier, mass=0.0, inertia=((0.0,) * 3,) * 3, added_mass=None, buoyancy=None, damping=None)
-    empty = replace(stand, carrier=bare, instruments=(), flywheels=(), points=(), legs=(), suspension=None)
+    empty = replace(stand, carrier=bare, instruments=(), flywheels=(), points=(), laws=())
     still = replace(state, phi=(), phi_dot=(), phi_ddot=(), tau=(), wrench={})
     with pytest.raises(StateError, match="singular"):
         rigorous.evaluate(rigorous.pieces_at(empty, still), still, "forward")
-    leg = replace(stand.legs[0], ground=(1.0, 2.0, 3.0), carrier=(0.0, 0.0, 0.0))
+    leg = replace(legs_of(stand)[0], ground=(1.0, 2.0, 3.0), carrier=(0.0, 0.0, 0.0))
     there = replace(still, position=(1.0, 2.0, 3.0))
     with pytest.raises(StateError, match="no length"):
-        rigorous.pieces_at(replace(empty, legs=(leg,)), there)
+        rigorous.pieces_at(empty.with_laws(Legs((leg,))), there)

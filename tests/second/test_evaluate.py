@@ -10,6 +10,7 @@ from mahovik.contract.functions import wants_of
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
+from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof.second import Second, evaluate
 from physics.general import draw
 
@@ -74,12 +75,12 @@ def test_left_out_angles_are_zero():
 @pytest.mark.parametrize("want", WANTS)
 def test_a_leg_without_length_is_refused_for_every_want(want):
     stand, state = draw(1, 2)
-    leg = replace(stand.legs[0], ground=(1.0, 2.0, 3.0 + 5e-10), carrier=(0.0, 0.0, 0.0))
+    leg = replace(legs_of(stand)[0], ground=(1.0, 2.0, 3.0 + 5e-10), carrier=(0.0, 0.0, 0.0))
     state = replace(state, position=(1.0, 2.0, 3.0))
     with pytest.raises(StateError, match="leg between ground"):
-        evaluate(replace(stand, legs=(stand.legs[1], leg)), state, [want])
+        evaluate(stand.with_laws(Legs((legs_of(stand)[1], leg))), state, [want])
     longer = replace(leg, ground=(1.0, 2.0, 3.0 + 5e-9))
-    assert evaluate(replace(stand, legs=(stand.legs[1], longer)), state, [want])
+    assert evaluate(stand.with_laws(Legs((legs_of(stand)[1], longer))), state, [want])
 
 
 def test_a_stand_without_mass_has_no_momentum_want():

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.second import Second, evaluate
 from physics.general import draw, isolated, without_wrench
 from physics.motions import motion, rate, rotation, vec, with_rotation
@@ -55,8 +57,8 @@ def test_momentum_in_E0_changes_by_the_wrench_alone_and_energy_by_its_power(seed
 def test_weight_and_springs_keep_total_energy(seed):
     """Potential energy by the mass centre and the legs' lengths."""
     stand, state = draw(seed, 3)
-    legs = tuple(replace(leg, damping=0.0) for leg in stand.legs)
-    stand = replace(isolated(stand), gravity=stand.gravity, legs=legs)
+    legs = tuple(replace(leg, damping=0.0) for leg in legs_of(stand))
+    stand = replace(isolated(stand), gravity=stand.gravity, laws=(Legs(legs),))
     state = consistent(stand, without_wrench(state))
     along = motion(stand, state)
 
@@ -65,7 +67,7 @@ def test_weight_and_springs_keep_total_energy(seed):
         at, C, O1 = evaluate(stand, now, ["momentum"]), rotation(stand, now), np.array(now.position)
         mass = sum(body.mass for body in stand.bodies)
         potential = -mass * np.dot(stand.gravity, O1 + C @ at["center_of_mass"])
-        for leg in stand.legs:
+        for leg in legs_of(stand):
             length = np.linalg.norm(O1 + C @ np.array(leg.carrier) - np.array(leg.ground))
             potential += leg.stiffness * (length - leg.length) ** 2 / 2
         return np.array([at["energy"], potential])
@@ -89,7 +91,7 @@ def test_coupled_returns_what_forward_and_torque_started_from(seed):
 def test_a_stream_is_a_change_of_frame(seed):
     """An observer who drifts with the fluid sees V less the stream, and the same forces on the same accelerations."""
     stand, state = draw(seed, 4, stream=True)
-    stand = replace(stand, suspension=None, legs=())  # they are fixed in E0
+    stand = stand.without_laws()  # they are fixed in E0
     w = rotation(stand, state).T @ np.array(stand.stream)
     turning = np.array([*np.cross(state.V[3:], w), 0.0, 0.0, 0.0])
     drifting = replace(
@@ -108,13 +110,13 @@ def test_a_stream_is_a_change_of_frame(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed):
     stand, state = draw(seed, 3, stream=True)
-    stand = replace(stand, suspension=None)  # its equilibrium is fixed in E0 by angles
+    stand = stand.without_laws(Suspension)  # its equilibrium is fixed in E0 by angles
     C, turn = rotation(stand, state), Rotation.random(rng=seed)
     turned = replace(
         stand,
         gravity=vec(turn.apply(stand.gravity)),
         stream=vec(turn.apply(stand.stream)),
-        legs=tuple(replace(leg, ground=vec(turn.apply(leg.ground))) for leg in stand.legs),
+        laws=(Legs(tuple(replace(leg, ground=vec(turn.apply(leg.ground))) for leg in legs_of(stand))),),
     )
     moved = with_rotation(replace(state, position=vec(turn.apply(state.position))), turn.as_matrix() @ C)
     expected, found = (evaluate(a, b, ["forward", "torque"]) for a, b in ((stand, state), (turned, moved)))

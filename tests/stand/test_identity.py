@@ -106,8 +106,8 @@ def test_structure_lists_what_acts_on_which_body() -> None:
     found = structure(stand)
     assert (found.name, found.angles, found.bodies) == ("a", "aircraft", ("carrier", "i", "v", "w"))
     assert (found.flywheel_mounts, found.points, found.point_mounts) == ((1, 0), ("p",), (1,))
-    assert found.weight and found.stream and found.added_mass and found.suspension and found.buoyancy
-    assert found.legs == 1
+    assert found.weight and found.stream and found.added_mass and found.law("suspension") and found.buoyancy
+    assert found.law("legs") == 1
     assert (found.flywheel_buoyancy, found.wrench_inputs) == ((2,), (1,))
     assert (found.linear_damping, found.quadratic_damping, found.damped) == ((0,), (3,), (0, 3))
     assert ((3, ((3, (Factor(3, False), Factor(3, True))),)),) == found.damping_terms

@@ -14,12 +14,13 @@ from mahovik.core.stand.model import (
     DampingTerm,
     Encoder,
     Factor,
-    Leg,
     Motor,
     MountingAngles,
     MountingAxes,
     Point,
 )
+from mahovik.laws.leg.data import Leg, legs_of
+from mahovik.laws.suspension.data import Suspension
 
 FULL = """
 schema = 1
@@ -139,13 +140,13 @@ def test_every_key_is_read() -> None:
     )
     assert terms == carrier.damping.terms
 
-    suspension = stand.suspension
+    suspension = stand.law(Suspension)
     assert suspension is not None
     assert diagonal(1000.0, 1000.0, 1000.0, 60.0, 60.0, 60.0) == suspension.stiffness
     assert diagonal(25.0, 25.0, 25.0, 1.0, 1.0, 1.0) == suspension.damping
     assert suspension.position == (0.0, 0.0, 0.11)
     assert (0.0, math.pi / 2, 0.0) == suspension.angles
-    assert (Leg((0.0, 0.0, -1.0), (0.0, 0.0, -0.1), 0.9, 400.0, 3.0),) == stand.legs
+    assert (Leg((0.0, 0.0, -1.0), (0.0, 0.0, -0.1), 0.9, 400.0, 3.0),) == legs_of(stand)
 
     gyro, mark = stand.instruments
     assert (gyro.name, gyro.position, gyro.mass) == ("gyro", (0.1, 0.0, 0.0), 1.0)
@@ -173,7 +174,7 @@ def test_every_key_is_read() -> None:
 def test_the_least_stand_has_the_documented_defaults() -> None:
     stand = loads('schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n')
     assert (stand.angles, stand.gravity, stand.stream) == ("ship", (0.0, 0.0, 0.0), None)
-    assert (stand.suspension, stand.legs, stand.instruments, stand.flywheels, stand.points) == (None, (), (), (), ())
+    assert (stand.laws, stand.instruments, stand.flywheels, stand.points) == ((), (), (), ())
     carrier = stand.carrier
     assert (carrier.added_mass, carrier.buoyancy, carrier.damping, carrier.wrench_input) == (None, None, None, False)
 

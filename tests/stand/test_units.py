@@ -28,6 +28,7 @@ from mahovik.core.stand.units import (
     QuantityError,
     number,
 )
+from mahovik.laws.leg.data import legs_of
 
 DECIMALS = st.decimals(allow_nan=False, allow_infinity=False, places=6, min_value=-(10**6), max_value=10**6)
 
@@ -94,7 +95,7 @@ def test_a_stand_does_not_depend_on_the_unit(x: Decimal, unit: str) -> None:
     )
     plain = loads(head + f"ground = [0, {float(decimal)!r}, 1]")
     assert plain == loads(head + f'ground = [0, "{x} {unit}", 1]')
-    assert plain.legs == loads(head + f'ground = ["0 {unit}", {{ value = {x}, unit = "{unit}" }}, 1]').legs
+    assert legs_of(plain) == legs_of(loads(head + f'ground = ["0 {unit}", {{ value = {x}, unit = "{unit}" }}, 1]'))
 
 
 @pytest.mark.parametrize("unit", ["m/", "^2", "m^x", "(m", "m m)", "m^99", "__import__", "m;m", "", "1e9 m", "lambda"])

@@ -257,7 +257,9 @@ def test_a_rigid_body() -> None:
 def test_what_a_stand_cannot_tell_apart_is_named_together() -> None:
     """Without gravity turned by anything, missing and reversed terms are alike; of one flywheel, all and it alone."""
     level = replace(
-        random_stand(np.random.default_rng(3), 1, Features(fluid=False, suspension=False, legs=0, instruments=0)),
+        random_stand(
+            np.random.default_rng(3), 1, Features(fluid=False, laws={"suspension": 0, "leg": 0}, instruments=0)
+        ),
         stream=None,
     )
     assert level.flywheels[0].inertia_about in ("origin", "center_of_mass")

@@ -72,7 +72,7 @@ def test_at_rest_and_with_flywheels_turning_steadily(name):
 
 def test_locked_flywheels_are_one_with_the_carrier():
     """By the second derivation with the drives' answers: tau that keeps phi'' whatever the carrier does."""
-    stand, state = drawn(5, 2, suspension=True, points=1)
+    stand, state = drawn(5, 2, laws={"suspension": 1}, points=1)
     free, locked = linear_model(stand, state), linear_model(stand, state, locked=True)
     N = len(stand.flywheels)
     keep = np.linalg.solve(free.B[12 + N :, :N], free.A[12 + N :, :12])  # phi'' = 0 = A x + B tau

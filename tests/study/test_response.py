@@ -11,6 +11,7 @@ import pytest
 
 from mahovik.core.stand import load
 from mahovik.errors import CheckError, UsageError
+from mahovik.laws.suspension.data import Suspension
 from mahovik.stands import path
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response import Scene, common_period, periodic_response
@@ -40,8 +41,7 @@ def unbalanced(stand, share):
         stand,
         flywheels=tuple(wheels),
         gravity=(0.0, 0.0, 0.0),
-        suspension=replace(stand.suspension, position=(0.0, 0.0, 0.0)),
-    )
+    ).with_laws(replace(stand.law(Suspension), position=(0.0, 0.0, 0.0)))
 
 
 def test_small_unbalance_is_answered_as_the_linear_model_says():
@@ -237,7 +237,7 @@ def test_a_sweep_can_be_cut_and_says_so(bench8):
 def undamped(share):
     """bench8 with an unbalanced flywheel alone, and springs without damping: 1.5 Hz in translation."""
     stand = unbalanced(load(path("bench8")), share)
-    return replace(stand, suspension=replace(stand.suspension, damping=((0.0,) * 6,) * 6))
+    return stand.with_laws(replace(stand.law(Suspension), damping=((0.0,) * 6,) * 6))
 
 
 def test_an_undamped_resonance_is_told_and_the_sweep_goes_on():

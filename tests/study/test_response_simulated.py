@@ -117,6 +117,8 @@ def simulated_point(stand, found, run, rows):
 @pytest.mark.parametrize("seed", range(4))
 def test_random_suspended_stands_come_back(seed):
     rng = np.random.default_rng(seed)
-    stand = random_stand(rng, 3, Features(suspension=True, gravity=False, stream=False, fluid=seed % 2 == 0, legs=0))
+    stand = random_stand(
+        rng, 3, Features(gravity=False, stream=False, fluid=seed % 2 == 0, laws={"suspension": 1, "leg": 0})
+    )
     found = periodic_response(stand, (rng.integers(-4, 5, 3) * 5.0).tolist())
     assert returned(found, 1) < 1e-6

@@ -9,9 +9,10 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Leg
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.errors import CheckError
+from mahovik.laws.leg.data import Leg, Legs
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.use.study.rest import rest
@@ -55,7 +56,7 @@ def test_free_directions_stay_at_zero() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_random_suspended_stands_rest(seed: int) -> None:
     """Suspension, legs, weight, buoyancy at general places."""
-    features = Features(gravity=True, stream=False, fluid=True, suspension=True, legs=2)
+    features = Features(gravity=True, stream=False, fluid=True, laws={"suspension": 1, "leg": 2})
     stand = random_stand(np.random.default_rng(seed), 3, features)
     found = rest(stand, [0.3, 1.0, -2.0])
     assert (acceleration(stand, found.state) <= 1e-10).all()  # forces of 1e3 N on inertias of 0.1 kg m2: rounding
@@ -65,7 +66,7 @@ def test_three_legs_hang_a_pendulum() -> None:
     """A body on one leg hangs below its ground point, stretched by its weight, from a start far off."""
     stand = load(stands.path("shaker2"))
     leg = Leg((0.3, 0.0, 1.0), (0.0, 0.0, 0.0), 0.8, 1000.0, 1.0)
-    found = rest(replace(stand, suspension=None, legs=(leg,)), [0.0, 0.0])
+    found = rest(replace(stand, laws=(Legs((leg,)),)), [0.0, 0.0])
     x, y, z = found.state.position
     weight = sum(body.mass for body in stand.bodies) * 9.81
     assert (x, y) == pytest.approx((0.3, 0.0), abs=1e-9)
@@ -74,7 +75,7 @@ def test_three_legs_hang_a_pendulum() -> None:
 
 
 def test_weight_that_nothing_carries() -> None:
-    stand = replace(load(stands.path("shaker2")), suspension=None)
+    stand = load(stands.path("shaker2")).without_laws(Suspension)
     weight = sum(body.mass for body in stand.bodies) * 9.81
     with pytest.raises(CheckError, match=r"nothing carries a force of .* N along \(0, 0, -1\) in E0") as caught:
         rest(stand)
@@ -90,9 +91,9 @@ def test_buoyancy_that_is_too_large() -> None:
 def test_a_direction_without_stiffness_under_load() -> None:
     """A suspension that holds all but z, under weight along z."""
     stand = load(stands.path("shaker2"))
-    rows = [list(row) for row in stand.suspension.stiffness]
+    rows = [list(row) for row in stand.law(Suspension).stiffness]
     rows[2][2] = 0.0
-    loose = replace(stand, suspension=replace(stand.suspension, stiffness=tuple(map(tuple, rows))))
+    loose = stand.with_laws(replace(stand.law(Suspension), stiffness=tuple(map(tuple, rows))))
     with pytest.raises(CheckError, match=r"nothing carries a force of .* N along \(0, 0, -1\) in E0"):
         rest(loose)
 
@@ -100,12 +101,12 @@ def test_a_direction_without_stiffness_under_load() -> None:
 def test_unstable_equilibria_are_left_or_named() -> None:
     """shaker2 with soft turning and a high mass centre falls over to a stable pose, or says that it would."""
     stand = load(stands.path("shaker2"))
-    rows = [list(row) for row in stand.suspension.stiffness]
+    rows = [list(row) for row in stand.law(Suspension).stiffness]
     for i in (3, 4):
         rows[i][i] = 5.0  # N m/rad, less than m g h = 6 * 9.81 * 0.2
     carrier = replace(stand.carrier, center_of_mass=(0.0, 0.0, 0.2), inertia_about="center_of_mass")
     found = rest(
-        replace(stand, carrier=carrier, suspension=replace(stand.suspension, stiffness=tuple(map(tuple, rows))))
+        replace(stand, carrier=carrier).with_laws(replace(stand.law(Suspension), stiffness=tuple(map(tuple, rows))))
     )
     assert not found.unstable
     assert abs(found.state.quaternion[0]) < 0.95

@@ -13,6 +13,8 @@ from typing import Any
 from mahovik.core.derive import accumulate, attitude, carrier, drive, flywheel, motion, point, sensitivity, wrench
 from mahovik.core.derive.document import generalized as document
 from mahovik.core.program.function import Function
+from mahovik.laws.leg import derive as leg
+from mahovik.laws.suspension import derive as suspension
 from mahovik.proof.reference import (
     coupled,
     forward,
@@ -69,7 +71,7 @@ DERIVED: dict[str, tuple[Any, ...]] = {
     "(4)": (carrier.remainder,),
     "(5)": (accumulate.sums, carrier.remainder),
     "(6)": (flywheel.literal, accumulate.weights, carrier.mass_matrix_rate),
-    "(7)": (wrench.weight, wrench.moment_of_force, wrench.relative_quaternion, wrench.leg),
+    "(7)": (wrench.weight, wrench.moment_of_force, suspension.relative_quaternion, leg.leg),
     "(8)": (carrier.remainder, carrier.reduced_inertia, carrier.reduced_moment, carrier.linear_part, sensitivity),
     "(9)": (flywheel.literal, flywheel.spin_momentum, accumulate.columns, carrier.velocity_column),
     "(10)": (attitude.attitude, attitude.kinematics, motion),

@@ -15,6 +15,9 @@ from mahovik.core.derive.symbols import matrix, vector
 from mahovik.core.lower import forward, laws, values, wrenches
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.model import MountingAngles, Stand
+from mahovik.laws.leg import derive as leg_formulas
+from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.suspension.data import Suspension
 from verify.build import everything, failing, generated
 
 Patch = Callable[[pytest.MonkeyPatch], None]
@@ -203,7 +206,7 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
         {"F", "V_dot"},
     ),
     "leg damping with the other sign": (
-        derivation(wrench, "leg", lambda original: lambda: replace(original(), rate=-original().rate)),
+        derivation(leg_formulas, "leg", lambda original: lambda: replace(original(), rate=-original().rate)),
         {"F"},
     ),
     "stream ignored in V*": (
@@ -281,12 +284,13 @@ def instruments_without_fluid(stand: Stand) -> Stand:
 
 
 def stress_free_legs(stand: Stand) -> Stand:
-    return replace(stand, legs=tuple(replace(leg, length=0.0) for leg in stand.legs))
+    return stand.with_laws(Legs(tuple(replace(leg, length=0.0) for leg in legs_of(stand))))
 
 
 def untilted(stand: Stand) -> Stand:
-    assert stand.suspension is not None
-    return replace(stand, suspension=replace(stand.suspension, angles=(0.0, 0.0, 0.0)))
+    law = stand.law(Suspension)
+    assert law is not None
+    return stand.with_laws(replace(law, angles=(0.0, 0.0, 0.0)))
 
 
 NUMBERS: dict[str, tuple[Callable[[Stand], Stand], set[str]]] = {

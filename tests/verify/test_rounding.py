@@ -22,6 +22,8 @@ from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.model import MountingAxes
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import StateError
+from mahovik.laws.leg.data import legs_of
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof import rigorous
 from mahovik.proof.verify.bounds import DOUBLE, FLOAT
 from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
@@ -47,10 +49,11 @@ def everything() -> Stand:
     parameters are exact.
     """
     stand = with_all_inputs(random_stand(np.random.default_rng(7), 3, replace(EVERYTHING, angles="aircraft")))
-    assert stand.suspension is not None
+    held = stand.law(Suspension)
+    assert held is not None
     assert stand.carrier.added_mass is not None
     assert stand.stream is not None
-    assert stand.legs
+    assert legs_of(stand)
     assert {s.mount for s in stand.flywheels} != {"carrier"}
     rng = np.random.default_rng(8)
 
@@ -64,12 +67,11 @@ def everything() -> Stand:
         return replace(body, inertia=tuple(map(tuple, about.tolist())), inertia_about="origin")
 
     return replace(
-        stand,
+        stand.with_laws(replace(held, angles=(0.0, 0.0, 0.0))),
         carrier=plain(stand.carrier),
         instruments=tuple(replace(plain(p), angles=(0.0, 0.0, 0.0), added_mass=None) for p in stand.instruments),
         flywheels=tuple(replace(plain(s), mounting=MountingAxes(direction(), direction())) for s in stand.flywheels),
         points=(),
-        suspension=replace(stand.suspension, angles=(0.0, 0.0, 0.0)),
     )
 
 

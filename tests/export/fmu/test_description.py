@@ -16,6 +16,7 @@ from export.fmu.fmus import COMBINATIONS, STANDS
 from mahovik.core.lower.fmu import units
 from mahovik.core.lower.fmu.variables import Inputs, Kind
 from mahovik.core.stand.state import rest_state
+from mahovik.laws.suspension.data import Suspension
 from mahovik.out.export.fmu import export_fmu
 
 QUICK = [("bench8", *COMBINATIONS[4]), ("driven", *COMBINATIONS[2]), ("driven", *COMBINATIONS[5])]
@@ -58,8 +59,9 @@ def test_start_values_are_those_of_the_stand() -> None:
     w3 = found.flywheels[2]
     assert float(variables["w3.mass"].start) == w3.mass
     assert [float(variables[f"w3.center_of_mass[{i}]"].start) for i in (1, 2, 3)] == list(w3.center_of_mass)
-    assert found.suspension is not None
-    assert float(variables["suspension.stiffness[4,4]"].start) == found.suspension.stiffness[3][3]
+    held = found.law(Suspension)
+    assert held is not None
+    assert float(variables["suspension.stiffness[4,4]"].start) == held.stiffness[3][3]
     for name in ("carrier.mass", "w3.position[2]", "suspension.damping[1,1]"):
         assert (variables[name].causality, variables[name].variability) == ("parameter", "tunable")
     assert variables["w3.tau"].causality == "input"

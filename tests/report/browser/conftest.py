@@ -46,7 +46,9 @@ def reports(tmp_path_factory):
     scenes = {
         "demo3": load(path("demo3")),
         "none": random_stand(np.random.default_rng(1), 0, BARE),
-        "many": random_stand(np.random.default_rng(2), 64, Features(legs=2, points=2, instruments=2, fluid=True)),
+        "many": random_stand(
+            np.random.default_rng(2), 64, Features(laws={"leg": 2}, points=2, instruments=2, fluid=True)
+        ),
     }
     found = {name: folder / f"{name}.html" for name in ("bench8", *scenes)}
     material = replace(gather(bench8, "bench8.toml"), run=made_run(bench8))

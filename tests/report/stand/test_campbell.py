@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import Stand
-from mahovik.core.stand.model import Leg
+from mahovik.laws.leg.data import Leg, Legs
 from mahovik.out.report.stand import campbell as section
 from mahovik.use.study.campbell import NODES, _averaged, campbell, mean_equations, natural_at
 from mahovik.use.study.linear import linear_model
@@ -96,7 +96,7 @@ LEGS = tuple(
 @pytest.mark.parametrize("ties", range(4))
 def test_frequencies_that_come_with_speed_are_no_crossings(ties: int) -> None:
     """On few legs most directions are free, and begin to swing at the first speed of the grid."""
-    stand = replace(example("bench8"), suspension=None, gravity=(0.0, 0.0, 0.0), legs=LEGS[:ties])
+    stand = replace(example("bench8"), gravity=(0.0, 0.0, 0.0), laws=(Legs(LEGS[:ties]),))
     scene = Scene.of(stand)
     assert scene.free.shape[1] >= 6 - ties
     found = campbell(scene, np.linspace(0.0, 100.0, 60))

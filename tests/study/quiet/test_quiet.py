@@ -130,12 +130,12 @@ def test_more_freedom_is_never_louder(sat4: Stand) -> None:
 
 def test_modes_of_the_suspension_are_avoided(sat4: Stand) -> None:
     """A stand on springs: no order within the margin of a natural frequency."""
-    from mahovik.core.stand.model import Suspension
+    from mahovik.laws.suspension.data import Suspension
 
     k = 60.0 * (2 * math.pi * 40.0) ** 2
     stiff = tuple(tuple(k * (1.0 if i < 3 else 0.04) * (i == j) for j in range(6)) for i in range(6))
     damp = tuple(tuple(x * 1e-4 for x in row) for row in stiff)
-    stand = replace(sat4, suspension=Suspension(stiff, damp, (0.0,) * 3, (0.0,) * 3))  # type: ignore[arg-type]
+    stand = sat4.with_laws(Suspension(stiff, damp, (0.0,) * 3, (0.0,) * 3))  # type: ignore[arg-type]
     wish = replace(SAT4, momentum=(0.0, 0.0, 11.0), speeds=None, modes=True, measure="angle")
     got = found(stand, wish)
     assert len(got.natural) == 6

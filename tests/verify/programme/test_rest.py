@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.errors import StateError
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme.along import pieces_at
 from mahovik.proof.verify.programme.rest import rest_near
@@ -44,6 +43,6 @@ def test_it_is_the_pose_that_another_search_finds() -> None:
 
 
 def test_a_carrier_that_falls_has_no_rest() -> None:
-    stand = replace(load(stands.path("bench8")), suspension=None)
+    stand = load(stands.path("bench8")).without_laws(Suspension)
     with pytest.raises(StateError, match="no equilibrium to start from"):
         found(stand, np.zeros(8), np.zeros(6))

@@ -12,6 +12,7 @@ import pytest
 from mahovik.core.motion.programme import Fourier
 from mahovik.core.motion.required import Bounds, read_motion
 from mahovik.core.stand import load
+from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.verify.programme import Finding, limits, table, verify_programme
 from mahovik.proof.verify.programme.finding import tolerance_for
 from mahovik.proof.verify.programme.scale import scale_of
@@ -48,10 +49,11 @@ def test_all_twelve_multipliers_are_those_of_the_suspension() -> None:
     assert list(abs(found)) == sorted(abs(found), reverse=True)
     assert abs(found[0]) == item(right(), "Floquet").value
     assert np.sort_complex(found) == pytest.approx(np.sort_complex(found.conj()), abs=1e-9)
-    assert stand.suspension is not None
-    decay = np.trace(np.linalg.solve(scale_of(*shaker()).K0, np.array(stand.suspension.damping)))
+    held = stand.law(Suspension)
+    assert held is not None
+    decay = np.trace(np.linalg.solve(scale_of(*shaker()).K0, np.array(held.damping)))
     assert np.prod(found) == pytest.approx(np.exp(-decay * programme.span), rel=1e-3)
-    translation = np.roots([7.0, 10.0, stand.suspension.stiffness[1][1]])  # y: 7 kg, 10 N s/m
+    translation = np.roots([7.0, 10.0, held.stiffness[1][1]])  # y: 7 kg, 10 N s/m
     assert min(abs(found - np.exp(translation[0] * programme.span))) < 1e-5
 
 

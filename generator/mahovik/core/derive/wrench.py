@@ -1,12 +1,9 @@
-"""Wrenches of (7) as expressions: weight and buoyancy, transfer of twists and wrenches, suspension, legs."""
+"""Wrenches of (7) as expressions: weight and buoyancy, transfer of twists and wrenches."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
-from mahovik.core.derive.attitude import quaternion_product
 from mahovik.core.derive.screw import cross
 from mahovik.core.derive.symbols import matrix, vector
 
@@ -65,34 +62,6 @@ def turned_axes() -> sp.Matrix:
     return matrix("R") * C1
 
 
-def relative_quaternion() -> sp.Matrix:
-    """Quaternion of C_eq^T C: the conjugate of q_eq times q."""
-    q_eq = vector("q_eq", 4)
-    return quaternion_product(sp.Matrix([q_eq[0], -q_eq[1], -q_eq[2], -q_eq[3]]), vector("q", 4))
-
-
 def row_times(row: str, column: str, size: int = 6) -> sp.Expr:
     """One row of a matrix times a vector: sum of row[j] column[j]."""
     return vector(row, size).dot(vector(column, size))
-
-
-def suspension_row() -> sp.Expr:
-    """One row of stiffness x + damping V."""
-    return row_times("stiffness", "x") + row_times("damping", "V")
-
-
-@dataclass(frozen=True)
-class Leg:
-    """A spring-damper leg in E1: rate of its length, and force along it."""
-
-    rate: sp.Expr
-    tension: sp.Expr
-
-
-def leg() -> Leg:
-    """rate = -direction . velocity of the carrier's end, direction towards the ground; tension of spring and damper."""
-    k, d, length, unstretched, rate = sp.symbols("stiffness damping distance length rate")
-    return Leg(
-        rate=-vector("direction").dot(vector("velocity")),
-        tension=k * (length - unstretched) + d * rate,
-    )

@@ -26,8 +26,7 @@ def _lengths(layout: Layout) -> Iterator[str]:
     yield "quaternion off unit length"
     if layout.sine_input:
         yield "sine and cosine likewise"
-    if layout.structure.legs:
-        yield "leg of no length"
+    yield from (law.invalid for law in layout.law_tables if law.invalid)
 
 
 def _power(number: float) -> str:

@@ -93,11 +93,11 @@ def file() -> Path | None:
 
 @cache
 def source_hash() -> str:
-    """SHA-256 of the text of derive/ and formula/, and the versions of SymPy and Python: what formulas depend on."""
+    """SHA-256 of all that formulas depend on: texts of derive/, formula/ and derivations of laws, versions."""
     found = hashlib.sha256()
-    for stage in ("derive", "formula"):
-        for path in sorted((_PACKAGE / "core" / stage).glob("*.py")):
-            found.update(f"{stage}/{path.name}\0".encode())
+    for pattern in ("core/derive/*.py", "core/formula/*.py", "laws/*/derive.py"):
+        for path in sorted(_PACKAGE.glob(pattern)):
+            found.update(f"{path.relative_to(_PACKAGE).as_posix()}\0".encode())
             found.update(path.read_bytes() + b"\0")
     sympy = find_spec("sympy")  # its version without importing it
     if sympy is not None and sympy.origin is not None:

@@ -19,7 +19,7 @@ from mahovik.core.formula.tree import as_json, from_json
 
 
 class FormulaModule:
-    """A module of derive/ by its name. Its functions give formulas, and matrices, tuples, dicts and records of them."""
+    """A module of derive/, or the `derive` of a law: its functions give formulas and records of them."""
 
     def __init__(self, module: str) -> None:
         self._module = module
@@ -36,7 +36,9 @@ MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "
 if TYPE_CHECKING:
     from mahovik.core.derive import accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench
 else:  # without SymPy, until a formula has to be derived
-    accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = map(FormulaModule, MODULES)
+    accumulate, attitude, carrier, carrying, drive, motion, point, sensitivity, wrench = (
+        FormulaModule(f"core.derive.{name}") for name in MODULES
+    )
 
 __all__ = [
     "FormulaModule", "accumulate", "attitude", "carrier", "carrying", "drive", "leave_cache", "motion", "point",
@@ -92,4 +94,4 @@ def _recalled(module: str, name: str, *arguments: str | bool) -> Any:
 def _derived(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
     from mahovik.core.formula.ordered import ordered
 
-    return ordered(getattr(import_module(f"mahovik.core.derive.{module}"), name)(*arguments))
+    return ordered(getattr(import_module(f"mahovik.{module}"), name)(*arguments))

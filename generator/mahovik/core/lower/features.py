@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
+from mahovik.core.lower.law_table import LawTable
 from mahovik.core.program.types import NamedCount, Precision
 from mahovik.core.stand.structure import Structure
+from mahovik.laws import parts
 
 
 @dataclass(frozen=True)
@@ -80,13 +83,11 @@ class Features:
     def stream(self) -> bool:
         return self.structure.stream
 
-    @property
-    def suspended(self) -> bool:
-        return self.structure.suspension
-
-    @property
-    def legs(self) -> int:
-        return self.structure.legs
+    @cached_property
+    def law_tables(self) -> tuple[LawTable, ...]:
+        """The laws of `laws/` that the stand has."""
+        found: Iterable[LawTable] = (part.LOWERING for part in parts("lower"))
+        return tuple(law for law in found if law.present(self.structure))
 
     @property
     def buoyancy(self) -> bool:
@@ -166,12 +167,12 @@ class Features:
     @property
     def attitude_needed(self) -> bool:
         """The equations depend on the attitude."""
-        return self.weight or self.stream or self.suspended or bool(self.legs)
+        return self.weight or self.stream or bool(self.law_tables)
 
     @property
     def wrenches(self) -> bool:
         """Any external wrench at all."""
-        return self.weight or self.damped or bool(self.inputs) or self.suspended or bool(self.legs)
+        return self.weight or self.damped or bool(self.inputs) or bool(self.law_tables)
 
     @property
     def sensors(self) -> tuple[str, ...]:

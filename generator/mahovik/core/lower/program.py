@@ -32,6 +32,7 @@ from mahovik.core.lower import (
     step,
     wrenches,
 )
+from mahovik.core.lower.law import laws_of
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.program.function import Program
@@ -174,11 +175,8 @@ def _add_wrenches(lib: Library) -> None:
         lib.add(laws.damp(lib))
     if layout.own:
         lib.add(wrenches.own_wrench(lib))
-    if layout.suspended:
-        lib.add(laws.rotation_vector(lib))
-        lib.add(laws.suspend(lib))
-    if layout.legs:
-        lib.add(laws.add_leg(lib))
+    for law in laws_of(lib):
+        law.add_functions(lib)
     lib.add(wrenches.external(lib))
 
 
@@ -189,8 +187,8 @@ def _add_jacobians(lib: Library) -> None:
         lib.add(sensitivity.damp_slope(lib))
     if layout.own:
         lib.add(sensitivity.own_slope(lib))
-    if layout.legs:
-        lib.add(sensitivity.add_leg_slope(lib))
+    for law in laws_of(lib):
+        law.add_slopes(lib)
     lib.add(sensitivity.twist_slope(lib))
     if layout.flywheels:
         lib.add(sensitivity.row_slope(lib))

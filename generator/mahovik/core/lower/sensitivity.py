@@ -9,6 +9,7 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.flywheels import columns_of, sine_and_cosine
+from mahovik.core.lower.law import laws_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
@@ -205,11 +206,9 @@ def twist_slope(lib: Library) -> Function:
     if layout.own_turning:
         with body.loop("i", 6 * int(layout.count)) as i:
             body.set(axial.place[i], real(0))
-    if layout.suspended:
-        law = table.place.suspension
-        with body.loop("i", 6) as i, body.loop("j", 6) as j:
-            body.add(out.place[i * integer(6) + j], -law.damping[i][j])
-    if layout.carrier_damped or layout.own_damped or layout.legs:
+    for law in laws_of(lib):
+        law.constant_slope(lib, body, table.place, out.place)
+    if layout.carrier_damped or layout.own_damped or any(law.per_twist for law in laws_of(lib)):
         with body.loop("j", 6) as j:
             change = body.local("change", (6,), comment="unit twist")
             F = body.local("F", (6,), comment="change of the wrench")
@@ -249,47 +248,5 @@ def _add_slopes(lib: Library, body: Body, everything: dict[str, Any], axial: Pla
             if layout.own_turning:
                 with body.when(table.frame[k].flywheel >= 0):
                     body.set(axial[table.frame[k].flywheel * integer(6) + j], about[0])
-    if layout.legs:
-        with body.loop("k", layout.legs) as k:
-            named = everything | {"leg": table.leg[k]}
-            body.call(lib["add_leg_slope"], *lib.passed("add_leg_slope", **named))
-
-
-def add_leg_slope(lib: Library) -> Function:
-    """Change of the force of one leg with the twist."""
-    law = Argument("leg", lib.layout.leg)
-    x = lib.state_argument()
-    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
-    change = Argument("change", Kind.REAL, (6,), purpose="of the twist")
-    F = Argument("F", Kind.REAL, (6,), "inout", purpose="change of the wrench, that is added to")
-    body = Body()
-    point = law.place.carrier
-    span = body.local("span", (3,))
-    span1 = body.local("span1", (3,), comment="in E1, from O1")
-    reach = body.local("reach", (3,), comment="from the carrier's end to the ground's, in E1")
-    velocity = body.local("velocity", (3,), comment="change of that of the carrier's end")
-    force = body.local("force", (3,))
-    for i in range(3):
-        body.set(span[i], law.place.ground[i] - x.place.position[i])
-    body.call(lib["rotate_back"], C.place, span, span1)
-    for i in range(3):
-        body.set(reach[i], span1[i] - point[i])
-    square = body.let("square", reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2])
-    six = list(change.place)
-    assign(body, list(velocity), derived_wrench.twist_at(), {"v": six[:3], "omega": six[3:], "O": point})
-    along = reach[0] * velocity[0] + reach[1] * velocity[1] + reach[2] * velocity[2]
-    rate = body.let("pull", -law.place.damping * along / square, "over the distance")
-    for i in range(3):
-        body.set(force[i], rate * reach[i])
-    arm = derived_wrench.moment_of_force()
-    for i in range(3):
-        body.add(F.place[i], force[i])
-    for i in range(3):
-        body.add(F.place[3 + i], translate(arm[i], {"O": point, "f": force}))
-    return Function(
-        "add_leg_slope",
-        "Change of the force of one leg with the twist.",
-        (law, x, C, change, F),
-        body.statements,
-        equation="(7)",
-    )
+    for law in laws_of(lib):
+        law.slope(lib, body, table, everything["x"], everything["C"], everything["change"], F)

@@ -186,27 +186,6 @@ class Tables(Features):
         return Struct("frame", "A body with wrenches in its own frame.", tuple(fields))
 
     @cached_property
-    def suspension(self) -> Struct:
-        fields = (
-            Field("stiffness", REAL, (6, 6), "SI", "wrench -= stiffness x"),
-            Field("damping", REAL, (6, 6), "SI", "wrench -= damping V"),
-            Field("position", REAL, (3,), "m", "equilibrium of O1, in E0"),
-            Field("attitude", REAL, (4,), "", "quaternion of the equilibrium attitude"),
-        )
-        return Struct("suspension", "Suspension of the carrier to E0.", fields)
-
-    @cached_property
-    def leg(self) -> Struct:
-        fields = (
-            Field("ground", REAL, (3,), "m", "end in E0"),
-            Field("carrier", REAL, (3,), "m", "end in E1"),
-            Field("length", REAL, (), "m", "unstretched"),
-            Field("stiffness", REAL, (), "N/m", ""),
-            Field("damping", REAL, (), "N s/m", "along the leg"),
-        )
-        return Struct("leg", "A spring-damper between a point of E0 and one of E1.", fields)
-
-    @cached_property
     def table(self) -> Struct:
         """The prepared stand: constants of the equations, then the laws of the wrenches."""
         fields = [
@@ -258,8 +237,4 @@ class Tables(Features):
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
         if self.terms:
             laws.append(Field("term", self.term, (self.terms,)))
-        if self.suspended:
-            laws.append(Field("suspension", self.suspension))
-        if self.legs:
-            laws.append(Field("leg", self.leg, (self.legs,)))
-        return laws
+        return laws + [f for law in self.law_tables for f in law.fields(self.structure)]

@@ -196,18 +196,8 @@ class Values:
                 frame.damper = self._program.filled(layout.damper, damper)
         if layout.terms:
             laws["term"] = terms
-        if stand.suspension is not None:
-            law = stand.suspension
-            attitude = self._program.run("quaternion", {"angles": law.angles})[1]["attitude"]
-            laws["suspension"] = {
-                "stiffness": law.stiffness,
-                "damping": law.damping,
-                "position": law.position,
-                "attitude": attitude,
-            }
-        if stand.legs:
-            names = ("ground", "carrier", "length", "stiffness", "damping")
-            laws["leg"] = [{name: getattr(leg, name) for name in names} for leg in stand.legs]
+        for law in layout.law_tables:
+            laws |= law.values(stand, self._program.run)
         for name, value in laws.items():
             field = layout.table.field(name)
             assert field is not None

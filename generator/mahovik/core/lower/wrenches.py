@@ -7,6 +7,7 @@ from typing import Any
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
 from mahovik.core.lower.lanes import row_of
+from mahovik.core.lower.law import laws_of
 from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -30,7 +31,9 @@ def external(lib: Library) -> Function:
     given, wrench = lib.turn_arguments(), lib.wrench_arguments()
     turns = places_of(given)
     body = Body()
-    if layout.legs:
+    laws = laws_of(lib)
+    refuses = any(law.refuses for law in laws)
+    if refuses:
         lib.begin(body)
     for element in F.place:
         body.set(element, real(0))
@@ -43,11 +46,9 @@ def external(lib: Library) -> Function:
             body.add(F.place[i], wrench[0].place[i])
     if layout.own:
         own_wrenches(lib, body, table.place, x.place, turns, V.place, wrench, F.place, own.place)
-    if layout.suspended:
-        body.call(lib["suspend"], table.place.suspension, x.place, C.place, F.place)
-    if layout.legs:
-        with body.loop("k", layout.legs) as k:
-            lib.check(body, "add_leg", table.place.leg[k], x.place, C.place, F.place)
+    for law in laws:
+        law.act(lib, body, table.place, x.place, C.place, F.place)
+    if refuses:
         body.ret(Status("OK"))
     return Function(
         "external",
@@ -55,8 +56,8 @@ def external(lib: Library) -> Function:
         (table, x, *given, sums, C, V, g, *wrench, F, own),
         body.statements,
         equation="(7)",
-        returns=Kind.STATUS if layout.legs else None,
-        statuses=("OK", "RANGE") if layout.legs else (),
+        returns=Kind.STATUS if refuses else None,
+        statuses=("OK", "RANGE") if refuses else (),
     )
 
 
@@ -66,8 +67,7 @@ def _kinds(lib: Library) -> str:
         "weight": layout.weight,
         "buoyancy": layout.buoyancy,
         "damping": layout.damped,
-        "suspension": layout.suspended,
-        "legs": bool(layout.legs),
+        **dict.fromkeys((law.words for law in layout.law_tables), True),
         "run-time wrenches": bool(layout.inputs),
     }
     return ", ".join(name for name, there in kinds.items() if there) or "no kind at all"

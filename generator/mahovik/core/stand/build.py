@@ -15,14 +15,11 @@ from mahovik.core.stand.model import (
     Encoder,
     Flywheel,
     Instrument,
-    Leg,
     Mat3,
-    Mat6,
     Motor,
     MountingAngles,
     MountingAxes,
     Point,
-    Suspension,
     Vec3,
 )
 from mahovik.core.stand.problems import Problems
@@ -31,12 +28,9 @@ from mahovik.core.stand.schema import (
     CarrierTable,
     FlywheelTable,
     InstrumentTable,
-    LegTable,
     PointTable,
-    SuspensionTable,
 )
 
-_ZERO6: Mat6 = ((0.0,) * 6,) * 6
 _PARALLEL = 1e-9  # sine of the smallest angle between axis and zero that still says where the second axis is
 
 
@@ -88,18 +82,6 @@ def flywheel(table: FlywheelTable, where: str, problems: Problems) -> Flywheel |
         encoder=Encoder(**encoder.model_dump()) if encoder else None,
         inverse_weight=table.inverse_weight,
     )
-
-
-def suspension(table: SuspensionTable) -> Suspension | None:
-    """`[suspension]`; None where it does nothing."""
-    if table.stiffness is None and table.damping is None:
-        return None
-    return Suspension(table.stiffness or _ZERO6, table.damping or _ZERO6, table.position, table.angles)
-
-
-def leg(table: LegTable) -> Leg:
-    """One `[[leg]]`."""
-    return Leg(table.ground, table.carrier, table.length, table.stiffness, table.damping)
 
 
 def point(table: PointTable) -> Point:

@@ -10,6 +10,7 @@ from typing import Any
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
+from mahovik.laws import parts
 
 
 @dataclass(frozen=True)
@@ -26,8 +27,11 @@ class Identities:
 
 def identities(stand: Stand) -> Identities:
     """Both identities of `stand`."""
-    form = asdict(structure(stand))
-    numbers = asdict(stand)
+    form, numbers = asdict(structure(stand)), asdict(stand)
+    form |= dict(form.pop("laws"))
+    del numbers["laws"]
+    for law in parts("schema"):
+        numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
     for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
         if not any(body["center_of_mass"]):
             body["inertia_about"] = "origin"  # the two are one point

@@ -8,8 +8,8 @@ tuples of floats, matrices tuples of rows. Lengths m, masses kg, angles rad, for
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import ClassVar, Literal
+from dataclasses import dataclass, replace
+from typing import ClassVar, Literal, TypeVar
 
 Vec3 = tuple[float, float, float]
 Vec6 = tuple[float, float, float, float, float, float]
@@ -158,27 +158,11 @@ class Flywheel(Body):
 
 
 @dataclass(frozen=True)
-class Suspension:
-    """Suspension of the carrier to E0: wrench `-(stiffness x + damping V)` at O1 in E1 axes.
-
-    `x = (C^T (O1 - position), rotation vector of C_eq^T C)`; `angles` give C_eq in the stand's sequence.
-    """
-
-    stiffness: Mat6
-    damping: Mat6
-    position: Vec3
-    angles: Vec3
+class LawData:
+    """Raw data of one law of wrenches: each folder of `laws/` has its own class. A stand without the law has none."""
 
 
-@dataclass(frozen=True)
-class Leg:
-    """Spring-damper between a point of E0 (`ground`) and one of E1 (`carrier`); `length` is unstretched."""
-
-    ground: Vec3
-    carrier: Vec3
-    length: float
-    stiffness: float
-    damping: float
+Law = TypeVar("Law", bound=LawData)
 
 
 @dataclass(frozen=True)
@@ -195,6 +179,7 @@ class Point:
 class Stand:
     """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
 
+    `laws`: data of the laws of wrenches that the stand has, see `law`.
     `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
     """
 
@@ -203,12 +188,24 @@ class Stand:
     gravity: Vec3
     stream: Vec3 | None
     carrier: Carrier
-    suspension: Suspension | None
-    legs: tuple[Leg, ...]
     instruments: tuple[Instrument, ...]
     flywheels: tuple[Flywheel, ...]
     points: tuple[Point, ...]
     phase_input: PhaseInput = "angle"
+    laws: tuple[LawData, ...] = ()
+
+    def law(self, kind: type[Law]) -> Law | None:
+        """The data of one law; None where the stand does not have it."""
+        return next((found for found in self.laws if isinstance(found, kind)), None)
+
+    def with_laws(self, *given: LawData) -> Stand:
+        """The same stand with the given laws instead of its own of the same kinds."""
+        kinds = {type(law): law for law in (*self.laws, *given)}
+        return replace(self, laws=tuple(kinds.values()))
+
+    def without_laws(self, *kinds: type[LawData]) -> Stand:
+        """The same stand without some kinds of law; with no kind named, without any."""
+        return replace(self, laws=tuple(law for law in self.laws if kinds and not isinstance(law, kinds)))
 
     @property
     def bodies(self) -> tuple[Body, ...]:

@@ -6,12 +6,14 @@ Every body is a cloud of point masses, so every inertia is physical and nothing 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.draw import Draw, rows
 from mahovik.core.stand.model import (
     Buoyancy,
     Carrier,
@@ -21,7 +23,6 @@ from mahovik.core.stand.model import (
     Factor,
     Flywheel,
     Instrument,
-    Leg,
     Mat3,
     Mat6,
     Motor,
@@ -30,17 +31,15 @@ from mahovik.core.stand.model import (
     Point,
     Sequence,
     Stand,
-    Suspension,
-    Vec3,
 )
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state
+from mahovik.laws import LAWS, part
 
 __all__ = ["BARE", "EVERYTHING", "EXTREMES", "SEQUENCES", "Features", "extreme_state", "random_stand", "random_state"]
 
 Array = NDArray[np.float64]
 
 SEQUENCES: tuple[Sequence, ...] = ("ship", "aircraft", "euler")
-_LENGTH = 0.3  # m, makes 6x6 matrices of the right units out of numbers of one size
 
 
 @dataclass(frozen=True)
@@ -49,6 +48,7 @@ class Features:
 
     fluid           added mass, buoyancy (on flywheels as well) and damping by matrices and terms
     wrench_inputs   some bodies take a run-time wrench
+    laws            how many of each law of `laws/`, by its folder; where there can be one only, 1 or more gives it
     """
 
     angles: Sequence | None = None
@@ -56,16 +56,15 @@ class Features:
     gravity: bool | None = None
     stream: bool | None = None
     fluid: bool | None = None
-    suspension: bool | None = None
-    legs: int | None = None
     points: int | None = None
     wrench_inputs: bool | None = None
     motors: bool | None = None
+    laws: Mapping[str, int] = field(default_factory=dict)
 
 
-EVERYTHING = Features(None, 2, True, True, True, True, 2, 2, True, True)
+EVERYTHING = Features(None, 2, True, True, True, 2, True, True, dict.fromkeys(LAWS, 2))
 """Every kind of wrench and body at once; the attitude sequence is drawn."""
-BARE = Features(None, 0, False, False, False, False, 0, 0, False, False)
+BARE = Features(None, 0, False, False, False, 0, False, False, dict.fromkeys(LAWS, 0))
 """Carrier and flywheels in free space."""
 
 
@@ -73,7 +72,7 @@ def random_stand(
     rng: np.random.Generator, flywheels: int, features: Features = Features(), name: str = "random"
 ) -> Stand:
     """A general stand with `flywheels` flywheels. The same generator state gives the same stand."""
-    draw = _Draw(rng)
+    draw = _Bodies(rng)
     angles = features.angles or SEQUENCES[int(rng.integers(3))]
     fluid = draw.flag(features.fluid)
     inputs = draw.flag(features.wrench_inputs)
@@ -103,40 +102,27 @@ def random_stand(
         )
         for k in range(flywheels)
     )
+    gravity = draw.vec3(6.0) if draw.flag(features.gravity) else (0.0, 0.0, 0.0)
+    stream = draw.vec3(0.8) if draw.flag(features.stream) else None
+    laws = [part(law, "random").drawn(draw, features.laws.get(law), mounts) for law in LAWS]
     return Stand(
         name=name,
         angles=angles,
-        gravity=draw.vec3(6.0) if draw.flag(features.gravity) else (0.0, 0.0, 0.0),
-        stream=draw.vec3(0.8) if draw.flag(features.stream) else None,
+        gravity=gravity,
+        stream=stream,
         carrier=carrier,
-        suspension=draw.suspension() if draw.flag(features.suspension) else None,
-        legs=tuple(draw.leg() for _ in range(draw.count(features.legs, 2))),
         instruments=instruments,
         flywheels=wheels,
         points=tuple(
             Point(f"p{k + 1}", mounts[int(rng.integers(len(mounts)))], draw.vec3(0.2), draw.vec3(1.0))
             for k in range(draw.count(features.points, 2))
         ),
+        laws=tuple(law for law in laws if law is not None),
     )
 
 
-class _Draw:
-    """Pieces of a stand, drawn from one generator in a fixed order."""
-
-    def __init__(self, rng: np.random.Generator) -> None:
-        self.rng = rng
-
-    def flag(self, given: bool | None) -> bool:
-        drawn = bool(self.rng.random() < 0.5)  # drawn always, so that one option does not shift the others
-        return drawn if given is None else given
-
-    def count(self, given: int | None, most: int) -> int:
-        drawn = int(self.rng.integers(most + 1))
-        return drawn if given is None else given
-
-    def vec3(self, size: float) -> Vec3:
-        x, y, z = self.rng.normal(size=3) * size
-        return (float(x), float(y), float(z))
+class _Bodies(Draw):
+    """Bodies and what belongs to one."""
 
     def body(self, name: str, mass: float, size: float, fluid: bool, inputs: bool) -> dict[str, Any]:
         """What any Body has: a cloud of eight point masses, off the origin by a third of its size."""
@@ -154,22 +140,15 @@ class _Draw:
             "name": name,
             "mass": total,
             "center_of_mass": (float(center[0]), float(center[1]), float(center[2])),
-            "inertia": cast(Mat3, _rows(J)),
+            "inertia": cast(Mat3, rows(J)),
             "inertia_about": "center_of_mass" if about_center else "origin",
             "buoyancy": Buoyancy(float(rng.uniform(0.5, 1.2) * total), self.vec3(size / 3)) if fluid else None,
             "damping": self.damping(mass) if fluid else None,
             "wrench_input": inputs and bool(rng.random() < 0.6),
         }
 
-    def definite6(self, size: float) -> Array:
-        """A symmetric positive definite 6x6 whose units are `size`, times m, times m2; not block diagonal."""
-        factor = self.rng.normal(size=(6, 6)) * 0.3 + np.eye(6)
-        scale = np.array([1.0] * 3 + [_LENGTH] * 3)
-        matrix = size * (factor @ factor.T) * scale[:, None] * scale[None, :]
-        return np.asarray((matrix + matrix.T) / 2)
-
     def added_mass(self, size: float) -> Mat6:
-        return cast(Mat6, _rows(self.definite6(size)))
+        return cast(Mat6, rows(self.definite6(size)))
 
     def damping(self, size: float) -> Damping:
         rng = self.rng
@@ -187,8 +166,8 @@ class _Draw:
         )
         with_linear, with_quadratic = rng.random(2) < 0.7
         return Damping(
-            cast(Mat6, _rows(linear)) if with_linear or not (with_quadratic or terms) else None,
-            cast(Mat6, _rows(quadratic)) if with_quadratic else None,
+            cast(Mat6, rows(linear)) if with_linear or not (with_quadratic or terms) else None,
+            cast(Mat6, rows(quadratic)) if with_quadratic else None,
             terms,
         )
 
@@ -198,24 +177,6 @@ class _Draw:
             return MountingAngles(float(psi), float(theta), float(zero))
         return MountingAxes(self.vec3(1.0), self.vec3(3.0))
 
-    def suspension(self) -> Suspension:
-        stiffness, damping = self.definite6(900.0), self.definite6(15.0)
-        return Suspension(cast(Mat6, _rows(stiffness)), cast(Mat6, _rows(damping)), self.vec3(0.1), self.vec3(0.3))
-
-    def leg(self) -> Leg:
-        rng = self.rng
-        return Leg(
-            self.vec3(1.0),
-            self.vec3(0.2),
-            float(rng.uniform(0.2, 1)),
-            float(rng.uniform(50, 500)),
-            float(rng.uniform(1, 5)),
-        )
-
     def motor(self) -> Motor:
         rng = self.rng
         return Motor(float(rng.uniform(0.05, 0.5)), float(rng.uniform(300, 900)), 0.03, 0.5, 24.0, 1e-5, 5e-4, 0.1)
-
-
-def _rows(matrix: Array) -> tuple[tuple[float, ...], ...]:
-    return tuple(tuple(float(x) for x in row) for row in matrix)

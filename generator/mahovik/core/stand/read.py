@@ -9,21 +9,21 @@ from pydantic import ValidationError
 
 from mahovik.core.stand import build, physical
 from mahovik.core.stand.content import readable
-from mahovik.core.stand.model import Flywheel, Instrument, Leg, Point, Stand
+from mahovik.core.stand.fields import Table
+from mahovik.core.stand.law import LawSchema, keys_of
+from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import (
     CarrierTable,
     FlywheelTable,
     Header,
     InstrumentTable,
-    LegTable,
     PointTable,
-    SuspensionTable,
-    Table,
 )
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
+from mahovik.laws import parts
 from mahovik.nearest import alike, meant, nearest
 
 AnyTable = TypeVar("AnyTable", bound=Table)
@@ -32,13 +32,7 @@ _CHECKED = {
     "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
     "axis", "zero", "angles",
 }  # fmt: skip
-_TABLES = ("carrier", "suspension")
-_ARRAYS: dict[str, type[Table]] = {
-    "leg": LegTable,
-    "instrument": InstrumentTable,
-    "flywheel": FlywheelTable,
-    "point": PointTable,
-}
+_ARRAYS: dict[str, type[Table]] = {"instrument": InstrumentTable, "flywheel": FlywheelTable, "point": PointTable}
 
 
 def load(path: str | Path) -> Stand:
@@ -80,8 +74,7 @@ def read(document: dict[str, Any], source: str) -> Stand:
     carrier_table = _table(problems, document, "carrier", CarrierTable)
     if "carrier" not in document:
         problems.add("carrier", "required, but missing")
-    suspension_table = _table(problems, document, "suspension", SuspensionTable)
-    leg_tables = _array(problems, document, "leg", LegTable)
+    laws = [_law(problems, document, part.SCHEMA) for part in parts("schema")]
     instrument_tables = _array(problems, document, "instrument", InstrumentTable)
     flywheel_tables = _array(problems, document, "flywheel", FlywheelTable)
     point_tables = _array(problems, document, "point", PointTable)
@@ -90,7 +83,6 @@ def read(document: dict[str, Any], source: str) -> Stand:
         problems.add("phase_input", f"{show(header.phase_input)} says how phases are given, but there is no flywheel")
 
     carrier = build.carrier(carrier_table, problems) if carrier_table else None
-    legs: list[Leg] = [build.leg(table) for _, table in leg_tables]
     instruments: list[Instrument] = [build.instrument(table, where, problems) for where, table in instrument_tables]
     wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
     flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
@@ -110,12 +102,11 @@ def read(document: dict[str, Any], source: str) -> Stand:
         gravity=header.gravity,
         stream=header.stream,
         carrier=carrier,
-        suspension=build.suspension(suspension_table) if suspension_table else None,
-        legs=tuple(legs),
         instruments=tuple(instruments),
         flywheels=tuple(flywheels),
         points=tuple(points),
         phase_input=header.phase_input,
+        laws=tuple(law for law in laws if law is not None),
     )
     physical.check_stand(stand, problems)
     if problems.lines:
@@ -124,12 +115,31 @@ def read(document: dict[str, Any], source: str) -> Stand:
 
 
 def _header(document: dict[str, Any], problems: Problems) -> Header | None:
-    known = [*(info.alias or name for name, info in Header.model_fields.items()), *_TABLES, *_ARRAYS]
-    own = {key: value for key, value in document.items() if key in known and key not in (*_TABLES, *_ARRAYS)}
+    schemas = [part.SCHEMA for part in parts("schema")]
+    own_keys = keys_of(Header)
+    law_keys = [key for law in schemas for key in (*law.tables, *law.arrays)]
+    law_keys += [key for law in schemas if law.header is not None for key in keys_of(law.header)]
+    known = [*own_keys, "carrier", *law_keys, *_ARRAYS]
+    own = {key: value for key, value in document.items() if key in own_keys}
     for key in document:
         if key not in known:
             problems.add(f"unknown key {show(key)}{meant(key, known)}")
     return _validate(problems, "", Header, own)
+
+
+def _law(problems: Problems, document: dict[str, Any], schema: LawSchema) -> LawData | None:
+    """The data of one law; None where the file does not have it, or not in order."""
+    header = None
+    if schema.header is not None:
+        raw = {key: value for key, value in document.items() if key in keys_of(schema.header)}
+        header = _validate(problems, "", schema.header, raw)
+    given: dict[str, list[Any]] = {}
+    for key, table in schema.tables.items():
+        found = _table(problems, document, key, table)
+        given[key] = [] if found is None else [found]
+    for key, table in schema.arrays.items():
+        given[key] = [item for _, item in _array(problems, document, key, table)]
+    return schema.read(header, given)
 
 
 def _validate(problems: Problems, where: str, table: type[AnyTable], raw: Any) -> AnyTable | None:
@@ -147,7 +157,7 @@ def _readable(table: type[AnyTable], raw: Any, error: ValidationError) -> AnyTab
     """
     locations = [item["loc"] for item in error.errors(include_url=False)]
     bad = {str(location[0]) for location in locations if location}
-    known = [info.alias or name for name, info in table.model_fields.items()]
+    known = keys_of(table)
     meant = {nearest(key, known) for key in bad}
     if not isinstance(raw, dict) or not all(locations) or meant & _CHECKED:
         return None
@@ -186,7 +196,8 @@ def _named(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]
 def _check_names(problems: Problems, document: dict[str, Any]) -> None:
     """No two bodies or points of one name; every mount is the carrier or an instrument."""
     taken = {"carrier": "the carrier"}
-    for key in ("instrument", "flywheel", "point"):
+    mounted = ("flywheel", "point", *(key for part in parts("schema") for key in part.SCHEMA.mounted))
+    for key in ("instrument", *mounted):
         for name, _ in _named(document, key):
             if name in taken:
                 problems.add(f"{key} {show(name)}", "name", f"taken by {taken[name]}")
@@ -194,7 +205,7 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
                 taken[name] = f"{'an' if key == 'instrument' else 'a'} {key}"
     mounts = ["carrier", *(name for name, _ in _named(document, "instrument"))]
     flywheels = {name for name, _ in _named(document, "flywheel")}
-    for key in ("flywheel", "point"):
+    for key in mounted:
         for name, item in _named(document, key):
             mount = item.get("mount", "carrier")
             if not isinstance(mount, str) or mount in mounts:

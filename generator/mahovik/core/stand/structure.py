@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from mahovik.core.stand.model import Body, Damping, Factor, PhaseInput, Sequence, Stand
+from mahovik.laws import parts
 
 TermKind = tuple[int, tuple[Factor, Factor]]
 """Wrench component 0..5 of a hydrodynamic derivative and its two factors."""
@@ -33,8 +35,6 @@ class Structure:
     stream: bool
     """The file has the key `stream` (its value may be zero: it is an input of the C)."""
     added_mass: bool
-    suspension: bool
-    legs: int
     buoyancy: bool
     """A fixed body displaces mass, and there is gravity."""
     flywheel_buoyancy: tuple[int, ...]
@@ -46,6 +46,12 @@ class Structure:
     wrench_inputs: tuple[int, ...]
     phase_input: PhaseInput
     """"sincos": functions that take sines and cosines of the phases are there as well."""
+    laws: tuple[tuple[str, Any], ...] = ()
+    """What the laws of `laws/` say, by their keys."""
+
+    def law(self, key: str) -> Any:
+        """What a law says under one of its keys; None where no law has that key."""
+        return dict(self.laws).get(key)
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -85,8 +91,6 @@ def structure(stand: Stand) -> Structure:
         stream=stand.stream is not None,
         added_mass=stand.carrier.added_mass is not None
         or any(instrument.added_mass is not None for instrument in stand.instruments),
-        suspension=stand.suspension is not None,
-        legs=len(stand.legs),
         buoyancy=any(i < fixed for i in floating),
         flywheel_buoyancy=tuple(i for i in floating if i >= fixed),
         linear_damping=damped_by(lambda damping: damping.linear is not None),
@@ -98,4 +102,7 @@ def structure(stand: Stand) -> Structure:
         ),
         wrench_inputs=where(lambda body: body.wrench_input),
         phase_input=stand.phase_input,
+        laws=tuple(
+            item for law in parts("schema") for item in law.SCHEMA.structure(stand.law(law.SCHEMA.data), stand).items()
+        ),
     )

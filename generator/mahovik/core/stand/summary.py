@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from mahovik.core.stand.frames import mount_of, placement
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Instrument, Stand, Vec3
+from mahovik.laws import parts
 
 Array = NDArray[np.float64]
 
@@ -141,9 +142,11 @@ def _warnings(stand: Stand) -> list[str]:
             f"{_FIRST_AXIS[stand.angles] + 1} of E0: a turn about the vertical passes there, it is a heading"
             + (f' ("{better[0]}" has no such heading with this gravity)' if better else "")
         )
-    carried = stand.suspension or stand.legs or any(body.buoyancy for body in stand.bodies)
+    texts = [law for law in parts("text") if law.CARRIES_WEIGHT]
+    carried = any(law.short(stand) for law in texts) or any(body.buoyancy for body in stand.bodies)
     if any(stand.gravity) and not carried:
-        found.append("nothing carries the weight (no suspension, leg or buoyancy): the stand falls freely")
+        names = ", ".join(law.NAME for law in texts)
+        found.append(f"nothing carries the weight (no {names} or buoyancy): the stand falls freely")
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Sequence
 from decimal import Decimal, InvalidOperation
 from typing import Any
 
@@ -31,3 +32,24 @@ def exact(text: str) -> Decimal:
         return Decimal(text)
     except InvalidOperation:  # an exponent too long even for Decimal
         return Decimal("Infinity") if "e-" not in text.lower() else Decimal(0)
+
+
+def value_of(value: Any) -> str:
+    """A value in TOML, a number with all its digits."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return repr(value)
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return "[" + ", ".join(value_of(item) for item in value) + "]"
+    return f'"{value}"' if isinstance(value, str) else str(value)
+
+
+def line_of(key: str, value: Any) -> str:
+    """`key = value` in TOML."""
+    return f"{key} = {value_of(value)}"
+
+
+def fields(table: Any, *keys: str) -> list[str]:
+    """Lines of some attributes of a class of the model."""
+    return [line_of(key, getattr(table, key)) for key in keys]

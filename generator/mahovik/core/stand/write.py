@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
 
 from mahovik.core.stand.model import (
     TWIST_LETTERS,
@@ -18,6 +17,8 @@ from mahovik.core.stand.model import (
     MountingAngles,
     Stand,
 )
+from mahovik.core.stand.toml import fields, line_of, value_of
+from mahovik.laws import parts
 
 _NONE: Mapping[str, Sequence[str]] = MappingProxyType({})
 
@@ -31,68 +32,52 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     def head(title: str, name: str) -> list[str]:
         return ["", *(f"# {line}" for line in comments.get(name, ())), title]
 
-    lines = ["schema = 1", f'name = "{stand.name}"', f'angles = "{stand.angles}"', _line("gravity", stand.gravity)]
+    lines = ["schema = 1", f'name = "{stand.name}"', f'angles = "{stand.angles}"', line_of("gravity", stand.gravity)]
     if stand.stream is not None:
-        lines.append(_line("stream", stand.stream))
+        lines.append(line_of("stream", stand.stream))
     if stand.phase_input != "angle":
-        lines.append(_line("phase_input", stand.phase_input))
+        lines.append(line_of("phase_input", stand.phase_input))
+    schemas = [part.SCHEMA for part in parts("schema")]
+    given = [law.lines(data) for law in schemas if (data := stand.law(law.data)) is not None]
+    lines += [line for header, _ in given for line in header]
     lines += [*head("[carrier]", "carrier"), *_body(stand.carrier)]
-    if stand.suspension is not None:
-        lines += ["", "[suspension]", *_fields(stand.suspension, "stiffness", "damping", "position", "angles")]
-    for leg in stand.legs:
-        lines += ["", "[[leg]]", *_fields(leg, "ground", "carrier", "length", "stiffness", "damping")]
+    lines += [line for _, tables in given for line in tables]
     for instrument in stand.instruments:
         lines += [
             *head("[[instrument]]", instrument.name),
             f'name = "{instrument.name}"',
-            *_fields(instrument, "position", "angles"),
+            *fields(instrument, "position", "angles"),
         ]
         lines += _body(instrument)
     for flywheel in stand.flywheels:
         lines += [*head("[[flywheel]]", flywheel.name), f'name = "{flywheel.name}"', *_flywheel(flywheel)]
     for point in stand.points:
         lines += [*head("[[point]]", point.name), f'name = "{point.name}"', f'mount = "{point.mount}"']
-        lines += _fields(point, "position", "angles")
+        lines += fields(point, "position", "angles")
     return "\n".join(lines) + "\n"
 
 
-def _value(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, float):
-        return repr(value)
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        return "[" + ", ".join(_value(item) for item in value) + "]"
-    return f'"{value}"' if isinstance(value, str) else str(value)
-
-
-def _line(key: str, value: Any) -> str:
-    return f"{key} = {_value(value)}"
-
-
-def _fields(table: Any, *keys: str) -> list[str]:
-    return [_line(key, getattr(table, key)) for key in keys]
-
-
 def _body(body: Body) -> list[str]:
-    lines = _fields(body, "mass", "center_of_mass", "inertia", "inertia_about")
+    lines = fields(body, "mass", "center_of_mass", "inertia", "inertia_about")
     if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
-        lines.append(_line("added_mass", body.added_mass))
+        lines.append(line_of("added_mass", body.added_mass))
     if body.wrench_input:
         lines.append("wrench_input = true")
     if body.buoyancy is not None:
         floating = body.buoyancy
-        lines.append(f"buoyancy = {{ {', '.join(_fields(floating, 'displaced_mass', 'center'))} }}")
+        lines.append(f"buoyancy = {{ {', '.join(fields(floating, 'displaced_mass', 'center'))} }}")
     if body.damping is not None:
         lines.append(f"damping = {{ {', '.join(_damping(body.damping))} }}")
     return lines
 
 
 def _damping(damping: Damping) -> list[str]:
-    parts = [_line(key, getattr(damping, key)) for key in ("linear", "quadratic") if getattr(damping, key) is not None]
+    parts = [
+        line_of(key, getattr(damping, key)) for key in ("linear", "quadratic") if getattr(damping, key) is not None
+    ]
     if damping.terms:
         terms = (
-            f'{{ wrench = "{WRENCH_LETTERS[term.wrench]}", of = {_value([_factor(f) for f in term.of])}, '
+            f'{{ wrench = "{WRENCH_LETTERS[term.wrench]}", of = {value_of([_factor(f) for f in term.of])}, '
             f"value = {term.value!r} }}"
             for term in damping.terms
         )
@@ -106,20 +91,20 @@ def _factor(factor: Factor) -> str:
 
 
 def _flywheel(flywheel: Flywheel) -> list[str]:
-    lines = [f'mount = "{flywheel.mount}"', _line("position", flywheel.position)]
+    lines = [f'mount = "{flywheel.mount}"', line_of("position", flywheel.position)]
     mounting = flywheel.mounting
     if isinstance(mounting, MountingAngles):
-        lines.append(_line("angles", (mounting.psi, mounting.theta, mounting.zero)))
+        lines.append(line_of("angles", (mounting.psi, mounting.theta, mounting.zero)))
     else:
-        lines += _fields(mounting, "axis", "zero")
+        lines += fields(mounting, "axis", "zero")
     lines += _body(flywheel)
     if flywheel.inverse_weight != 1.0:
-        lines += _fields(flywheel, "inverse_weight")
+        lines += fields(flywheel, "inverse_weight")
     motor, encoder = flywheel.motor, flywheel.encoder
     if motor is not None:
         keys = ("torque", "speed", "constant", "resistance", "supply", "viscous", "coulomb", "coulomb_speed")
         given = [key for key in keys if getattr(motor, key) is not None]
-        lines.append(f"motor = {{ {', '.join(_fields(motor, *given))} }}")
+        lines.append(f"motor = {{ {', '.join(fields(motor, *given))} }}")
     if encoder is not None:
-        lines.append(f"encoder = {{ {', '.join(_fields(encoder, 'counts', 'zero', 'latency'))} }}")
+        lines.append(f"encoder = {{ {', '.join(fields(encoder, 'counts', 'zero', 'latency'))} }}")
     return lines

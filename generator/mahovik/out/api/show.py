@@ -8,6 +8,7 @@ from html import escape
 
 import numpy as np
 
+from mahovik import laws
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
@@ -64,8 +65,7 @@ def bodies(stand: Stand) -> str:
     ]  # fmt: skip
     gravity = math.hypot(*stand.gravity)
     parts = [f"{summary.mass:.4g} kg in all", f"gravity {gravity:.4g} m/s2"]
-    parts += ["suspension"] if stand.suspension else []
-    parts += [f"{len(stand.legs)} legs"] if stand.legs else []
+    parts += [words for law in laws.parts("text") if (words := law.short(stand))]
     parts += [f"points {', '.join(p.name for p in stand.points)}"] if stand.points else []
     title = f"{repr(stand).strip('<>')}; physics {identities(stand).physics}"
     return table(title, head, rows, "; ".join(parts))

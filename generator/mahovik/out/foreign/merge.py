@@ -147,8 +147,6 @@ class _Merger:
             gravity=_vec3(np.zeros(3) if gravity is None else gravity),
             stream=None,
             carrier=carrier,
-            suspension=None,
-            legs=(),
             instruments=tuple(own),
             flywheels=tuple(wheels),
             points=tuple(points),

@@ -10,12 +10,14 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Leg, Stand, Suspension
+from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.state import State
+from mahovik.laws import LAWS, part
 from mahovik.proof.reference import wrenches
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Fixed, Placed, Spinning, flywheel_transfer, instrument_transfer
 from mahovik.proof.reference.inertia import added_mass, spatial_inertia
+from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import Phi, f, spin
 
@@ -235,22 +237,14 @@ class Terms:
         return k.L @ P
 
     def ties(self) -> Array:
-        """Suspension and legs (6)."""
-        total = ZERO6
-        if self.stand.suspension is not None:
-            total = total + self.suspension(self.stand.suspension)
-        for leg in self.stand.legs:
-            total = total + self.leg(leg)
-        return total
+        """The laws between E0 and the carrier (6), added up."""
+        return np.asarray(sum((self.law_wrench(law) for law in LAWS), ZERO6))
 
-    def displacement(self, law: Suspension) -> Array:
-        """x (6) of the suspension."""
-        return wrenches.suspension_displacement(law, self.stand.angles, np.array(self.state.position), self.C)
+    @property
+    def pose(self) -> Pose:
+        """What those laws depend on."""
+        return Pose(np.array(self.state.position), self.C, self.V)
 
-    def suspension(self, law: Suspension) -> Array:
-        """-(stiffness x + damping V) (6)."""
-        return -(np.array(law.stiffness) @ self.displacement(law) + np.array(law.damping) @ self.V)
-
-    def leg(self, leg: Leg) -> Array:
-        """Wrench of one leg (6)."""
-        return wrenches.leg_wrench(leg, np.array(self.state.position), self.C, self.V)
+    def law_wrench(self, law: str) -> Array:
+        """Wrench (6) of one law of `laws/`, by its folder."""
+        return np.asarray(sum(part(law, "reference").wrenches(self.stand, self.state, self.pose).values(), ZERO6))

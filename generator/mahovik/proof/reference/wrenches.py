@@ -1,22 +1,18 @@
-"""External wrenches, (7): each body's own, in its frame about its origin, and the carrier's ties to E0."""
+"""External wrenches, (7): each body's own, in its frame about its origin, and those of the laws of `laws/`."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Damping, Leg, Stand, Suspension
-from mahovik.core.stand.model import Sequence as Angles
+from mahovik import laws
+from mahovik.core.stand.model import Body, Damping, Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Fixed, Placed, Spinning
-from mahovik.proof.reference.rotation import attitude, rotation_vector
+from mahovik.proof.reference.pose import Pose
 from mahovik.proof.reference.screw import force_at
-
-SHORTEST_LEG = 1e-9  # m; a shorter leg has no direction
 
 Kinds = Mapping[str, Array]  # wrench (6) by its kind
 
@@ -65,38 +61,6 @@ def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds
     return kinds
 
 
-def suspension_displacement(suspension: Suspension, sequence: Angles, O1: Array, C: Array) -> Array:
-    """x = (C^T (O1 - position), rotation vector of C_eq^T C of length <= pi) (6; m, rad)."""
-    C_eq = attitude(sequence, *suspension.angles)
-    displacement = C.T @ (O1 - np.array(suspension.position))
-    return np.concatenate([displacement, rotation_vector(C_eq.T @ C)])
-
-
-def suspension_wrench(suspension: Suspension, sequence: Angles, O1: Array, C: Array, V: Array) -> Array:
-    """-(stiffness x + damping V) (6; N, N m) on the carrier about O1 in E1; V is relative to E0."""
-    x = suspension_displacement(suspension, sequence, O1, C)
-    stiffness, damping = np.array(suspension.stiffness), np.array(suspension.damping)
-    return np.asarray(-(stiffness @ x + damping @ V))
-
-
-def leg_vector(leg: Leg, O1: Array, C: Array) -> Array:
-    """From the leg's ground point to its carrier point (3, m), in E0."""
-    return np.asarray(O1 + C @ np.array(leg.carrier) - np.array(leg.ground))
-
-
-def leg_wrench(leg: Leg, O1: Array, C: Array, V: Array) -> Array:
-    """Wrench (6; N, N m) of a spring-damper leg on the carrier about O1 in E1. StateError where it has no length."""
-    d = leg_vector(leg, O1, C)
-    length = math.hypot(*d)
-    if length < SHORTEST_LEG:
-        raise StateError(f"leg between ground {leg.ground} and carrier {leg.carrier}: length {length:.3g} m is zero")
-    point = np.array(leg.carrier)
-    direction = C.T @ d / length  # in E1, from the ground
-    length_rate = direction @ (V[:3] + np.cross(V[3:], point))
-    tension = leg.stiffness * (length - leg.length) + leg.damping * length_rate
-    return force_at(-tension * direction, point)
-
-
 def run_time_wrench(state: State, body: Body) -> Array:
     """The caller's wrench (6; N, N m) on a body, in its own frame about its origin."""
     return np.array(state.wrench.get(body.name, (0.0,) * 6))
@@ -114,20 +78,17 @@ def external_wrenches(
 ) -> dict[str, Kinds]:
     """Every wrench of (7) by body name and kind, (6; N, N m) each in its body's frame about its origin.
 
-    V, V_r (6): twists of E1 relative to E0 and to the fluid. Suspension and legs count among the carrier's.
+    V, V_r (6): twists of E1 relative to E0 and to the fluid. The laws of `laws/` count among the carrier's.
     """
-    O1, gravity = np.array(state.position), C.T @ np.array(stand.gravity)  # gravity in E1
+    gravity = C.T @ np.array(stand.gravity)  # in E1
     P: dict[str, Kinds] = {}
     bodies: tuple[Placed, ...] = (*fixed, *flywheels)
     for k in bodies:
         C_k = k.L[:3, :3]
         P[k.body.name] = body_wrenches(k.body, C_k.T @ gravity, k.twist(V_r), run_time_wrench(state, k.body))
-    ties: dict[str, Array] = {}
-    if stand.suspension is not None:
-        ties["suspension"] = suspension_wrench(stand.suspension, stand.angles, O1, C, V)
-    for number, leg in enumerate(stand.legs):
-        ties[f"leg {number}"] = leg_wrench(leg, O1, C, V)
-    P[stand.carrier.name] = {**P[stand.carrier.name], **ties}
+    at = Pose(np.array(state.position), C, V)
+    for law in laws.parts("reference"):
+        P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
     return P
 
 

@@ -76,9 +76,9 @@ def rotation_vector(C: arb_mat) -> arb_mat:
     sine, cosine = length(rotated), (C[0, 0] + C[1, 1] + C[2, 2] - 1) / 2
     if not sine > 0:
         if not cosine > 0:
-            raise StateError("suspension: half a turn from its equilibrium there are two rotation vectors")
+            raise StateError("half a turn from equilibrium there are two rotation vectors")
         most = sine.upper() * sine.upper()  # 1 <= asin(s) / s <= 1 + s^2 for s <= 1/2
         if not most < arb(1) / 4:
-            raise StateError("suspension: its rotation vector is not determined")
+            raise StateError("its rotation vector is not determined")
         return rotated * arb(1).union(1 + most)
     return rotated * (arb.atan2(sine, cosine) / sine)

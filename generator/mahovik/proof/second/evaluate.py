@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from functools import cached_property, lru_cache
 from typing import Any
@@ -10,14 +9,14 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from mahovik import laws
 from mahovik.contract.functions import CONFLICTS, wants_of
-from mahovik.core.stand.model import Leg, Stand
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.second import points, problems
 from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.kinematics import generalized
-from mahovik.proof.second.laws import suspension_displacement
 from mahovik.proof.second.rotation import Array, attitude
 from mahovik.proof.second.system import System
 
@@ -32,9 +31,6 @@ PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
 
 WANTS = wants_of("second")
 """Wants of the second derivation: those of PROBLEMS, and `generalized`."""
-
-SHORTEST_LEG = 1e-9
-"""m; a shorter leg has no direction."""
 
 Values = dict[str, Any]
 
@@ -70,14 +66,12 @@ class Second:
         """What `want` names, under the names of the contract: arrays in SI, V and V_dot relative to E0, in E1.
 
         Raises StateError for wants that are unknown, not there or contradict each other, a state that does not fit the
-        stand or the want, a leg shorter than SHORTEST_LEG, and results that are not finite.
+        stand or the want, one where a law is undefined (a leg without length), and results that are not finite.
         """
         check_want(want)
         self._check_state(state)
         with np.errstate(all="ignore"):  # what is not finite is found below
             inputs = self.arguments(state)
-            for leg in self.stand.legs:
-                _check_leg(leg, inputs)
             found: Values = {}
             for each in want:
                 found |= self._generalized(state, inputs) if each == "generalized" else self._solve(each, inputs)
@@ -87,16 +81,18 @@ class Second:
         return found
 
     def arguments(self, state: State) -> dict[str, Any]:
-        """Arguments of the functions at a state, by name: those of `System.inputs`."""
+        """Arguments of the functions at a state, by name: those of `System.inputs`. Raises StateError."""
         stand = self.stand
         C = attitude(stand.angles, state)
-        law, zero = stand.suspension, np.zeros(6)
+        own: dict[str, Any] = {}
+        for law in laws.parts("second"):
+            own |= law.arguments(stand, state, C)
         names = ("position", "V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau")
         return {
             **{name: np.array(getattr(state, name), dtype=np.float64) for name in names},
             "C": C,
-            "displacement": suspension_displacement(law, stand.angles, state.position, C) if law else zero,
-            "wrench": np.column_stack([state.wrench.get(body.name, zero) for body in stand.bodies]),
+            "wrench": np.column_stack([state.wrench.get(body.name, np.zeros(6)) for body in stand.bodies]),
+            **own,
         }
 
     def _solve(self, want: str, inputs: dict[str, Any]) -> Values:
@@ -159,13 +155,6 @@ def check_want(want: Sequence[str]) -> None:
     for first, second, value in CONFLICTS:
         if first in want and second in want:
             raise StateError(f"want: {first!r} and {second!r} both give {value!r}; ask for them in two states")
-
-
-def _check_leg(leg: Leg, inputs: dict[str, Any]) -> None:
-    away = inputs["position"] + inputs["C"] @ np.array(leg.carrier) - np.array(leg.ground)
-    length = math.hypot(*away)
-    if length < SHORTEST_LEG:
-        raise StateError(f"leg between ground {leg.ground} and carrier {leg.carrier}: length {length:.3g} m is zero")
 
 
 def _finite(value: Any) -> bool:

@@ -1,4 +1,4 @@
-"""Generalized forces: by potentials, by Rayleigh's function, and by the virtual power of wrenches."""
+"""Generalized forces: by potentials, and by the virtual power of wrenches."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from functools import cache
 import casadi as ca
 
 from mahovik.proof.second.bodies import MovingBody
-from mahovik.proof.second.chart import Chart, Expr, angular_velocity, turn
+from mahovik.proof.second.chart import Chart, Expr, angular_velocity
 
 
 @cache
@@ -43,21 +43,3 @@ def _twist(body: MovingBody, stream: Expr) -> Expr:
     rate, axes = body.chart.rate, body.axes()
     velocity = rate(body.place(ca.SX.zeros(3))) - stream
     return ca.vertcat(axes.T @ velocity, angular_velocity(axes, rate(axes)))
-
-
-@cache
-def leg_force() -> Expr:
-    """(leg, place, C, V) -> generalized force (6) of a leg, of any pose of the carrier.
-
-    -dU/dq - dR/dq' of U = stiffness (l - length)^2 / 2 and Rayleigh's R = damping l'^2 / 2, l the distance of the two
-    points. `leg` is ground 3, carrier 3, length, stiffness, damping; `place` (3; m) of O1 and C are the pose.
-    """
-    chart = Chart()
-    leg, place, C = ca.SX.sym("leg", 9), ca.SX.sym("place", 3), ca.SX.sym("C", 3, 3)
-    ground, carrier, unstretched, stiffness, damping = ca.vertsplit(leg, [0, 3, 6, 7, 8, 9])
-    end = place + C @ (chart.delta + turn(chart.xi) @ carrier)
-    distance = ca.norm_2(end - ground)
-    potential = stiffness * (distance - unstretched) ** 2 / 2
-    rayleigh = damping * chart.rate(distance) ** 2 / 2
-    force = chart.here(-ca.gradient(potential, chart.q) - ca.gradient(rayleigh, chart.q_dot))[:6]
-    return ca.Function("leg_force", [leg, place, C, chart.q_dot[:6]], [force])

@@ -9,15 +9,13 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
+from mahovik import laws
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.second.chart import Expr
 from mahovik.proof.second.evaluate import Second
 from mahovik.proof.second.points import names
-from mahovik.proof.second.rotation import Array, by_angles, rotation_vector
-
-SMALL = 0.02
-"""rad: a rotation vector below it is differentiated as a series, exact to rounding there."""
+from mahovik.proof.second.rotation import Array
 
 
 class Matrices(NamedTuple):
@@ -49,13 +47,14 @@ def linear(stand: Stand, state: State) -> Matrices:
         **at,
         "position": place,
         "C": C,
-        "displacement": _displacement(stand, at["C"], place, C),
         "V": at["V"] + V,
         "phi": at["phi"] + phi,
         "phi_dot": at["phi_dot"] + phi_dot,
         "tau": tau + u[:N],
         "wrench": ca.horzcat(at["wrench"][:, 0] + u[N:], at["wrench"][:, 1:]),
     }
+    for law in laws.parts("second"):
+        given |= law.arguments_near(stand, at["C"], place, C)
     found = second.function("coupled")(**given)
     rate = found["coupled_V_dot"]
     drift = _drift(e, eta, at["V"], given["V"])
@@ -77,23 +76,6 @@ def _drift(e: Expr, eta: Expr, V0: Array, V: Expr) -> tuple[Expr, Expr]:
     shift = _turned(eta) @ v - v0 - ca.cross(omega0, e)
     turn = (omega + ca.cross(eta, omega) / 2) - (omega0 - ca.cross(eta, omega0) / 2)
     return shift, turn
-
-
-def _displacement(stand: Stand, C0: Array, place: Expr, C: Expr) -> Expr:
-    """Of the suspension: place and rotation vector from its equilibrium. Not right at half a turn."""
-    law = stand.suspension
-    if law is None:
-        return ca.MX.zeros(6)
-    equilibrium = by_angles(stand.angles, ca.DM(law.angles))
-    R = equilibrium.T @ C
-    odd = ca.vertcat(R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]) / 2
-    if float(np.linalg.norm(rotation_vector(equilibrium.full().T @ C0))) < SMALL:
-        s2 = ca.sumsqr(odd)  # of the sine of the angle: arcsine over sine
-        vector = odd * (1 + s2 / 6 + 3 * s2**2 / 40 + 5 * s2**3 / 112 + 35 * s2**4 / 1152)
-    else:
-        sine = ca.norm_2(odd)
-        vector = odd / sine * ca.atan2(sine, (ca.trace(R) - 1) / 2)
-    return ca.vertcat(C.T @ (place - ca.DM(law.position)), vector)
 
 
 def _outputs(second: Second, state: State, given: dict[str, Any]) -> Iterator[Expr]:

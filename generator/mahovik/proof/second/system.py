@@ -5,19 +5,20 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from mahovik.core.stand.model import Leg, Stand
+from mahovik import laws
+from mahovik.core.stand.model import Stand
 from mahovik.proof.second import force, lagrange
 from mahovik.proof.second.bodies import columns
 from mahovik.proof.second.chart import Expr, inertial_acceleration
-from mahovik.proof.second.laws import damping_wrench, suspension_wrench
+from mahovik.proof.second.laws import damping_wrench
 from mahovik.proof.second.rotation import Array
 
 
 class System:
     """Expressions of a stand at a state and its inputs, which are symbols.
 
-    `inputs` (name -> MX): position (3), C (3x3), displacement (6, of the suspension), V, V_dot (6), phi, phi_dot,
-    phi_ddot, tau (N), wrench (6 x bodies, each in the body's frame).
+    `inputs` (name -> MX): position (3), C (3x3), V, V_dot (6), phi, phi_dot, phi_ddot, tau (N), wrench (6 x
+    bodies, each in the body's frame), and those of the laws of `laws/`.
     """
 
     def __init__(self, stand: Stand) -> None:
@@ -25,9 +26,11 @@ class System:
         self.N = len(stand.flywheels)
         self.count = len(stand.bodies)
         self.fixed = self.count - self.N
-        shapes = {"position": (3, 1), "C": (3, 3), "displacement": (6, 1), "V": (6, 1), "V_dot": (6, 1)}
+        shapes = {"position": (3, 1), "C": (3, 3), "V": (6, 1), "V_dot": (6, 1)}
         shapes |= dict.fromkeys(("phi", "phi_dot", "phi_ddot", "tau"), (self.N, 1))
         shapes |= {"wrench": (6, self.count)}
+        for law in laws.parts("second"):
+            shapes |= law.inputs(stand)
         self.inputs = {name: ca.MX.sym(name, *shape) for name, shape in shapes.items()}
         self.V = self.inputs["V"]
         self.gravity = self.inputs["C"].T @ ca.DM(stand.gravity)
@@ -67,10 +70,8 @@ class System:
         gravity = ca.repmat(self.gravity, 1, self.count)
         found = self._mapped(force.body_force())(self.bodies, self.phi, gravity, self._wrenches())
         carrier = ca.sum2(found[:6, :])
-        if self.stand.legs:
-            carrier += ca.sum2(self._leg_forces(self.stand.legs))
-        if self.stand.suspension is not None:
-            carrier += suspension_wrench(self.stand.suspension, self.inputs["displacement"], self.V)
+        for law in laws.parts("second"):
+            carrier += law.force(self.stand, self.inputs)
         return carrier, self._of_flywheels(found[6, :])
 
     def _wrenches(self) -> Expr:
@@ -82,12 +83,6 @@ class System:
             if body.damping is not None:
                 wrenches[k] = wrenches[k] + damping_wrench(body.damping, twists[:, k])
         return ca.horzcat(*wrenches)
-
-    def _leg_forces(self, legs: tuple[Leg, ...]) -> Expr:
-        """Forces of the legs (6 x legs)."""
-        numbers = ca.DM(np.array([(*leg.ground, *leg.carrier, leg.length, leg.stiffness, leg.damping) for leg in legs]))
-        pose = (ca.repmat(self.inputs[name], 1, len(legs)) for name in ("position", "C", "V"))
-        return force.leg_force().map(len(legs))(numbers.T, *pose)
 
     def _mapped(self, function: Expr) -> Expr:
         """The function of one body as one of all: arguments and results side by side."""

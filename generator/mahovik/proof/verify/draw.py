@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 from types import MappingProxyType
@@ -10,15 +9,14 @@ from typing import Any, cast
 
 import numpy as np
 
+from mahovik import laws
 from mahovik.contract.quantities import QUANTITIES, limits_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.reference.wrenches import suspension_displacement
 
 CUT = {"double": 1e-6, "float": 1e-5}
-"""rad; nearer than this to a half turn of the suspension, rounding decides which way it is turned back."""
+"""rad; nearer than this to a half turn, rounding decides which way a law turns it back."""
 
 LEAST_EXPONENT = {"double": -310, "float": -43}
 """Of tiny numbers: those below 1e-308, in float 1e-38, are subnormal."""
@@ -34,7 +32,7 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
     rng = np.random.default_rng(seed)
     for number, kind in zip(range(count), _kinds(), strict=False):
         state = _one(stand, rng, kind, real)
-        while _on_the_cut(stand, state, CUT[real]):
+        while _near_a_branch(stand, state, CUT[real]):
             state = _one(stand, rng, "random", real)
         if not wrenches and kind == "wrenched":
             state = replace(state, wrench=MappingProxyType({}))
@@ -75,10 +73,6 @@ def _float(number: float) -> float:
     return float(np.float32(number))
 
 
-def _on_the_cut(stand: Stand, state: State, cut: float) -> bool:
-    """Whether the suspension is turned by a half turn, where two rotation vectors are equally right."""
-    if stand.suspension is None:
-        return False
-    C = carrier_rotation(stand, state)
-    x = suspension_displacement(stand.suspension, stand.angles, np.array(state.position), C)
-    return math.hypot(*x[3:]) > math.pi - cut
+def _near_a_branch(stand: Stand, state: State, cut: float) -> bool:
+    """Whether some law is nearer than `cut` (rad) to where two answers are equally right."""
+    return any(law.margin(stand, state) < cut for law in laws.parts("reference") if hasattr(law, "margin"))

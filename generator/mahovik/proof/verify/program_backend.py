@@ -65,8 +65,8 @@ class ProgramBackend:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
         inputs = self.arguments(state)
         results: dict[str, Any] = {}
-        if self.layout.legs:
-            self._call("wrench", inputs)  # a leg without length spoils a state, whatever is wanted
+        if any(law.invalid for law in self.layout.law_tables):
+            self._call("wrench", inputs)  # a state where a law is undefined is spoilt, whatever is wanted
         for name in want:
             answer = getattr(self, f"_{name}", None)
             results |= answer(state, inputs) if answer else self._plain(name, inputs)

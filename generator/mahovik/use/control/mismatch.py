@@ -8,6 +8,7 @@ from typing import TypeVar, cast
 
 import numpy as np
 
+from mahovik import laws
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import (
     Body,
@@ -15,18 +16,16 @@ from mahovik.core.stand.model import (
     Damping,
     Flywheel,
     Instrument,
-    Leg,
+    LawData,
     Mat3,
-    Mat6,
     MountingAxes,
     Stand,
-    Suspension,
     Vec3,
 )
 from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import UsageError
-from mahovik.use.plan.array import Array
+from mahovik.use.control.measurement import Errors
 from mahovik.use.plan.residual.spatial import mount_axes
 
 MOST = 0.2
@@ -41,14 +40,13 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     e stands for a random number, uniform in -share..share, a new one each time:
 
     masses, displaced masses           times 1 + e
-    vectors (centres of mass and of buoyancy, positions, ends of legs)   each component plus e |vector| / sqrt(3)
+    vectors (centres of mass and of buoyancy, positions)   each component plus e |vector| / sqrt(3)
     second moments of a body's mass about its centre, in its axes        S M S, S = diag(sqrt(1 + e)): a body that
                                        can exist stays one
     mounting of a flywheel             axis and zero turned by a rotation vector of components e (rad) / sqrt(3)
     attitude of an instrument          likewise, its three angles plus e / sqrt(3)
-    suspension: stiffness, damping     S K S, S = diag(sqrt(1 + e)): definite stays definite; position as a vector
-    legs: stiffness, damping, length   times 1 + e
-    added mass, matrices of damping    S A S likewise; terms of damping times 1 + e
+    added mass, matrices of damping    S A S, S = diag(sqrt(1 + e)): definite stays definite; terms times 1 + e
+    laws of `laws/`                    as each says in its folder
 
     Raises UsageError if share is outside 0..MOST, or the random stand is not valid.
     """
@@ -56,13 +54,12 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
         raise UsageError(f"--mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
     if share == 0.0:
         return stand
-    draw = _RandomErrors(np.random.default_rng(seed), share)
+    draw = _Bodies(np.random.default_rng(seed), share)
     carrier = draw.body(stand.carrier)
     found = replace(
         stand,
         carrier=replace(carrier, added_mass=draw.matrix(carrier.added_mass)),
-        suspension=None if stand.suspension is None else draw.suspension(stand.suspension),
-        legs=tuple(draw.leg(leg) for leg in stand.legs),
+        laws=tuple(_law(draw, law) for law in stand.laws),
         instruments=tuple(draw.instrument(p) for p in stand.instruments),
         flywheels=tuple(draw.flywheel(s) for s in stand.flywheels),
     )
@@ -76,30 +73,17 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     return found
 
 
-class _RandomErrors:
-    """Random errors, drawn in a fixed order."""
+def _law(draw: Errors, law: LawData) -> LawData:
+    """The data of one law with errors."""
+    for part in laws.parts("mismatch"):
+        found: LawData | None = part.with_mismatch(draw, law)
+        if found is not None:
+            return found
+    return law
 
-    def __init__(self, rng: np.random.Generator, share: float) -> None:
-        self.rng, self.share = rng, share
 
-    def errors(self, count: int) -> Array:
-        return self.rng.uniform(-self.share, self.share, count)
-
-    def times(self, value: float) -> float:
-        return value * (1.0 + float(self.errors(1)[0]))
-
-    def vector(self, value: Vec3) -> Vec3:
-        size = float(np.linalg.norm(value)) / math.sqrt(3.0)
-        return cast(Vec3, tuple((np.array(value) + size * self.errors(3)).tolist()))
-
-    def direction(self) -> Array:
-        return self.errors(3) / math.sqrt(3.0)
-
-    def matrix(self, value: Mat6 | None) -> Mat6 | None:
-        if value is None:
-            return None
-        S = np.sqrt(1.0 + self.errors(6))
-        return cast(Mat6, tuple(map(tuple, (S[:, None] * np.array(value) * S).tolist())))
+class _Bodies(Errors):
+    """Errors of bodies."""
 
     def body(self, body: B) -> B:
         central = inertia_about_center(body)
@@ -125,16 +109,6 @@ class _RandomErrors:
     def damping(self, damping: Damping) -> Damping:
         terms = tuple(replace(term, value=self.times(term.value)) for term in damping.terms)
         return Damping(self.matrix(damping.linear), self.matrix(damping.quadratic), terms)
-
-    def suspension(self, own: Suspension) -> Suspension:
-        stiffness, damping = self.matrix(own.stiffness), self.matrix(own.damping)
-        assert stiffness is not None
-        assert damping is not None
-        return replace(own, stiffness=stiffness, damping=damping, position=self.vector(own.position))
-
-    def leg(self, leg: Leg) -> Leg:
-        length, stiffness, damping = (self.times(x) for x in (leg.length, leg.stiffness, leg.damping))
-        return Leg(self.vector(leg.ground), self.vector(leg.carrier), length, stiffness, damping)
 
     def instrument(self, own: Instrument) -> Instrument:
         angles = cast(Vec3, tuple((np.array(own.angles) + self.direction()).tolist()))

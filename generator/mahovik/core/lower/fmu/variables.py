@@ -222,9 +222,9 @@ class _Former:
         """What accelerations depend on: speeds and phases, inputs, and the pose where a law of wrenches takes it."""
         layout = self._layout
         found = tuple(v.name for name in ("DRIVE", "WRENCH") for v in self._of(name))
-        if layout.suspended or layout.legs:
+        if any(law.placed for law in layout.law_tables):
             found += self._named("carrier.position")
-        if attitude or layout.weight or layout.stream or layout.suspended or layout.legs:
+        if attitude or layout.attitude_needed:
             found += self._named("carrier.attitude")
         return found + self._named("carrier.V[") + self._turning()
 

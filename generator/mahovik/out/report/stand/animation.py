@@ -90,7 +90,7 @@ def scene(shape: Shape) -> dict[str, Any]:
             }
             for name, disc in zip(names(shape), shape.flywheels, strict=True)
         ],
-        "legs": [{"carrier": _short(leg.carrier), "ground": _short(leg.ground)} for leg in shape.legs],
+        "ties": [{"carrier": _short(tie.carrier), "ground": _short(tie.ground)} for tie in shape.ties],
         "traced": [
             [0.0, 0.0, 0.0],
             *(_short(at) for _, at in shape.points),

@@ -19,10 +19,10 @@ from mahovik.out.report.stand.views import (
     View,
     axis_length,
     is_cut,
-    leg_end,
     moved,
     names,
     spin_length,
+    tie_end,
 )
 
 WIDTH, HEIGHT = 940.0, 760.0
@@ -129,10 +129,10 @@ def _extent(shape: Shape, axes: Array, length: Magnified) -> tuple[Array, Array]
         add(disc.center + length.dynamic * (disc.C[:, 1:] @ disc.dynamic))
     for k in range(3):
         add(axis_length(shape) * np.eye(3)[k])
-    for place in (*(leg.carrier for leg in shape.legs), *(at for _, at in shape.points), shape.center_of_mass):
+    for place in (*(tie.carrier for tie in shape.ties), *(at for _, at in shape.points), shape.center_of_mass):
         add(place)
-    for leg in shape.legs:
-        add(leg_end(shape, leg))
+    for tie in shape.ties:
+        add(tie_end(shape, tie))
     return np.min(low, axis=0), np.max(high, axis=0)
 
 
@@ -181,7 +181,7 @@ def _third_angle(at: Array) -> str:
 
 def _marks(shape: Shape) -> list[tuple[str, str]]:
     """What signs mean, in words: those that are in this drawing."""
-    cut = any(is_cut(shape, leg) for leg in shape.legs)
+    cut = any(is_cut(shape, tie) for tie in shape.ties)
     known = (
         ("large outline", "carrier: its equivalent ellipsoid of inertia", True),
         ("x, y, z", "axes of the carrier E1, at its origin O1", True),
@@ -194,9 +194,8 @@ def _marks(shape: Shape) -> list[tuple[str, str]]:
         ("dash-dotted", "instruments: equivalent ellipsoids of inertia, squares where there is none",
          bool(shape.instruments)),
         ("triangle", "centre of buoyancy of the whole", shape.buoyancy is not None),
-        ("dotted circle", "suspension: a 6x6 between O1 and the ground, it has no shape", shape.suspended),
-        ("zigzags", "legs to the ground (hatched), carrier at q = 0" + (", long ones cut off" if cut else ""),
-         bool(shape.legs)),
+        *((sign, words + (", long ones cut off" if cut and sign == "zigzags" else ""), True)
+          for sign, words in shape.legend),
         ("crosses", "points", bool(shape.points)),
     )  # fmt: skip
     return [(sign, meaning) for sign, meaning, there in known if there]

@@ -142,3 +142,10 @@ def _row(row: Sequence[Cell], right: Sequence[bool]) -> Markup:
 def _cell(tag: str, content: Cell, right: bool, more: str) -> Markup:
     kind = ' class="right"' if right else ""
     return Markup(f"<{tag}{kind}{more}>{{}}</{tag}>").format(content)
+
+
+def vector_cell(numbers: Sequence[float], unit: str, nothing: str) -> Markup:
+    """Numbers of a vector with their unit; `nothing` where all are zero."""
+    if not any(numbers):
+        return Markup(nothing)
+    return Markup("({}) {}").format(Markup(", ").join(figure(x) for x in numbers), unit)

@@ -11,10 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik import laws
 from mahovik.core.stand.frames import mount_of, placement
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Stand
 from mahovik.core.stand.summary import summarize
+from mahovik.out.report.stand.tie import Tie
 
 Array = NDArray[np.float64]
 
@@ -57,29 +59,22 @@ class Disc:
 
 
 @dataclass(frozen=True, eq=False)
-class Tie:
-    """A leg: its point on the carrier in E1, and on the ground in E0 (3 each, m)."""
-
-    carrier: Array
-    ground: Array
-
-
-@dataclass(frozen=True, eq=False)
 class Shape:
     """All of a stand that can be drawn. `center_of_mass` of the whole at phi = 0; `buoyancy`: its centre, or None.
 
-    `points`: names and places in E1. `suspended`: whether a suspension acts at O1. `up`: unit vector against gravity in
-    E0, along z where there is none.
+    `points`: names and places in E1. `held`: whether a law holds the carrier at O1. `legend`: signs of laws and their
+    meaning. `up`: unit vector against gravity in E0, along z where there is none.
     """
 
     carrier: Solid
     instruments: tuple[Solid, ...]
     flywheels: tuple[Disc, ...]
-    legs: tuple[Tie, ...]
+    ties: tuple[Tie, ...]
     points: tuple[tuple[str, Array], ...]
     center_of_mass: Array
     buoyancy: Array | None
-    suspended: bool
+    held: bool
+    legend: tuple[tuple[str, str], ...]
     up: Array
 
     @property
@@ -108,17 +103,19 @@ def shape_of(stand: Stand) -> Shape:
     reach = [float(np.linalg.norm(s.center) + np.abs(s.axes).max()) for s in solids]
     mark = BARE * (max([*reach, *(float(np.linalg.norm(at)) for at, _ in places)]) or 1.0)
     frames = {s.name: s for s in solids}
+    shown = laws.parts("report")
     gravity = np.array(stand.gravity)
     strength = float(np.linalg.norm(gravity))
     return Shape(
         carrier=solids[0],
         instruments=tuple(solids[1:]),
         flywheels=tuple(_disc(s, *place, mark) for s, place in zip(stand.flywheels, places, strict=True)),
-        legs=tuple(Tie(np.array(leg.carrier), np.array(leg.ground)) for leg in stand.legs),
+        ties=tuple(tie for law in shown for tie in law.ties(stand)),
         points=tuple((p.name, frames[p.mount].origin + frames[p.mount].C @ np.array(p.position)) for p in stand.points),
         center_of_mass=np.array(summarize(stand).center_of_mass),
         buoyancy=_buoyancy(stand),
-        suspended=stand.suspension is not None,
+        held=any(law.at_origin(stand) for law in shown),
+        legend=tuple(law.LEGEND for law in shown if law.ties(stand) or law.at_origin(stand)),
         up=-gravity / strength if strength else np.array([0.0, 0.0, 1.0]),
     )
 

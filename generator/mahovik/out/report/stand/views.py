@@ -9,7 +9,8 @@ import numpy as np
 
 from mahovik.out.report.stand.labels import HEIGHT, Box, Places
 from mahovik.out.report.stand.projection import Array, Projection, arrow, circle, ellipse, end_on, line, path, text
-from mahovik.out.report.stand.shape import Disc, Shape, Solid, Tie
+from mahovik.out.report.stand.shape import Disc, Shape, Solid
+from mahovik.out.report.stand.tie import Tie
 
 CROWD = 12
 """Flywheels from which on they are named by their number."""
@@ -18,7 +19,7 @@ COLOURS = 8
 """Of the page: c1 to c8."""
 
 FAR = 2.5
-"""Times the stand's size: a leg to a ground point beyond is cut off."""
+"""Times the stand's size: a tie to a ground point beyond is cut off."""
 
 STATIC, DYNAMIC = "var(--bad)", "var(--accent)"
 
@@ -54,15 +55,15 @@ def axis_length(shape: Shape) -> float:
     return min(0.32 * shape.size, 0.7 * middle) if middle else 0.32 * shape.size
 
 
-def is_cut(shape: Shape, leg: Tie) -> bool:
-    """Whether a leg is so long that its ground point would make the drawing small."""
-    return bool(np.linalg.norm(leg.ground) > FAR * shape.size)
+def is_cut(shape: Shape, tie: Tie) -> bool:
+    """Whether a tie is so long that its ground point would make the drawing small."""
+    return bool(np.linalg.norm(tie.ground) > FAR * shape.size)
 
 
-def leg_end(shape: Shape, leg: Tie) -> Array:
-    """Where a leg ends in the drawing (3, m): on the ground, or where it is cut."""
-    along = leg.ground - leg.carrier
-    return leg.carrier + 0.5 * shape.size / np.linalg.norm(along) * along if is_cut(shape, leg) else leg.ground
+def tie_end(shape: Shape, tie: Tie) -> Array:
+    """Where a tie ends in the drawing (3, m): on the ground, or where it is cut."""
+    along = tie.ground - tie.carrier
+    return tie.carrier + 0.5 * shape.size / np.linalg.norm(along) * along if is_cut(shape, tie) else tie.ground
 
 
 @dataclass
@@ -79,7 +80,7 @@ class View:
         sight = self.projection.towards
         bodies = [(float(s.center @ sight), self._solid(s, s is shape.carrier)) for s in shape.instruments]
         bodies += [(float(d.center @ sight), self._disc(d, i)) for i, d in enumerate(shape.flywheels)]
-        found = [self._solid(shape.carrier, True), self._legs(shape)]
+        found = [self._solid(shape.carrier, True), self._ties(shape)]
         found += [markup for _, markup in sorted(bodies, key=lambda each: each[0])]
         found += [self._axis(d, i) for i, d in enumerate(shape.flywheels)]
         found += [self._unbalance(d, magnified) for d in shape.flywheels]
@@ -135,10 +136,10 @@ class View:
                 found += arrow(a, self.projection.point(disc.center + vector), paint, 1.7, dashed, heads)
         return found
 
-    def _legs(self, shape: Shape) -> str:
+    def _ties(self, shape: Shape) -> str:
         found = ""
-        for leg in shape.legs:
-            a, b = self.projection.point(leg.carrier), self.projection.point(leg_end(shape, leg))
+        for tie in shape.ties:
+            a, b = self.projection.point(tie.carrier), self.projection.point(tie_end(shape, tie))
             far = float(np.hypot(*(b - a)))
             if far > 4.0:
                 along, across = (b - a) / far, np.array([a[1] - b[1], b[0] - a[0]]) / far
@@ -148,14 +149,14 @@ class View:
                 points = [a, a + 0.15 * far * along, *zigzag, a + 0.85 * far * along, b]
                 found += path(points, "fill:none;stroke:var(--muted)")
             found += circle(a, 2.2, "fill:var(--ink)")
-            found += "" if is_cut(shape, leg) else _ground(b)
+            found += "" if is_cut(shape, tie) else _ground(b)
         return found
 
     def _marks(self, shape: Shape) -> str:
-        """E1 axes at O1, suspension, points, centres."""
+        """E1 axes at O1, law at O1, points, centres."""
         found, origin = "", np.zeros(3)
         at = self.projection.point(origin)
-        if shape.suspended:
+        if shape.held:
             found += circle(at, 8.0, "fill:none;stroke:var(--ink);stroke-dasharray:2 2")
         for k in range(3):
             found += self._vector(origin, axis_length(shape) * np.eye(3)[k], "var(--ink)", width=1.1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import ModuleType
 
 from mahovik.proof.diagnose.fault import Fault
-from mahovik.proof.diagnose.faults import answers, drive, fluid, inertia, mounting, reading, ties, unbalance, velocity
+from mahovik.proof.diagnose.faults import answers, drive, fluid, inertia, laws, mounting, reading, unbalance, velocity
 from mahovik.proof.diagnose.faults import weight as weights
 
 MODULES: tuple[ModuleType, ...] = (
@@ -15,7 +15,7 @@ MODULES: tuple[ModuleType, ...] = (
     velocity,
     weights,
     fluid,
-    ties,
+    laws,
     drive,
     reading,
     answers,
@@ -23,6 +23,8 @@ MODULES: tuple[ModuleType, ...] = (
 
 
 def _of(module: ModuleType) -> list[type[Fault]]:
+    if module is laws:
+        return list(laws.FAULTS)
     own = [each for each in vars(module).values() if isinstance(each, type) and each.__module__ == module.__name__]
     return [each for each in own if issubclass(each, Fault) and "name" in vars(each)]
 

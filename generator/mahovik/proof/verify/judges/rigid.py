@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from mahovik import laws
 from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Stand
 from mahovik.core.stand.state import State
 
@@ -88,8 +89,7 @@ def missing(stand: Stand) -> list[str]:
         found += [f"{body.name}: buoyancy"] * (body.buoyancy is not None)
         found += [f"{body.name}: damping"] * (body.damping is not None)
     found += ["stream"] * (stand.stream is not None)
-    found += ["suspension"] * (stand.suspension is not None)
-    return found + ["leg"] * bool(stand.legs)
+    return found + [law.NAME for law in laws.parts("text") if law.short(stand)]
 
 
 def stripped(stand: Stand) -> Stand:
@@ -102,8 +102,7 @@ def stripped(stand: Stand) -> Stand:
     return replace(
         stand,
         stream=None,
-        suspension=None,
-        legs=(),
+        laws=(),
         carrier=dry(stand.carrier),
         instruments=tuple(map(dry, stand.instruments)),
         flywheels=tuple(map(dry, stand.flywheels)),

@@ -10,7 +10,7 @@ from mahovik.proof.reference.forward import forward as reference_forward
 from mahovik.proof.reference.generalized import generalized as reference_generalized
 from mahovik.proof.reference.mass import bodies_matrix
 from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, screw
-from mahovik.proof.verify.scales.wrenches import length
+from mahovik.proof.verify.scales.parts import length
 
 
 def matrices(m: Magnitudes) -> dict[str, Any]:

@@ -12,7 +12,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.inverse import CUTS, Cuts
-from mahovik.proof.verify.scales.wrenches import length, wrench_scale
+from mahovik.proof.verify.scales.parts import length
+from mahovik.proof.verify.scales.wrenches import wrench_scale
 
 Array = NDArray[np.float64]
 

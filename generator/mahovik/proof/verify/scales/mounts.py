@@ -8,7 +8,8 @@ import numpy as np
 
 from mahovik.proof.reference.points import point_transfers
 from mahovik.proof.verify.scales.magnitudes import Array, Magnitudes, origin, screw
-from mahovik.proof.verify.scales.wrenches import length, own_scale
+from mahovik.proof.verify.scales.parts import length
+from mahovik.proof.verify.scales.wrenches import own_scale
 
 
 def flywheel_wrenches(m: Magnitudes, V_dot: Array, phi_ddot: Array) -> Array:

@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from mahovik.core.stand.model import Body, Damping, Leg, Stand
+from mahovik import laws
+from mahovik.core.stand.model import Body, Damping, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
+from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Placed
-
-Array = NDArray[np.float64]
-
-
-def length(a: Sequence[float] | Array) -> float:
-    """Euclidean length of a vector, also of a tiny one."""
-    return math.hypot(*a)
+from mahovik.proof.reference.pose import Pose
+from mahovik.proof.verify.scales.parts import force_scale, length
 
 
 def wrench_scale(stand: Stand, state: State, at: Pieces) -> Array:
@@ -28,14 +23,9 @@ def wrench_scale(stand: Stand, state: State, at: Pieces) -> Array:
         force, moment = (length(part) for part in np.split(own_scale(stand, state, at, body.name), 2))
         arm = _arm(at, body.name)
         total += np.repeat([force, moment + arm * force], 3)
-    if stand.suspension is not None:
-        law = stand.suspension
-        away = length(state.position) + length(law.position)
-        turned = 1.0 + np.pi  # a rotation vector comes from elements of a rotation, of size 1
-        stiffness, damping = np.abs(np.array(law.stiffness)), np.abs(np.array(law.damping))
-        total += stiffness @ np.repeat([away, turned], 3) + damping @ np.abs(at.V)
-    for leg in stand.legs:
-        total += _leg(leg, state, at)
+    pose = Pose(np.array(state.position), at.C, at.V)
+    for law in laws.parts("scale"):
+        total += law.scale(stand, state, pose)
     return np.asarray(total)
 
 
@@ -44,9 +34,9 @@ def own_scale(stand: Stand, state: State, at: Pieces, name: str) -> Array:
     body = next(b for b in stand.bodies if b.name == name)
     gravity = length(stand.gravity)
     total = np.abs(np.array(state.wrench.get(name, (0.0,) * 6), dtype=np.float64))
-    total += _force(body.mass * gravity, body.center_of_mass)
+    total += force_scale(body.mass * gravity, body.center_of_mass)
     if body.buoyancy is not None:
-        total += _force(body.buoyancy.displaced_mass * gravity, body.buoyancy.center)
+        total += force_scale(body.buoyancy.displaced_mass * gravity, body.buoyancy.center)
     if body.damping is not None:
         total += _damping(body.damping, twist_scale(stand, at, body))
     return total
@@ -69,12 +59,6 @@ def _arm(at: Pieces, name: str) -> float:
     return length(L[3:, :3].ravel()) / math.sqrt(2.0)  # |<O>| of Frobenius is sqrt(2) |O|
 
 
-def _force(force: float, at: tuple[float, float, float]) -> Array:
-    """A force of a magnitude in any direction, at a point."""
-    x, y, z = (abs(a) for a in at)
-    return np.array([force] * 3 + [force * (y + z), force * (x + z), force * (x + y)])
-
-
 def _damping(damping: Damping, twist: Array) -> Array:
     total = np.zeros(6)
     if damping.linear is not None:
@@ -85,16 +69,3 @@ def _damping(damping: Damping, twist: Array) -> Array:
         first, second = (twist[factor.component] for factor in term.of)
         total[term.wrench] += abs(term.value) * first * second
     return total
-
-
-def _leg(leg: Leg, state: State, at: Pieces) -> Array:
-    """Tension by its terms; the span is a difference of positions, so its direction has the error of their size."""
-    O1, ground, point = (np.array(a) for a in (state.position, leg.ground, leg.carrier))
-    reach = length(O1) + length(ground) + length(point)
-    span = max(length(O1 + at.C @ point - ground), 1e-9)
-    v, omega = (length(part) for part in np.split(at.V, 2))
-    cancelled = reach / span  # > 1: digits that the span has lost
-    rate = (v + omega * length(point)) * cancelled
-    tension = leg.stiffness * (reach + leg.length) + leg.damping * rate
-    stretched = leg.stiffness * abs(span - leg.length) + leg.damping * rate
-    return _force(tension + stretched * cancelled, leg.carrier)

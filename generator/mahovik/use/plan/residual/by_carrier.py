@@ -15,8 +15,9 @@ from mahovik.use.plan.residual.damping import damping_rate
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed import Mechanics
+from mahovik.use.plan.residual.slopes import Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
-from mahovik.use.plan.residual.ties import Slopes, ties
+from mahovik.use.plan.residual.ties import ties
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,8 @@ from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.plan.forward import Chart, Drive, drive
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.by_carrier import by_carrier
+from mahovik.use.plan.residual.slopes import rotation_vector_rate
 from mahovik.use.plan.residual.spatial import skew
-from mahovik.use.plan.residual.ties import rotation_vector_rate
 from mahovik.use.study.rest import rest
 
 Array = NDArray[np.float64]

@@ -1,0 +1,1 @@
+"""Spring-damper legs between a point of E0 and a point of the carrier."""

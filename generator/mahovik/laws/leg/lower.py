@@ -1,0 +1,181 @@
+"""The legs in the program of a stand: one function a leg, and its slope."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from mahovik.core.formula.derived import FormulaModule
+from mahovik.core.formula.derived import wrench as derived
+from mahovik.core.lower.fmu.member import Member, members
+from mahovik.core.lower.law import LawLowering
+from mahovik.core.lower.laws import add_force
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.symbolic import assign, translate
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Place, Status
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import Structure
+from mahovik.laws.leg.data import legs_of
+
+REAL = Kind.REAL
+LEG = Struct(
+    "leg",
+    "A spring-damper between a point of E0 and one of E1.",
+    (
+        Field("ground", REAL, (3,), "m", "end in E0"),
+        Field("carrier", REAL, (3,), "m", "end in E1"),
+        Field("length", REAL, (), "m", "unstretched"),
+        Field("stiffness", REAL, (), "N/m", ""),
+        Field("damping", REAL, (), "N s/m", "along the leg"),
+    ),
+)
+
+if TYPE_CHECKING:
+    from mahovik.laws.leg import derive as formulas
+else:  # without SymPy, until a formula has to be derived
+    formulas = FormulaModule("laws.leg.derive")
+
+
+class Legs(LawLowering):
+    """All legs, one after the other."""
+
+    words = "legs"
+    invalid = "leg of no length"
+    refuses = True
+    per_twist = True
+
+    def present(self, structure: Structure) -> bool:
+        """Whether there is any."""
+        return bool(structure.law("legs"))
+
+    def fields(self, structure: Structure) -> list[Field]:
+        """A struct a leg."""
+        return [Field("leg", LEG, (structure.law("legs"),))]
+
+    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+        """Every leg as the file gives it."""
+        return {"leg": [{f.name: getattr(leg, f.name) for f in LEG.fields} for leg in legs_of(stand)]}
+
+    def members(self, field: Field, value: Any) -> Iterator[Member]:
+        """Leg by leg, counted from 1."""
+        for k, leg in enumerate(value):
+            yield from members(f"leg[{k + 1}]", LEG, leg)
+
+    def add_functions(self, lib: Library) -> None:
+        """The force of one leg."""
+        lib.add(add_leg(lib))
+
+    def act(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, F: Place) -> None:
+        """Adds the force of every leg."""
+        with body.loop("k", lib.layout.structure.law("legs")) as k:
+            lib.check(body, "add_leg", stand.leg[k], x, C, F)
+
+    def add_slopes(self, lib: Library) -> None:
+        """The change of one leg's force."""
+        lib.add(add_leg_slope(lib))
+
+    def slope(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, change: Place, F: Place) -> None:
+        """Adds the change of every leg's force."""
+        with body.loop("k", lib.layout.structure.law("legs")) as k:
+            named = {"leg": stand.leg[k], "x": x, "C": C, "change": change, "F": F}
+            body.call(lib["add_leg_slope"], *lib.passed("add_leg_slope", **named))
+
+
+LOWERING = Legs()
+
+
+def add_leg(lib: Library) -> Function:
+    """Force of one leg, added to F."""
+    law = Argument("leg", LEG)
+    x = lib.state_argument()
+    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "wrench that is added to")
+    body = Body()
+    point = law.place.carrier
+    span = body.local("span", (3,))
+    span1 = body.local("span1", (3,), comment="in E1, from O1")
+    reach = body.local("reach", (3,), comment="from the carrier's end to the ground's, in E1")
+    direction = body.local("direction", (3,))
+    velocity = body.local("velocity", (3,), comment="of the carrier's end, in E1")
+    force = body.local("force", (3,))
+    for i in range(3):
+        body.set(span[i], law.place.ground[i] - x.place.position[i])
+    body.call(lib["rotate_back"], C.place, span, span1)
+    for i in range(3):
+        body.set(reach[i], span1[i] - point[i])
+    square = reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]
+    distance = body.let("distance", call(lib["sqrt"], square))
+    with body.when(distance < lib.thresholds.zero_length, comment="no direction"):
+        body.ret(Status("RANGE"))
+    inverse = body.let("inverse", 1 / distance)
+    for i in range(3):
+        body.set(direction[i], reach[i] * inverse)
+    six = list(x.place.V)
+    assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": point})
+    of_leg = formulas.leg()
+    rate = body.let("rate", translate(of_leg.rate, {"direction": direction, "velocity": velocity}), "of its length")
+    bound = {
+        "stiffness": law.place.stiffness,
+        "damping": law.place.damping,
+        "distance": distance,
+        "length": law.place.length,
+        "rate": rate,
+    }
+    tension = body.let("tension", translate(of_leg.tension, bound))
+    for i in range(3):
+        body.set(force[i], tension * direction[i])
+    add_force(body, list(F.place), point, list(force), None)
+    body.ret(Status("OK"))
+    return Function(
+        "add_leg",
+        "Adds the force of one leg; RANGE where its ends meet, for then it has no direction.",
+        (law, x, C, F),
+        body.statements,
+        equation="(7)",
+        returns=Kind.STATUS,
+        statuses=("OK", "RANGE"),
+    )
+
+
+def add_leg_slope(lib: Library) -> Function:
+    """Change of the force of one leg with the twist."""
+    law = Argument("leg", LEG)
+    x = lib.state_argument()
+    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
+    change = Argument("change", Kind.REAL, (6,), purpose="of the twist")
+    F = Argument("F", Kind.REAL, (6,), "inout", purpose="change of the wrench, that is added to")
+    body = Body()
+    point = law.place.carrier
+    span = body.local("span", (3,))
+    span1 = body.local("span1", (3,), comment="in E1, from O1")
+    reach = body.local("reach", (3,), comment="from the carrier's end to the ground's, in E1")
+    velocity = body.local("velocity", (3,), comment="change of that of the carrier's end")
+    force = body.local("force", (3,))
+    for i in range(3):
+        body.set(span[i], law.place.ground[i] - x.place.position[i])
+    body.call(lib["rotate_back"], C.place, span, span1)
+    for i in range(3):
+        body.set(reach[i], span1[i] - point[i])
+    square = body.let("square", reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2])
+    six = list(change.place)
+    assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": point})
+    along = reach[0] * velocity[0] + reach[1] * velocity[1] + reach[2] * velocity[2]
+    rate = body.let("pull", -law.place.damping * along / square, "over the distance")
+    for i in range(3):
+        body.set(force[i], rate * reach[i])
+    arm = derived.moment_of_force()
+    for i in range(3):
+        body.add(F.place[i], force[i])
+    for i in range(3):
+        body.add(F.place[3 + i], translate(arm[i], {"O": point, "f": force}))
+    return Function(
+        "add_leg_slope",
+        "Change of the force of one leg with the twist.",
+        (law, x, C, change, F),
+        body.statements,
+        equation="(7)",
+    )

@@ -1,0 +1,91 @@
+"""Faults in the suspension, as programs have them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.reference import displacement, wrench
+from mahovik.proof.diagnose.law_fault import LawFault
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.pose import Pose
+
+Total = Callable[[Stand, State, Pose], Array]
+
+
+def _of_data(**changes: object) -> Total:
+    """The wrench of a suspension with some numbers replaced."""
+
+    def total(stand: Stand, state: State, at: Pose) -> Array:
+        law = stand.law(Suspension)
+        if law is None:
+            return np.zeros(6)
+        law = replace(law, **changes)  # type: ignore[arg-type]
+        return wrench(law, displacement(law, stand.angles, at), at.V)
+
+    return total
+
+
+def _of_displacement(wrong: Callable[[Array, Suspension, Pose], Array]) -> Total:
+    """The wrench at a displacement x that is wrong."""
+
+    def total(stand: Stand, state: State, at: Pose) -> Array:
+        law = stand.law(Suspension)
+        if law is None:
+            return np.zeros(6)
+        return wrench(law, wrong(displacement(law, stand.angles, at), law, at), at.V)
+
+    return total
+
+
+_ZERO6 = ((0.0,) * 6,) * 6
+
+FAULTS = (
+    LawFault(
+        "suspension stiffness missing",
+        "The stiffness of the suspension is missing.",
+        "-(stiffness x)",
+        _of_data(stiffness=_ZERO6),
+    ),
+    LawFault(
+        "suspension damping missing",
+        "The damping of the suspension is missing.",
+        "-(damping V)",
+        _of_data(damping=_ZERO6),
+    ),
+    LawFault(
+        "suspension displacement in E0",
+        "The displacement of the suspension is taken in the axes of E0, not of E1.",
+        "C^T (O1 - position)",
+        _of_displacement(lambda x, law, at: np.concatenate([at.O1 - np.array(law.position), x[3:]])),
+    ),
+    LawFault(
+        "suspension rotation, sign",
+        "The rotation vector of the suspension has the wrong sign: from E1 to the equilibrium.",
+        "rotation vector of C_eq^T C",
+        _of_displacement(lambda x, law, at: np.concatenate([x[:3], -x[3:]])),
+    ),
+    LawFault(
+        "suspension rotation missing",
+        "The rotation of the carrier does not act on the suspension.",
+        "elements 4 to 6 of x",
+        _of_displacement(lambda x, law, at: np.concatenate([x[:3], np.zeros(3)])),
+    ),
+    LawFault(
+        "equilibrium attitude ignored",
+        "The equilibrium attitude of the suspension is ignored.",
+        "`angles` of `suspension`: C_eq",
+        _of_data(angles=(0.0, 0.0, 0.0)),
+    ),
+    LawFault(
+        "equilibrium position ignored",
+        "The equilibrium position of the suspension is ignored.",
+        "`position` of `suspension`",
+        _of_data(position=(0.0, 0.0, 0.0)),
+    ),
+)
