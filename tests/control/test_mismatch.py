@@ -12,6 +12,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.errors import UsageError
 from mahovik.laws.suspension.data import Suspension
+from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.plan.residual.spatial import mount_axes
 from strategies import stands
 

@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError
 from mahovik.laws.suspension.data import Suspension
-from mahovik.use.design import Outcome, design_stand
+from mahovik.use.design import DesignOptions, Outcome, design_stand
 from mahovik.use.design.cost import Cost
 from mahovik.use.design.freedom import Weights
 from mahovik.use.design.pareto import Point, not_dominated

@@ -76,7 +76,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
 def _law(draw: Errors, law: LawData) -> LawData:
     """The data of one law with errors."""
     for part in laws.parts("mismatch"):
-        found: LawData | None = part.with_mismatch(draw, law)
+        found: LawData | None = part.mismatched(draw, law)
         if found is not None:
             return found
     return law
