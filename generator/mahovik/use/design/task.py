@@ -63,7 +63,7 @@ class Task:
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, freedom: Freedom) -> Task:
-        """Of a stand with as many flywheels as are wanted. Raises DesignError, StateError (a leg has no length)."""
+        """Of a stand with as many flywheels as are wanted. Raises DesignError, StateError (a law is undefined)."""
         problem = Problem.of(stand, motion)
         Omega = 2.0 * np.pi / motion.span * problem.highest
         torque = max(float(problem.mechanics.tables.Theta_ff.max(initial=0.0)) * Omega**2, 1e-12)
