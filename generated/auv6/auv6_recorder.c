@@ -192,13 +192,13 @@ AUV6_CODE
 auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, const auv6_state *x)
 {
     auv6_page page;
-    uint32_t table;
+    uint32_t check;
     if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return AUV6_BAD_ARGUMENT;
     }
     auv6_record_begin(&page, NULL);
     auv6_record_put_table(&page, table);
-    table = page.check;
+    check = page.check;
     auv6_record_begin(&page, log);
     auv6_record_put_bytes(&page, auv6_record_magic, sizeof auv6_record_magic);
     auv6_record_put(&page, AUV6_RECORDER_FORMAT, 1);
@@ -210,14 +210,14 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, con
     auv6_record_put(&page, AUV6_RECORDER_SOURCE, 4);
     auv6_record_put(&page, AUV6_N, 2);
     auv6_record_put(&page, 0, 2);
-    auv6_record_put(&page, table, 4);
+    auv6_record_put(&page, check, 4);
     auv6_record_put(&page, log->count, 4);
     auv6_record_put_reals(&page, x->position, 3);
     auv6_record_put_reals(&page, x->attitude, 4);
     auv6_record_put_reals(&page, x->V, 6);
     auv6_record_put_reals(&page, x->phi, AUV6_N);
     auv6_record_put_reals(&page, x->phi_dot, AUV6_N);
-    if (table == AUV6_RECORDER_TABLE) {
+    if (check == AUV6_RECORDER_TABLE) {
         auv6_record_put(&page, 0, 4);
     } else {
         auv6_record_put(&page, AUV6_RECORD_TABLE_BYTES, 4);

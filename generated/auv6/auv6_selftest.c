@@ -1279,6 +1279,28 @@ static void draw_attitude(uint32_t *seed, auv6_real attitude[4], int refused)
     attitude[3] = factor * ((auv6_real)(2 * a * d) / norm);
 }
 
+static int draw_int(uint32_t *seed, int lowest, uint32_t span)
+{
+    return lowest + (int)(draw_word(seed) % span);
+}
+
+static int draw_order(uint32_t *seed)
+{
+    return (draw_word(seed) & 0x100u) != 0u ? 4 : 2;
+}
+
+/* A constant that even light flywheels in strong laws of damping can take. */
+static auv6_real draw_step(const uint32_t *seed)
+{
+    (void)seed;
+    return 0x1p-14;
+}
+
+static auv6_real draw_factor(uint32_t *seed, auv6_real largest)
+{
+    return 1.0 + draw_real(seed, largest);
+}
+
 static void draw_inputs(uint32_t *seed, unsigned long state)
 {
     const auv6_real fast = state % 4ul == 3ul ? 32.0 : 1.0;
@@ -1292,23 +1314,23 @@ static void draw_inputs(uint32_t *seed, unsigned long state)
     draw_reals(seed, in.V_dot, 6, 16.0);
     draw_reals(seed, in.tau, AUV6_N, 2.0);
     draw_flags(seed, in.locked, AUV6_N);
-    in.dt = 0x1p-14;
-    in.order = (draw_word(seed) & 0x100u) != 0u ? 4 : 2;
+    in.dt = draw_step(seed);
+    in.order = draw_order(seed);
     draw_reals(seed, &in.phi, 1, 16.0 * fast);
-    in.count = -1048576 + (int)(draw_word(seed) % 2097152u);
-    in.per_turn = 4000 + (int)(draw_word(seed) % 97u);
+    in.count = draw_int(seed, -1048576, 2097152u);
+    in.per_turn = draw_int(seed, 4000, 97u);
     draw_reals(seed, &in.zero, 1, 1.0);
-    in.moved = -512 + (int)(draw_word(seed) % 1024u);
-    in.encoder.counter = -32768 + (int)(draw_word(seed) % 65536u);
-    in.encoder.place = 0 + (int)(draw_word(seed) % 4000u);
-    in.encoder.moved = -512 + (int)(draw_word(seed) % 1024u);
-    in.counter = -32768 + (int)(draw_word(seed) % 65536u);
-    in.bits = 16 + (int)(draw_word(seed) % 1u);
+    in.moved = draw_int(seed, -512, 1024u);
+    in.encoder.counter = draw_int(seed, -32768, 65536u);
+    in.encoder.place = draw_int(seed, 0, 4000u);
+    in.encoder.moved = draw_int(seed, -512, 1024u);
+    in.counter = draw_int(seed, -32768, 65536u);
+    in.bits = draw_int(seed, 16, 1u);
     draw_reals(seed, in.angles, 3, 1.0);
     draw_reals(seed, in.position, 3, 2.0);
     draw_reals(seed, in.q_dot, 6, 2.0);
     draw_reals(seed, in.q_ddot, 6, 16.0);
-    in.mass_factor = 1.0 + draw_real(seed, 0.125);
+    in.mass_factor = draw_factor(seed, 0.125);
 }
 
 /* The parameters of the stand file with all masses and inertias multiplied. */

@@ -179,13 +179,13 @@ BENCH8_CODE
 bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *table, const bench8_state *x)
 {
     bench8_page page;
-    uint32_t table;
+    uint32_t check;
     if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return BENCH8_BAD_ARGUMENT;
     }
     bench8_record_begin(&page, NULL);
     bench8_record_put_table(&page, table);
-    table = page.check;
+    check = page.check;
     bench8_record_begin(&page, log);
     bench8_record_put_bytes(&page, bench8_record_magic, sizeof bench8_record_magic);
     bench8_record_put(&page, BENCH8_RECORDER_FORMAT, 1);
@@ -197,14 +197,14 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *ta
     bench8_record_put(&page, BENCH8_RECORDER_SOURCE, 4);
     bench8_record_put(&page, BENCH8_N, 2);
     bench8_record_put(&page, 0, 2);
-    bench8_record_put(&page, table, 4);
+    bench8_record_put(&page, check, 4);
     bench8_record_put(&page, log->count, 4);
     bench8_record_put_reals(&page, x->position, 3);
     bench8_record_put_reals(&page, x->attitude, 4);
     bench8_record_put_reals(&page, x->V, 6);
     bench8_record_put_reals(&page, x->phi, BENCH8_N);
     bench8_record_put_reals(&page, x->phi_dot, BENCH8_N);
-    if (table == BENCH8_RECORDER_TABLE) {
+    if (check == BENCH8_RECORDER_TABLE) {
         bench8_record_put(&page, 0, 4);
     } else {
         bench8_record_put(&page, BENCH8_RECORD_TABLE_BYTES, 4);

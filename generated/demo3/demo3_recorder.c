@@ -164,13 +164,13 @@ DEMO3_CODE
 demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table, const demo3_state *x)
 {
     demo3_page page;
-    uint32_t table;
+    uint32_t check;
     if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return DEMO3_BAD_ARGUMENT;
     }
     demo3_record_begin(&page, NULL);
     demo3_record_put_table(&page, table);
-    table = page.check;
+    check = page.check;
     demo3_record_begin(&page, log);
     demo3_record_put_bytes(&page, demo3_record_magic, sizeof demo3_record_magic);
     demo3_record_put(&page, DEMO3_RECORDER_FORMAT, 1);
@@ -182,14 +182,14 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table,
     demo3_record_put(&page, DEMO3_RECORDER_SOURCE, 4);
     demo3_record_put(&page, DEMO3_N, 2);
     demo3_record_put(&page, 0, 2);
-    demo3_record_put(&page, table, 4);
+    demo3_record_put(&page, check, 4);
     demo3_record_put(&page, log->count, 4);
     demo3_record_put_reals(&page, x->position, 3);
     demo3_record_put_reals(&page, x->attitude, 4);
     demo3_record_put_reals(&page, x->V, 6);
     demo3_record_put_reals(&page, x->phi, DEMO3_N);
     demo3_record_put_reals(&page, x->phi_dot, DEMO3_N);
-    if (table == DEMO3_RECORDER_TABLE) {
+    if (check == DEMO3_RECORDER_TABLE) {
         demo3_record_put(&page, 0, 4);
     } else {
         demo3_record_put(&page, DEMO3_RECORD_TABLE_BYTES, 4);

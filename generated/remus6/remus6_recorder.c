@@ -200,13 +200,13 @@ REMUS6_CODE
 remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *table, const remus6_state *x)
 {
     remus6_page page;
-    uint32_t table;
+    uint32_t check;
     if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return REMUS6_BAD_ARGUMENT;
     }
     remus6_record_begin(&page, NULL);
     remus6_record_put_table(&page, table);
-    table = page.check;
+    check = page.check;
     remus6_record_begin(&page, log);
     remus6_record_put_bytes(&page, remus6_record_magic, sizeof remus6_record_magic);
     remus6_record_put(&page, REMUS6_RECORDER_FORMAT, 1);
@@ -218,14 +218,14 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
     remus6_record_put(&page, REMUS6_RECORDER_SOURCE, 4);
     remus6_record_put(&page, REMUS6_N, 2);
     remus6_record_put(&page, 0, 2);
-    remus6_record_put(&page, table, 4);
+    remus6_record_put(&page, check, 4);
     remus6_record_put(&page, log->count, 4);
     remus6_record_put_reals(&page, x->position, 3);
     remus6_record_put_reals(&page, x->attitude, 4);
     remus6_record_put_reals(&page, x->V, 6);
     remus6_record_put_reals(&page, x->phi, REMUS6_N);
     remus6_record_put_reals(&page, x->phi_dot, REMUS6_N);
-    if (table == REMUS6_RECORDER_TABLE) {
+    if (check == REMUS6_RECORDER_TABLE) {
         remus6_record_put(&page, 0, 4);
     } else {
         remus6_record_put(&page, REMUS6_RECORD_TABLE_BYTES, 4);

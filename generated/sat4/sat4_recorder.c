@@ -174,13 +174,13 @@ SAT4_CODE
 sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, const sat4_state *x)
 {
     sat4_page page;
-    uint32_t table;
+    uint32_t check;
     if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return SAT4_BAD_ARGUMENT;
     }
     sat4_record_begin(&page, NULL);
     sat4_record_put_table(&page, table);
-    table = page.check;
+    check = page.check;
     sat4_record_begin(&page, log);
     sat4_record_put_bytes(&page, sat4_record_magic, sizeof sat4_record_magic);
     sat4_record_put(&page, SAT4_RECORDER_FORMAT, 1);
@@ -192,14 +192,14 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
     sat4_record_put(&page, SAT4_RECORDER_SOURCE, 4);
     sat4_record_put(&page, SAT4_N, 2);
     sat4_record_put(&page, 0, 2);
-    sat4_record_put(&page, table, 4);
+    sat4_record_put(&page, check, 4);
     sat4_record_put(&page, log->count, 4);
     sat4_record_put_reals(&page, x->position, 3);
     sat4_record_put_reals(&page, x->attitude, 4);
     sat4_record_put_reals(&page, x->V, 6);
     sat4_record_put_reals(&page, x->phi, SAT4_N);
     sat4_record_put_reals(&page, x->phi_dot, SAT4_N);
-    if (table == SAT4_RECORDER_TABLE) {
+    if (check == SAT4_RECORDER_TABLE) {
         sat4_record_put(&page, 0, 4);
     } else {
         sat4_record_put(&page, SAT4_RECORD_TABLE_BYTES, 4);

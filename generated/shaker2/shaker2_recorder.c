@@ -180,13 +180,13 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
                                       const shaker2_state *x)
 {
     shaker2_page page;
-    uint32_t table;
+    uint32_t check;
     if (log == NULL || table == NULL || x == NULL || log->write == NULL) {
         return SHAKER2_BAD_ARGUMENT;
     }
     shaker2_record_begin(&page, NULL);
     shaker2_record_put_table(&page, table);
-    table = page.check;
+    check = page.check;
     shaker2_record_begin(&page, log);
     shaker2_record_put_bytes(&page, shaker2_record_magic, sizeof shaker2_record_magic);
     shaker2_record_put(&page, SHAKER2_RECORDER_FORMAT, 1);
@@ -198,14 +198,14 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
     shaker2_record_put(&page, SHAKER2_RECORDER_SOURCE, 4);
     shaker2_record_put(&page, SHAKER2_N, 2);
     shaker2_record_put(&page, 0, 2);
-    shaker2_record_put(&page, table, 4);
+    shaker2_record_put(&page, check, 4);
     shaker2_record_put(&page, log->count, 4);
     shaker2_record_put_reals(&page, x->position, 3);
     shaker2_record_put_reals(&page, x->attitude, 4);
     shaker2_record_put_reals(&page, x->V, 6);
     shaker2_record_put_reals(&page, x->phi, SHAKER2_N);
     shaker2_record_put_reals(&page, x->phi_dot, SHAKER2_N);
-    if (table == SHAKER2_RECORDER_TABLE) {
+    if (check == SHAKER2_RECORDER_TABLE) {
         shaker2_record_put(&page, 0, 4);
     } else {
         shaker2_record_put(&page, SHAKER2_RECORD_TABLE_BYTES, 4);

@@ -12,10 +12,10 @@ import numpy as np
 from mahovik import __version__
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.quantities import shared
+from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, Order, member, members, record
 from mahovik.core.program.call import Argument
@@ -114,10 +114,14 @@ class _Call:
             "wide": self._wide,
             "given": [self._given(i, a) for i, a, _ in self._pairs if a.shape or isinstance(a.type, Struct)],
             "scalars": [self._scalar(i, a) for i, a, _ in self._pairs if not a.shape and isinstance(a.type, Kind)],
-            "locals": [self._local(a) for _, a, p in self._pairs if p.order == "components"],
+            "locals": [
+                f"{declaration(self._names, f'{a.name}_j', a.type, a.shape)};"
+                for _, a, p in self._pairs
+                if p.order == "components"
+            ],
             "load": [line for _, a, p in self._pairs if a.direction == "in" for line in self._moved("gather", a, p)],
             "store": [line for _, a, p in self._pairs if a.direction != "in" for line in self._moved("scatter", a, p)],
-            "call": f"{self._names.function(self._f.name)}({', '.join(map(self._argument, self._f.arguments))})",
+            "call": call(self._names, self._f, self._argument),
             "batch": f"{self._names.function(self._f.name)}_batch({', '.join(self._batched)})",
         }
 
@@ -136,10 +140,6 @@ class _Call:
     def _scalar(self, i: int, a: Argument) -> str:
         kind = self._names.type(a.type)
         return f"const {kind} {a.name} = *(const {kind} *)passed[{i}];"
-
-    def _local(self, a: Argument) -> str:
-        sizes = "".join(dimensions(self._names, a.shape))
-        return f"{self._names.type(a.type)} {a.name}_j{sizes};"
 
     def _moved(self, how: str, a: Argument, passed: ArgumentLayout) -> list[str]:
         """Lines that gather or scatter the components of one state."""

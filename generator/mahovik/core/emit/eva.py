@@ -10,10 +10,10 @@ from typing import Any
 from mahovik import __version__
 from mahovik.contract.functions import ANY, BITS, FUNCTIONS, NORMAL
 from mahovik.contract.quantities import ORDINARY_STEP, TABLES, ordinary, ordinary_integers
+from mahovik.core.emit.calls import call, declaration, over, passed
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.limits import UNIT_SQUARE_MIN
 from mahovik.core.program.call import Argument
@@ -142,14 +142,14 @@ class _Writer:
         kind = BITS if driver.set == ROUTINE else driver.set
         for a in function.arguments:
             yield from (f"    {line}" for line in self._given(a, kind))
-        call = f"{self._names.function(function.name)}({', '.join(self._passed(a) for a in function.arguments)})"
+        text = call(self._names, function, self._passed)
         if function.returns is not Kind.STATUS:
-            yield f"    {'(void)' if function.returns else ''}{call};"
+            yield f"    {'(void)' if function.returns else ''}{text};"
             yield "    Frama_C_show_each_returned(0);"
             yield "}"
             return
         results = [a for a in function.arguments if a.direction == "out"]
-        yield f"    const {self._names.type(Kind.STATUS)} status = {call};"
+        yield f"    const {self._names.type(Kind.STATUS)} status = {text};"
         yield "    if (status < 0) {"
         for a in results:
             yield from (f"        {line}" for line in self._asserted("untouched", a))
@@ -174,7 +174,7 @@ class _Writer:
             return
         if self._default(a):
             return
-        yield f"{type_} {a.name}{''.join(dimensions(self._names, a.shape))};"
+        yield f"{declaration(self._names, a.name, a.type, a.shape)};"
         if a.direction == "out":
             return
         if isinstance(a.type, Struct) and a.type.name == "mount_table":
@@ -213,16 +213,13 @@ class _Writer:
     def _filled(self, place: str, f: Field, kind: str, middle: str = "") -> Iterator[str]:
         """Fills a place with all values of a set."""
         if isinstance(f.type, Struct):
-            counts = [self._count(n) for n in f.shape]
-            for level, count in enumerate(counts):
-                index = "ijk"[level]
-                yield f"{'    ' * level}for (int {index} = 0; {index} < {count}; ++{index}) {{"
-            inner = "".join(f"[{'ijk'[level]}]" for level in range(len(counts)))
-            for member in f.type.fields:
-                for line in self._member(f"{place}{inner}.", member, kind, f"{middle}{inner}." if middle else ""):
-                    yield "    " * len(counts) + line
-            for level in reversed(range(len(counts))):
-                yield f"{'    ' * level}}}"
+            fields = f.type.fields
+
+            def members(element: str, indent: str, _: int) -> list[str]:
+                about = f"{middle}{element.removeprefix(place)}." if middle else ""
+                return [indent + line for m in fields for line in self._member(f"{element}.", m, kind, about)]
+
+            yield from over(self._names, place, f.shape, "", members)
             return
         first = self._first(place, f.shape)
         number = prod(int(n) for n in f.shape)
@@ -247,10 +244,7 @@ class _Writer:
             yield f"reals({first}, {number}, {size});"
 
     def _passed(self, a: Argument) -> str:
-        default = self._default(a)
-        if default:
-            return f"&{default}"
-        return f"&{a.name}" if a.variable.pointer else a.name
+        return passed(a, self._default(a) or a.name)
 
     # ---- results ----
 
@@ -284,7 +278,3 @@ class _Writer:
     def _first(self, place: str, shape: tuple[Any, ...]) -> str:
         """Address of the first element."""
         return f"&{place}{'[0]' * len(shape)}"
-
-    def _count(self, n: Any) -> str:
-        found = dimensions(self._names, (n,))[0]
-        return found[1:-1]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik import __version__
+from mahovik.core.emit.calls import call
 from mahovik.core.emit.declaration import declared, null_check, prototype, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.generate import Generated
@@ -289,8 +290,7 @@ class _Printer:
         }
 
     def _call(self, function: str, known: dict[str, str], column: int) -> str:
-        arguments = [known[a.name] for a in self._generated.program.function(function).arguments]
-        lines = wrapped(f"{self._names.function(function)}({', '.join(arguments)})", " " * column)
+        lines = wrapped(call(self._names, self._generated.program.function(function), known), " " * column)
         return "\n".join(lines).strip()
 
 

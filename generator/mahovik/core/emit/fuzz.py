@@ -10,21 +10,20 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.contract.functions import FUNCTIONS
-from mahovik.contract.quantities import QUANTITIES, TABLES, Draw
+from mahovik.contract.quantities import QUANTITIES, TABLES
 from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.emit.calls import INDENT, Results, address, call, declaration, over, over_members, passed, row_length
 from mahovik.core.emit.declaration import pointed
+from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.names import Names
-from mahovik.core.emit.places import STEP, Results, closed, length, loops
-from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.limits import limits
-from mahovik.core.lower.test_inputs import Input
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.types import Kind, NamedCount, Struct
+from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import Identities
 
 
@@ -45,16 +44,19 @@ class _Harness:
         self._inputs = test_inputs.inputs(program)
         self._plan = test_inputs.plan(program)
         self._limits = limits(program.precision)
+        self._drawing = Draws(
+            self._names, "from", lambda path: _given(".".join(path)), lambda given: self._largest(given.name)
+        )
 
     def text(self, identities: Identities) -> str:
         """The whole file."""
         precision = self._program.precision
         table = self._structs["table"]
         parts: dict[str, Any] = {
-            "members": [f"static {self._declared(a, _given(a.name))};" for a in self._inputs],
+            "members": [f"static {declaration(self._names, _given(a.name), a.type, a.shape)};" for a in self._inputs],
             "takes": [self._results.struct(s) for s in self._results.structs(self._public)],
             "draws": [{"name": a.name, "lines": list(self._drawn(a))} for a in self._inputs],
-            "vary": self._vary(self._structs["parameters"], _given("parameters")),
+            "vary": over_members(self._names, self._structs["parameters"], self._varied, _given("parameters")),
             "functions": [self._function(f) for f in self._public],
             "recorders": [self._recorder(f) for f in self._public if f.name in ("step", "step_driven")],
         }
@@ -87,9 +89,6 @@ class _Harness:
     def _real(self, value: float) -> str:
         return real_literal(value, self._program.precision)
 
-    def _declared(self, a: Argument, name: str) -> str:
-        return f"{self._names.type(a.type)} {name}{''.join(dimensions(self._names, a.shape))}"
-
     def _largest(self, name: str) -> str:
         """The bound of an input as C has it."""
         row = QUANTITIES.get(name)
@@ -101,62 +100,34 @@ class _Harness:
         """Lines that draw one argument."""
         for each in self._plan:
             if each.path[0] == a.name:
-                yield from self._draw(each, _given(".".join(each.path)))
-
-    def _draw(self, each: Input, place: str) -> Iterator[str]:
-        match each.rule:
-            case Draw.ATTITUDE:
-                yield f"{STEP}draw_attitude(from, {place});"
-            case Draw.TURNS:
-                yield f"{STEP}draw_turns(from, {place}, {_given(test_inputs.COSINE)}, {self._size(each.shape)});"
-            case Draw.INTEGER:
-                yield f"{STEP}{place} = draw_int(from, {each.lowest}, {each.span}u);"
-            case Draw.ORDER:
-                yield f"{STEP}{place} = draw_order(from);"
-            case Draw.STEP:
-                yield f"{STEP}{place} = draw_step(from);"
-            case Draw.REALS | Draw.FLAGS | Draw.FACTOR:
-                outer = each.shape[:-1]
-                loop, element, inner = loops(place, len(outer), [length(self._names, n) for n in outer], STEP)
-                yield from loop
-                address = element if each.shape else f"&{element}"
-                size = self._size(each.shape)
-                if each.rule is Draw.FLAGS:
-                    yield f"{inner}draw_flags(from, {address}, {size});"
-                else:
-                    yield f"{inner}draw_reals(from, {address}, {size}, {self._largest(each.name)});"
-                yield from closed(len(loop), STEP)
-
-    def _size(self, shape: tuple[int | NamedCount, ...]) -> str:
-        return length(self._names, shape[-1]) if shape else "1"
+                yield from self._drawing.lines(each)
 
     def _options(self) -> list[str]:
         """Lines that draw options, each member by its bound."""
+        options = f"{_given('options')}."
         return [
-            f"{STEP}vary_option(from, {'' if f.shape else '&'}{_given('options')}.{f.name}, {self._size(f.shape)}, "
-            f"{self._largest(f.name)});"
+            f"{INDENT}vary_option(from, {address(options + f.name, f.shape)}, "
+            f"{row_length(self._names, f.shape)}, {self._largest(f.name)});"
             for f in self._structs["inverse_options"].fields
         ]
 
-    def _vary(self, struct: Struct, place: str, depth: int = 0) -> list[str]:
-        """Lines that vary every number of the parameters."""
-        found: list[str] = []
-        for f in struct.fields:
-            inner_shape = f.shape if isinstance(f.type, Struct) else f.shape[:-1]
-            counts = [length(self._names, n) for n in inner_shape]
-            whole = f"{place}.{f.name}"
-            if not isinstance(f.type, Struct) and len(f.shape) == 2:
-                # a matrix, such as added mass, is symmetric: scaled as a whole, then element by element
-                found.append(f"{STEP * (depth + 1)}scale(from, &{whole}[0][0], sizeof {whole} / sizeof {whole}[0][0]);")
-            loop, element, inner = loops(whole, len(counts), counts, STEP * (depth + 1), depth)
-            if isinstance(f.type, Struct):
-                body = self._vary(f.type, element, depth + len(loop))
-            else:
-                what = "ints" if f.type is Kind.INT else "reals"
-                address = element if f.shape else f"&{element}"
-                body = [f"{inner}vary_{what}(from, {address}, {self._size(f.shape)});"]
-            found += [*loop, *body, *closed(len(loop), STEP * (depth + 1))]
-        return found
+    def _varied(self, f: Field, place: str, indent: str, depth: int) -> list[str]:
+        """Lines that vary the numbers of one member of the parameters.
+
+        A matrix, such as added mass, is symmetric: it is scaled as a whole first, then varied element by element.
+        """
+        what = "ints" if f.type is Kind.INT else "reals"
+        first = f"{place}[0][0]"
+        whole = [f"{indent}scale(from, &{first}, sizeof {place} / sizeof {first});"] if len(f.shape) == 2 else []
+        size = row_length(self._names, f.shape)
+        return whole + over(
+            self._names,
+            place,
+            f.shape[:-1],
+            indent,
+            lambda row, i, _: [f"{i}vary_{what}(from, {address(row, f.shape)}, {size});"],
+            depth,
+        )
 
     # ---- calls ----
 
@@ -169,20 +140,20 @@ class _Harness:
         state = next((a.name for a in results if a.direction == "out" and self._is_state(f, a)), "")
         return {
             "name": f.name,
-            "declared": [f"static {self._declared(a, self._result(f, a))};" for a in results],
+            "declared": [f"static {declaration(self._names, self._result(f, a), a.type, a.shape)};" for a in results],
             "draws": self._draws(f),
             "kept": sum(a.direction == "inout" and a.name in {i.name for i in self._inputs} for a in f.arguments),
             "pointers": len(pointers),
             "begins": [line for a in results for line in self._begin(f, a)],
-            "call": wrapped(self._call(f, pointers), STEP * 2),
+            "call": wrapped(self._call(f, pointers), INDENT * 2),
             "untouched": [line for a in results for line in self._untouched(f, a)],
             "taken": [
-                line for a in results for line in self._results.taken(self._result(f, a), a.type, a.shape, STEP * 3)
+                line for a in results for line in self._results.taken(self._result(f, a), a.type, a.shape, INDENT * 3)
             ],
             "refusals": self._mask(f, negative=True, more=("BAD_ARGUMENT",) if pointers else ()),
             "bits": self._mask(f, negative=False),
             "may_ignore": FUNCTIONS[f.name].unread,
-            "overlap": wrapped(self._overlapping(f, state), STEP * 2) if state else [],
+            "overlap": wrapped(self._overlapping(f, state), INDENT * 2) if state else [],
             "state": self._result(f, next(a for a in results if a.name == state)) if state else "",
         }
 
@@ -220,33 +191,29 @@ class _Harness:
         """Lines that fill a result before a call."""
         place = self._result(f, a)
         if a.direction == "inout":
-            yield f"{STEP * 2}memcpy(&{place}, &{self._source(a)}, sizeof {place});"
+            yield f"{INDENT * 2}memcpy(&{place}, &{self._source(a)}, sizeof {place});"
         else:
-            yield f"{STEP * 2}memset(&{place}, fill[round], sizeof {place});"
+            yield f"{INDENT * 2}memset(&{place}, fill[round], sizeof {place});"
 
     def _untouched(self, f: Function, a: Argument) -> Iterator[str]:
         place = self._result(f, a)
         if a.direction == "inout":
-            yield f"{STEP * 3}expect(memcmp(&{place}, &{self._source(a)}, sizeof {place}) == 0, WRITTEN);"
+            yield f"{INDENT * 3}expect(memcmp(&{place}, &{self._source(a)}, sizeof {place}) == 0, WRITTEN);"
         else:
-            yield f"{STEP * 3}expect(filled(&{place}, sizeof {place}, fill[round]), WRITTEN);"
+            yield f"{INDENT * 3}expect(filled(&{place}, sizeof {place}, fill[round]), WRITTEN);"
 
     def _call(self, f: Function, pointers: list[Argument]) -> str:
-        given = []
-        for a in f.arguments:
-            place = self._place(f, a)
-            address = f"&{place}" if a.variable.pointer else place
-            given.append(f"null == {pointers.index(a) + 1}u ? NULL : {address}" if a in pointers else address)
-        return f"const status got = {self._names.function(f.name)}({', '.join(given)});"
+        def given(a: Argument) -> str:
+            text = passed(a, self._place(f, a))
+            return f"null == {pointers.index(a) + 1}u ? NULL : {text}" if a in pointers else text
+
+        return f"const status got = {call(self._names, f, given)};"
 
     def _overlapping(self, f: Function, state: str) -> str:
-        given = []
-        for a in f.arguments:
-            place = self._result(f, a) if a.name in (state, "x") else self._place(f, a)
-            if a.name == "x":
-                place = f"{f.name}_{state}"
-            given.append(f"&{place}" if a.variable.pointer else place)
-        return f"const status got = {self._names.function(f.name)}({', '.join(given)});"
+        def given(a: Argument) -> str:
+            return passed(a, f"{f.name}_{state}" if a.name in (state, "x") else self._place(f, a))
+
+        return f"const status got = {call(self._names, f, given)};"
 
     def _mask(self, f: Function, negative: bool, more: tuple[str, ...] = ()) -> str:
         """Statuses that a function documents: a bit each of the negative ones, the positive ones together."""
@@ -258,17 +225,15 @@ class _Harness:
     def _recorder(self, f: Function) -> dict[str, Any]:
         """The recorder's step beside step itself."""
         taken = [a for a in f.arguments if a.name != "next"]
-        given = [
-            ("&" if a.variable.pointer else "") + (self._place(f, a)) for a in taken if a.name not in ("table", "x")
-        ]
+        given = [passed(a, self._place(f, a)) for a in taken if a.name not in ("table", "x")]
         before = self._names.function(f.name)
         after = self._names.function(f"recorder_{f.name}")
         rest = ", ".join(given)
         return {
             "name": f.name,
             "draws": self._draws(f),
-            "plain": wrapped(f"const status expected = {before}(&in_table, &in_x, {rest}, &plain);", STEP),
-            "logged": wrapped(f"const status got = {after}(&log, &in_table, &logged, {rest});", STEP * 2),
+            "plain": wrapped(f"const status expected = {before}(&in_table, &in_x, {rest}, &plain);", INDENT),
+            "logged": wrapped(f"const status got = {after}(&log, &in_table, &logged, {rest});", INDENT * 2),
         }
 
 

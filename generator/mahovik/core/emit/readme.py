@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik import __version__
+from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.declaration import titled
 from mahovik.core.emit.eva import provable
 from mahovik.core.emit.generate import Generated, described
 from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.status import statuses
 from mahovik.core.emit.templates import template
 from mahovik.core.program.call import Argument
@@ -27,6 +27,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
     found = identities(stand)
     lanes = generated.layout.lanes
     forward = program.function("forward")
+    default = f"&{names.function('default')}"
     zeroed = [a for a in forward.arguments if a.direction == "in" and not isinstance(a.type, Struct)]
     return template("delivery.md.j2").render(
         name=stand.name,
@@ -45,7 +46,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
         physics=found.physics,
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
         declarations=[_zeroed(a, names) for a in zeroed],
-        call=_call(forward, names),
+        call=call(names, forward, {a.name: a.name for a in forward.arguments} | {"table": default, "x": "&x"}),
         functions=[_row(f, program) for f in program.functions if f.public],
         statuses=statuses(names, generated.layout),
     )
@@ -53,13 +54,7 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
 
 def _zeroed(a: Argument, names: Names) -> str:
     unit = f"  /* {a.unit} */" if a.unit else ""
-    return f"const {names.type(a.type)} {a.name}{''.join(dimensions(names, a.shape))} = {{ 0 }};{unit}"
-
-
-def _call(function: Function, names: Names) -> str:
-    sources = {"table": f"&{names.function('default')}", "x": "&x"}
-    arguments = ", ".join(sources.get(a.name, a.name) for a in function.arguments)
-    return f"{names.function(function.name)}({arguments})"
+    return f"const {declaration(names, a.name, a.type, a.shape)} = {{ 0 }};{unit}"
 
 
 def _row(function: Function, program: Program) -> dict[str, Any]:

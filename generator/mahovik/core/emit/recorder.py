@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik import __version__
+from mahovik.core.emit.calls import INDENT, over, over_rows
 from mahovik.core.emit.declaration import prototype
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
@@ -131,21 +132,14 @@ def _put_functions(layout: Layout, names: Names) -> Iterator[dict[str, Any]]:
 
 
 def _put(f: Field, names: Names) -> list[str]:
-    """Statements that write one member; all dimensions but the last of reals are loops."""
-    whole = f.type is Kind.REAL and bool(f.shape)
-    lengths = [d.strip("[]") for d in dimensions(names, f.shape)]
-    loops = lengths[:-1] if whole else lengths
-    place = f"from->{f.name}" + "".join(f"[{index}]" for index in "ijk"[: len(loops)])
+    """Statements that write one member: rows of reals at once, integers one by one, structs by their own function."""
+    place = f"from->{f.name}"
+    if f.type is Kind.REAL:
+        reals = names.function("record_put_reals")
+        return over_rows(names, place, f.shape, INDENT, lambda row, size: f"{reals}(page, {row}, {size});")
     if isinstance(f.type, Struct):
-        call = f"{names.function(f'record_put_{f.type.name}')}(page, &{place});"
-    elif f.type is Kind.REAL:
-        values, count = (place, lengths[-1]) if whole else (f"&{place}", "1")
-        call = f"{names.function('record_put_reals')}(page, {values}, {count});"
+        put, given = names.function(f"record_put_{f.type.name}"), "&"
     else:
-        call = f"{names.function('record_put')}(page, ({names.function('record_word')}){place}, 4);"
-    lines = []
-    for depth, count in enumerate(loops):
-        index = "ijk"[depth]
-        lines.append(f"{'    ' * (depth + 1)}for (int {index} = 0; {index} < {count}; ++{index}) {{")
-    lines.append("    " * (len(loops) + 1) + call)
-    return lines + ["    " * (depth + 1) + "}" for depth in reversed(range(len(loops)))]
+        put, given = names.function("record_put"), f"({names.function('record_word')})"
+    last = "" if isinstance(f.type, Struct) else ", 4"
+    return over(names, place, f.shape, INDENT, lambda e, indent, _: [f"{indent}{put}(page, {given}{e}{last});"])

@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.contract.quantities import TABLES
-from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.calls import address, call, declaration, initialiser_of, passed
 from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
 from mahovik.core.emit.templates import template
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.types import Kind, Precision, Struct
+from mahovik.core.program.types import Precision
 
 LONG_CALL = 100_000
 """Instructions; a call as long is counted once: the coarsest counter is good to 50 instructions."""
@@ -63,9 +62,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]]) -> str:
         long_call=LONG_CALL,
         many=MANY,
         constants=[_constant(a, states, names, program.precision) for a in taken.values()],
-        outputs=[
-            f"static {names.type(a.type)} {key}{''.join(dimensions(names, a.shape))};" for key, a in written.items()
-        ],
+        outputs=[f"static {declaration(names, key, a.type, a.shape)};" for key, a in written.items()],
         preparation=list(_preparation(public, names)),
         calls=calls,
     )
@@ -95,31 +92,19 @@ def _preparation(public: Sequence[Function], names: Names) -> list[str]:
 
 
 def _call(f: Function, names: Names, order: int) -> str:
-    passed = []
-    for a in f.arguments:
+    def given(a: Argument) -> str:
         if a.direction != "in":
-            passed.append(f"{'' if a.shape else '&'}{f.name}_{a.name}")
-        elif a.name in _OF_THE_STAND:
-            passed.append(f"&{names.function(_OF_THE_STAND[a.name])}")
-        elif a.name == "mounting":
-            passed.append("&prepare_mounts_mounting")
-        elif a.name == "order":
-            passed.append(str(order))
-        else:
-            passed.append(f"{'&' if a.variable.pointer else ''}{a.name}[s]")
-    return f"{names.function(f.name)}({', '.join(passed)})"
+            return address(f"{f.name}_{a.name}", a.shape)
+        if a.name in _OF_THE_STAND:
+            return f"&{names.function(_OF_THE_STAND[a.name])}"
+        if a.name == "mounting":
+            return "&prepare_mounts_mounting"
+        return str(order) if a.name == "order" else passed(a, f"{a.name}[s]")
+
+    return call(names, f, given)
 
 
 def _constant(a: Argument, states: Sequence[Mapping[str, Any]], names: Names, precision: Precision) -> str:
-    rows = [_value(a.type, a.shape, state[a.name], precision) for state in states]
-    shape = "".join(dimensions(names, a.shape))
-    return f"static const {names.type(a.type)} {a.name}[STATES]{shape} = {{\n    {f',{chr(10)}    '.join(rows)}\n}};"
-
-
-def _value(type_: Kind | Struct, shape: tuple[Any, ...], value: Any, precision: Precision) -> str:
-    if shape:
-        return f"{{ {', '.join(_value(type_, shape[1:], v, precision) for v in value)} }}"
-    if isinstance(type_, Struct):
-        members = (f".{f.name} = {_value(f.type, f.shape, value[f.name], precision)}" for f in type_.fields)
-        return f"{{ {', '.join(members)} }}"
-    return real_literal(value, precision) if type_ is Kind.REAL else str(int(value))
+    rows = [initialiser_of(a.type, a.shape, state[a.name], precision, exact=False) for state in states]
+    declared = declaration(names, f"{a.name}[STATES]", a.type, a.shape)
+    return f"static const {declared} = {{\n    {f',{chr(10)}    '.join(rows)}\n}};"
