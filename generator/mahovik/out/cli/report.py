@@ -37,10 +37,12 @@ def report(
     """
     if not output.endswith(".html"):
         raise UsageError(f"-o {output}: expected a name that ends in .html")
+    from mahovik.out.report.plot.draw import require
     from mahovik.out.report.stand.gather import gather
     from mahovik.out.report.stand.page import ORDER, page
     from mahovik.proof.verify.files import probe, write
 
+    require("report")
     probe(Path(output))
     material = gather(
         load_stand(stand_file),

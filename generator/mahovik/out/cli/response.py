@@ -141,7 +141,7 @@ def _check_place(path: Path) -> None:
     if path.suffix in PICTURES:
         from mahovik.out.report.plot.draw import require
 
-        require()
+        require("plot")
     probe(path)
 
 
