@@ -32,7 +32,7 @@ def text_of(path: Path, most: int, error: type[FileError]) -> str:
 
 
 def parse(text: str) -> Any:
-    """The value of a JSON text, floats as Decimal. Raises ValueError; a key that is there twice is an error."""
+    """The value of a JSON text, floats as Decimal. Raises ValueError; a repeated key is an error."""
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         found: dict[str, Any] = {}
@@ -60,8 +60,10 @@ def document_of(text: str, source: str, error: type[FileError], is_json: bool = 
     return {key: value for key, value in found.items() if key != "schema"}
 
 
-def checked(table: type[AnyTable], raw: Any, problems: Problems, where: str = "", **context: Any) -> AnyTable | None:
-    """The table that `raw` holds; None if it has problems, which are noted. Fields read the `context`."""
+def validate_table(
+    table: type[AnyTable], raw: Any, problems: Problems, where: str = "", **context: Any
+) -> AnyTable | None:
+    """The table that `raw` holds; None if it has problems, which are noted. Some fields use the `context`."""
     try:
         return table.model_validate(raw, context=context)
     except ValidationError as error:

@@ -12,7 +12,7 @@ from pydantic import Field
 from pydantic_core import PydanticCustomError
 
 from mahovik.core.motion import ranges, table
-from mahovik.core.motion.document import checked, document_of, text_of
+from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.law_tables import LAWS, DrivenTable
 from mahovik.core.motion.laws import Constant, Law, SpeedTable, TorqueTable, WrenchTable
 from mahovik.core.motion.regime import Driven, Regime
@@ -66,7 +66,7 @@ def loads(
     document = document_of(text, source, RegimeError, is_json)
     problems = Problems(source)
     tables = {key: document[key] for key in ("default", "flywheel", "wrench") if isinstance(document.get(key), dict)}
-    given = checked(RegimeTable, document, problems) or RegimeTable.model_construct(**tables)
+    given = validate_table(RegimeTable, document, problems) or RegimeTable.model_construct(**tables)
     reader = _Reader(problems, until, folder)
     flywheels = _flywheels(reader, given, stand)
     bodies = _known(problems, "wrench", given.wrench, [b.name for b in stand.bodies], "body")
@@ -77,7 +77,7 @@ def loads(
 
 
 def _known(problems: Problems, key: str, given: dict[str, Any], names: list[str], what: str) -> dict[str, Any]:
-    """Those of the tables that have a name of the stand; a problem is noted for each other."""
+    """Return the tables with a name of the stand; note a problem for every other table."""
     for name in given:
         if name not in names:
             problems.add(key, f"unknown {what} {show(name)}{meant(name, names, 'the stand has none')}")
@@ -128,7 +128,7 @@ class _Reader:
             own = [key for key in LAWS if key in raw][:1]
         if not own:
             problems.add(where, f"no law: expected one of {', '.join(LAWS)}")
-        found = checked(DrivenTable, raw, problems, where)
+        found = validate_table(DrivenTable, raw, problems, where)
         if found is None or not own:
             return None
         law = self._law(where, own[0], found)
