@@ -1,4 +1,4 @@
-"""Arguments and options that several commands have, and the console of tables."""
+"""Arguments and options shared by several commands, and the console for tables."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from mahovik.core.stand.model import Stand
+    from mahovik.proof.verify.delivery import Delivered
 
 stand_argument = click.argument("stand_file", metavar="STAND.toml", type=click.Path())
 real_option = click.option(
@@ -21,9 +22,9 @@ lanes_option = click.option(
     "--lanes",
     type=click.Choice(["1", "2", "4", "8"]),
     callback=lambda _context, _option, value: value and int(value),
-    help="Flywheels side by side, for vectors; default 1, with --fast what suits their number.",
+    help="Flywheels per vector; default 1, with --fast chosen by their number.",
 )
-fast_option = click.option("--fast", is_flag=True, help="For this desk's processor: bits are not reproducible.")
+fast_option = click.option("--fast", is_flag=True, help="For a desktop processor: bits are not reproducible.")
 
 
 def load_stand(stand_file: str) -> Stand:
@@ -40,9 +41,9 @@ def given(option: str) -> bool:
 
 
 def console(piped: int = 4000) -> Console:
-    """As wide as the terminal; elsewhere no line is cut or folded before `piped` columns.
+    """Console as wide as the terminal; in pipes no line is cut or folded before `piped` columns.
 
-    Colours on a terminal, unless NO_COLOR is set or TERM is dumb; elsewhere only where FORCE_COLOR is.
+    Colours on a terminal, unless NO_COLOR is set or TERM is dumb; elsewhere only if FORCE_COLOR is set.
     """
     from rich.console import Console
 
@@ -59,3 +60,11 @@ def table(*columns: str, title: str | None = None) -> Table:
         right: Any = "right" if name.endswith(">") else "left"
         found.add_column(name.removesuffix(">"), justify=right, overflow="fold")
     return found
+
+
+def echo_delivery(done: Delivered) -> None:
+    """Print the paths of a delivered folder and its notes, a line each."""
+    for path in done.paths:
+        click.echo(click.format_filename(path))
+    for note in done.notes:
+        click.echo(note)

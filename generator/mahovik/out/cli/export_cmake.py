@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mahovik.out.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.out.cli.arguments import echo_delivery, load_stand, real_option, stand_argument
 
 
 @click.command()
@@ -18,15 +18,12 @@ def cmake(stand_file: str, output: str | None, real: str, batch: bool) -> None:
     """Write a CMake project with the target mahovik::NAME.
 
     For add_subdirectory, or installed for find_package: the C of the stand with the flags that keep its bits, a header
-    for C++17, self-test and example for ctest, README. Never over a file that mahovik has not written, nor into a
-    folder of `mahovik generate`.
+    for C++17, self-test and example for ctest, README. Never overwrites files of others, nor a folder of
+    `mahovik generate`.
     """
     from mahovik.out.export.cmake import cmake_project
     from mahovik.proof.verify.delivery import deliver
 
     stand = load_stand(stand_file)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, cmake_project(stand, real, batch), "cmake")
-    for path in done.paths:
-        click.echo(click.format_filename(path))
-    for note in done.notes:
-        click.echo(note)
+    echo_delivery(done)

@@ -32,7 +32,7 @@ from mahovik.errors import DesignError
 from mahovik.nearest import meant
 from mahovik.use.design.freedom import MIRRORS, PARTS, WIDTH, Freedom, Key, Limits, Tie, Weights
 from mahovik.use.design.limits import nearest_two
-from mahovik.use.design.space import numbers_of
+from mahovik.use.design.space import flywheel_numbers
 
 CHOICES = ("phase", "speed", "number")
 DIMENSIONS: dict[Key, Dimension] = {
@@ -228,7 +228,7 @@ class _Bounds:
 
     def __init__(self, stand: Stand, problems: Problems) -> None:
         self._stand, self._problems = stand, problems
-        self._current = np.array([numbers_of(s) for s in stand.flywheels]).reshape(-1, WIDTH)
+        self._current = np.array([flywheel_numbers(s) for s in stand.flywheels]).reshape(-1, WIDTH)
         self.least, self.most = self._current.copy(), self._current.copy()
         self.free = np.zeros(self._current.shape, dtype=bool)
 
