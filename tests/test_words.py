@@ -15,7 +15,6 @@ PENDING: tuple[str, ...] = (
     "generator/mahovik/core/",
     "generator/mahovik/proof/",
     "generator/mahovik/use/plan/residual/",
-    "generator/mahovik/out/api/",
     "generator/mahovik/out/report/",
     "tests/",
     "tools/",
