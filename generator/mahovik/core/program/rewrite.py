@@ -68,7 +68,7 @@ def unbranched(e: Expr) -> Expr:
 
 
 def substitution(meanings: Mapping[int, Expr]) -> Leaf:
-    """Of a place: what its root stands for (by `id` of the variable), with the rest of the path; itself otherwise."""
+    """Replace the root of a place by its meaning (by `id` of the variable), keep the path; other places stay."""
 
     def leaf(place: Place) -> Expr:
         meant = meanings.get(id(place.root))
