@@ -13,7 +13,6 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 
 PENDING: tuple[str, ...] = (
     "generator/mahovik/core/",
-    "generator/mahovik/proof/",
     "tests/",
     "tools/",
     "templates/",
