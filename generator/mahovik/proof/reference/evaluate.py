@@ -23,7 +23,7 @@ ANSWERS: Mapping[str, Callable[..., Values]] = {
 
 
 def check_want(want: Sequence[str]) -> None:
-    """StateError where `want` is empty, names what is unknown, or asks for two values of one name."""
+    """StateError where `want` is empty, has an unknown name, or asks for two values of one name."""
     if not want:
         raise StateError("want: empty; name at least one of " + ", ".join(ANSWERS))
     for name in want:
