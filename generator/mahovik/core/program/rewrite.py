@@ -68,7 +68,7 @@ def unbranched(e: Expr) -> Expr:
 
 
 def substitution(meanings: Mapping[int, Expr]) -> Leaf:
-    """Of a place: what its root stands for (by `id` of the variable), with the rest of the path; itself otherwise."""
+    """Return a place with its root replaced (by `id` of the variable), or the place itself."""
 
     def leaf(place: Place) -> Expr:
         meant = meanings.get(id(place.root))

@@ -1,4 +1,4 @@
-"""Which variables of a function differ between states side by side (vary), and which are the same for all."""
+"""Variables of a function that differ between states side by side (vary), and those that are the same for all."""
 
 from __future__ import annotations
 

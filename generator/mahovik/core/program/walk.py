@@ -73,7 +73,7 @@ def called(body: tuple[Statement, ...]) -> set[str]:
 
 
 def reachable(functions: tuple[Function, ...]) -> tuple[Function, ...]:
-    """Those functions that are public or called, directly or not, by a public one; order kept."""
+    """Functions that are public or called, directly or not, by a public one; order kept."""
     by_name = {f.name: f for f in functions}
     wanted = [f.name for f in functions if f.public]
     seen: set[str] = set()
